@@ -1,0 +1,93 @@
+#pragma once
+/// @file clipping.hpp
+/// **Lab 5.** From an axis to contact points: clip the incident face against the reference face.
+/// Document §3.6–3.7; Sutherland & Hodgman (1974); Gregorius, *Robust Contact Creation for Physics
+/// Simulations* (GDC 2015).
+
+#include <span>
+
+#include "cs550/contact.hpp"
+
+namespace cs550 {
+
+/// Where an edge of a clipped polygon comes from.
+struct ClipEdge {
+  enum class Source : std::uint8_t { Incident, Reference };
+  Source source = Source::Incident;
+  Index edge = no_index;  ///< half-edge of the incident or of the reference body
+
+  bool operator==(const ClipEdge& other) const {
+    return source == other.source && edge == other.edge;
+  }
+};
+
+/// A corner of a clipped polygon. The two edges that meet in it name it: two incident edges are an
+/// incident vertex, one of each a crossing, two reference edges a corner of the reference face.
+struct ClipVertex {
+  Vec3 point = Vec3::Zero();  ///< world frame (m)
+  ClipEdge in;                ///< the edge that ends here, going counter-clockwise
+  ClipEdge out;               ///< the edge that leaves here
+};
+
+/// A convex polygon, counter-clockwise about its face's normal. Clipping adds at most one corner per
+/// plane, hence the capacity: two faces of the largest size.
+using ClipPolygon = StaticVector<ClipVertex, 2 * max_face_vertices>;
+
+/// **L5.1** Clips a polygon by a plane, keeping the side where the distance is ≤ 0 (Sutherland &
+/// Hodgman). The document's table, "front" being the side that is kept: front → front emits the
+/// second end, behind → front the intersection and the second end, front → behind the intersection,
+/// behind → behind nothing. A point on the plane is kept; an intersection is emitted only between
+/// ends that are strictly on opposite sides, so no corner appears twice.
+/// @param plane normal pointing out of the side that is kept, same frame as the polygon
+/// @param plane_edge what the new edge along the plane is called
+ClipPolygon clip_polygon(const ClipPolygon& polygon, const Plane& plane, ClipEdge plane_edge = {});
+
+/// **L5.2** The incident face: the one whose normal is most anti-parallel to the reference normal.
+/// The first of several equal ones wins.
+/// @param body the body that does *not* own the reference face
+/// @param reference_normal world frame, unit, out of the reference body
+Index find_incident_face(const PosedShape& body, const Vec3& reference_normal);
+
+/// How far outside a side plane a point still counts as on it, relative to the smaller radius of the
+/// two shapes. Boxes stacked edge to edge keep the same features although their edges differ by
+/// rounding.
+inline constexpr Real side_plane_tolerance = Real(1e-4);
+
+/// **L5.3** The manifold of a face against a face: the incident face is clipped by the side planes of
+/// the reference face (each through one of its edges, perpendicular to it, moved outward by
+/// side_plane_tolerance); of what is left, the points with separation ≤ margin are kept. Each has
+/// one anchor at the clipped point, on the incident body, and one at its projection onto the
+/// reference plane. The manifold's normal points A → B whichever body owns the reference face, its
+/// tangent is along the reference face's first edge. Reduced to max_manifold_points.
+/// @param axis.feature FaceA or FaceB picks the reference face from axis.face_a or axis.face_b
+/// @param margin keep points up to this separation (m)
+Manifold face_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
+                       Real margin);
+
+/// **L5.4** The manifold of two edges: one point, with anchors at the closest points of the two
+/// *segments* (Ericson §5.1.9), normal along axis.edges.axis.
+/// @param axis axis.edges is not empty
+Manifold edge_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis);
+
+/// **L5.5** Picks at most four points that support a body nearly as well as all of them: the deepest
+/// point, the one farthest from it, and the two that add the largest area on either side of that
+/// line. Fewer than five come back unchanged; points that coincide are kept once.
+/// @param points anchors in body frames
+/// @param normal of the manifold, in A's **body** frame, unit
+StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
+    std::span<const ContactPoint> points, const Vec3& normal);
+
+/// An edge contact replaces a face manifold only if it is better by this much, relative to the
+/// smaller radius of the two shapes: a face is the steadier support.
+inline constexpr Real edge_preference = Real(5e-3);
+
+/// **L5.6** The manifold for an axis. The face manifold comes first (the better of axis.face_a and
+/// axis.face_b; the kind in axis.feature decides between equals); the edge contact wins only if its
+/// separation beats **both** the SAT separation of that face and the deepest point of the face
+/// manifold by edge_preference. Bodies that overlap never get an empty manifold: a face manifold that lost
+/// all its points falls back to the edges, then to the deepest vertex. A separation above the
+/// margin gives an empty manifold.
+Manifold build_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
+                        Real margin);
+
+}  // namespace cs550

@@ -1,0 +1,95 @@
+#pragma once
+/// @file constraint_solver.hpp
+/// **Lab 7.** Sequential impulses: every contact is a constraint Jv + b ≥ 0, solved a row at a time,
+/// over and over, with accumulated impulses. Document §4.2; Catto, *Iterative Dynamics with Temporal
+/// Coherence* (GDC 2005), *Modeling and Solving Constraints* (GDC 2009), *Solver2D* (2024).
+
+#include <span>
+
+#include "cs550/contact_row.hpp"
+
+namespace cs550 {
+
+/// One row of the constraint matrix: JV = linear_a·v_A + angular_a·ω_A + linear_b·v_B + angular_b·ω_B.
+struct ContactJacobian {
+  Vec3 linear_a = Vec3::Zero();
+  Vec3 angular_a = Vec3::Zero();
+  Vec3 linear_b = Vec3::Zero();
+  Vec3 angular_b = Vec3::Zero();
+};
+
+/// How penetration is undone.
+enum class ContactModel : std::uint8_t {
+  Baumgarte,  ///< the document's bias: a share β of the error per step, restitution in the bias
+  Soft,       ///< a damped spring (Catto 2024), then a relax pass, then restitution
+};
+
+/// What the solver is told about a substep.
+struct ContactStep {
+  Real h = 0;                              ///< length of the substep (s)
+  bool use_bias = true;                    ///< false in the relax pass
+  ContactModel model = ContactModel::Soft;
+  Softness soft;                           ///< contacts between movable bodies
+  Softness soft_static;                    ///< contacts with an immovable body
+  Real baumgarte = Real(0.2);              ///< β
+  Real slop = 0;                           ///< penetration that is left alone (m)
+  Real max_push_speed = HUGE_VALF;         ///< fastest recovery from penetration (m/s)
+  Real restitution_threshold = 0;          ///< approaches slower than this do not bounce (m/s)
+  int restitution_iterations = 1;          ///< sweeps of apply_restitution()
+};
+
+/// b of one row in one pass, with what softness makes of the impulse.
+struct ContactBias {
+  Real velocity = 0;  ///< b (m/s): the row asks for v_n ≥ −b
+  Real mass_scale = 1;
+  Real impulse_scale = 0;
+};
+
+/// **L7.1** The row of J for a direction d at a contact: [−d, −r_A × d, d, r_B × d].
+/// @param direction unit, world frame
+/// @param r_a, r_b contact from each centre of mass, world frame (m)
+ContactJacobian contact_jacobian(const Vec3& direction, const Vec3& r_a, const Vec3& r_b);
+
+/// **L7.2** (JM⁻¹Jᵀ)⁻¹ (kg); 0 for two immovable bodies.
+Real constraint_mass(const ContactJacobian& jacobian, const BodyVelocity& a, const BodyVelocity& b);
+
+/// **L7.3** The bias of a row, negative to push apart.
+/// - Apart (d > 0): b = d/h, whatever the pass: the gap may close, not more (speculative contact).
+/// - Relax pass: b = 0.
+/// - Baumgarte: position term b_p = (β/h)·min(0, d + slop), not below −max_push_speed.
+/// - Soft: b_p = rate·min(0, d + slop), not below −max_push_speed, with the row's mass and impulse
+///   scales.
+/// - Restitution, in the Baumgarte model only: b_r = e·v_n⁰ where v_n⁰ < −threshold, else 0, and
+///   b = min(b_p, b_r), never the sum, whether the bodies are apart or not.
+/// @param separation d at present (m)
+ContactBias contact_bias(const ContactRow& row, Real separation, const ContactStep& step);
+
+/// **L7.4** Fills normal_mass, tangent_mass (the inverse of the 2 × 2 matrix JM⁻¹Jᵀ of u and v) and
+/// softness (soft_static where either body is immovable) of every row.
+void prepare_contacts(std::span<ContactRow> rows, std::span<const BodyVelocity> bodies,
+                      const ContactStep& step);
+
+/// **L7.5** Applies the impulses that a row has accumulated: −λ to A, +λ to B, along n, u and v.
+void warm_start(const ContactRow& row, BodyVelocity& a, BodyVelocity& b);
+
+/// **L7.6** One normal impulse: λ = −m·(Jv + b), softened, added to the accumulated one, which is
+/// kept ≥ 0; the difference is applied. An impulse may go back down. The present separation is the
+/// row's plus n·(Δx_B + Δθ_B × r_B − Δx_A − Δθ_A × r_A): the same J, applied to displacements.
+void solve_normal(ContactRow& row, BodyVelocity& a, BodyVelocity& b, const ContactStep& step);
+
+/// **L7.7** One friction impulse: u and v solved together, λ = −m_t·(J_u v, J_v v), accumulated, the pair then
+/// scaled back onto the disk ‖(λ_u, λ_v)‖ ≤ μ·λ_n of the *accumulated* normal impulse.
+void solve_friction(ContactRow& row, BodyVelocity& a, BodyVelocity& b);
+
+/// **L7.8** One pass: for each row in order, friction and then the normal, which has the last word.
+void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
+                    const ContactStep& step);
+
+/// **L7.9** Bounces: for the rows with λ_n > 0 that are not yet `struck` and whose approach velocity is
+/// below −threshold, drives v_n to −e·v_n⁰ (accumulated and clamped as in solve_normal()), sweeping
+/// restitution_iterations times; then marks every row with λ_n > 0 as struck. Runs after the relax
+/// pass of each substep; the substep in which λ_n first becomes positive is the one of the impact.
+void apply_restitution(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
+                       const ContactStep& step);
+
+}  // namespace cs550

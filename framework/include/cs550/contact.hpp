@@ -1,0 +1,76 @@
+#pragma once
+/// @file contact.hpp
+/// Where and how two bodies touch: what collision detection hands to the solvers.
+
+#include "cs550/separating_axis.hpp"
+#include "cs550/static_vector.hpp"
+
+namespace cs550 {
+
+/// Names the pair of features that makes a contact point, in 32 bits: equal in two steps if and
+/// only if the same features meet, so that last step's impulse can be carried over.
+/// 3 bits of kind, 14 bits for an element of A, 14 bits for an element of B.
+struct FeatureId {
+  enum class Kind : std::uint8_t {
+    None,
+    VertexOnFaceA,  ///< reference face of A, incident vertex of B
+    CrossingOnA,    ///< reference on A: side edge of A, incident edge of B
+    CornerOfFaceA,  ///< reference on A: vertex of A inside the incident face of B
+    VertexOnFaceB,  ///< reference face of B, incident vertex of A
+    CrossingOnB,    ///< reference on B: incident edge of A, side edge of B
+    CornerOfFaceB,  ///< reference on B: incident face of A, vertex of B
+    Edges,          ///< edge of A against edge of B
+  };
+
+  std::uint32_t bits = 0;
+
+  FeatureId() = default;
+  /// @param of_a, of_b numbers of the vertex, face or *edge* (half-edge / 2) that the kind names
+  FeatureId(Kind kind, Index of_a, Index of_b)
+      : bits(static_cast<std::uint32_t>(kind) << 28 | static_cast<std::uint32_t>(of_a) << 14 |
+             static_cast<std::uint32_t>(of_b)) {}
+
+  Kind kind() const { return static_cast<Kind>(bits >> 28); }
+  Index of_a() const { return static_cast<Index>(bits >> 14 & 0x3fffU); }
+  Index of_b() const { return static_cast<Index>(bits & 0x3fffU); }
+  bool operator==(const FeatureId& other) const { return bits == other.bits; }
+  bool operator!=(const FeatureId& other) const { return bits != other.bits; }
+};
+
+/// One point of a manifold: a point on A and a point on B that are `separation` apart along the
+/// normal, and the impulses that the solver has gathered there.
+struct ContactPoint {
+  Vec3 anchor_a = Vec3::Zero();        ///< on A, A's body frame (m)
+  Vec3 anchor_b = Vec3::Zero();        ///< on B, B's body frame (m)
+  Real separation = 0;                 ///< normal·(point on B − point on A) (m)
+  FeatureId feature;
+  Real normal_impulse = 0;             ///< λ_n ≥ 0 of the last substep (N·s)
+  Vec2 tangent_impulse = Vec2::Zero(); ///< λ_u, λ_v of the last substep (N·s)
+};
+
+/// The most points of a manifold.
+inline constexpr int max_manifold_points = 4;
+
+/// How two bodies touch: up to four points that share a normal.
+struct Manifold {
+  Vec3 normal = Vec3::Zero();   ///< n, unit, A → B, world frame
+  Vec3 tangent = Vec3::Zero();  ///< u, unit, perpendicular to n, world frame; v = n × u
+  AxisFeature reference = AxisFeature::None;  ///< whose face the points were clipped against
+  StaticVector<ContactPoint, max_manifold_points> points;
+};
+
+/// A pair of bodies that may touch, and what their surfaces are like.
+struct Contact {
+  Index body_a = no_index;  ///< body_a < body_b
+  Index body_b = no_index;
+  Manifold manifold;        ///< empty while they do not touch
+  Real friction = 0;        ///< Coulomb's μ
+  Real restitution = 0;     ///< Newton's e, 0–1
+};
+
+/// Gives the points of `now` the impulses of the points of `before` that have the same feature, as
+/// far as they push along the new normal. The tangent impulses are carried as a world vector and
+/// projected onto the new tangents.
+void carry_impulses(const Manifold& before, Manifold& now);
+
+}  // namespace cs550

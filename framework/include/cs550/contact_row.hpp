@@ -1,0 +1,66 @@
+#pragma once
+/// @file contact_row.hpp
+/// The solver's whole world: bodies as velocities, contact points as rows. Between steps the state is
+/// {x, q, P, L}; inside a substep only these two arrays exist, filled once and read once.
+
+#include "cs550/math.hpp"
+
+namespace cs550 {
+
+/// All that a contact solver sees of a body. Immovable bodies have zero inverse mass and inertia.
+struct BodyVelocity {
+  Vec3 v = Vec3::Zero();                      ///< of the centre of mass, world (m/s)
+  Vec3 w = Vec3::Zero();                      ///< ω, world (rad/s)
+  Real inverse_mass = 0;                      ///< 1/kg
+  Mat3 world_inverse_inertia = Mat3::Zero();  ///< 1/(kg·m²)
+  Vec3 delta_position = Vec3::Zero();         ///< moved since the step began (m)
+  Vec3 delta_rotation = Vec3::Zero();         ///< turned since then: Σ h·ω (rad)
+
+  /// Changes the velocities as an impulse at an offset from the centre of mass does.
+  /// @param impulse world frame (N·s)
+  /// @param r where it acts, from the centre of mass, world frame (m)
+  void apply(const Vec3& impulse, const Vec3& r) {
+    v += inverse_mass * impulse;
+    w += world_inverse_inertia * r.cross(impulse);
+  }
+};
+
+/// What a soft contact makes of an impulse: λ = −m_scale·m·(Jv + b) − λ_scale·λ_acc.
+/// The defaults are a rigid contact.
+struct Softness {
+  Real bias_rate = 0;      ///< speed of recovery per metre of penetration (1/s)
+  Real mass_scale = 1;
+  Real impulse_scale = 0;
+};
+
+/// A spring-damper of the given frequency as softness: with ω = 2π·hertz, a₁ = 2ζ + h·ω,
+/// a₂ = h·ω·a₁, a₃ = 1/(1 + a₂): rate ω/a₁, mass scale a₂·a₃, impulse scale a₃ (Catto, *Solver2D*,
+/// 2024). @param damping_ratio ζ, @param h substep (s)
+Softness soft_contact(Real hertz, Real damping_ratio, Real h);
+
+/// One contact point as the solver sees it. Geometry is that of the start of the step.
+struct ContactRow {
+  Index body_a = no_index;
+  Index body_b = no_index;
+  Vec3 n = Vec3::Zero();    ///< unit, A → B, world frame
+  Vec3 u = Vec3::Zero();    ///< unit, first tangent, world frame; the second is v = n × u
+  Vec3 r_a = Vec3::Zero();  ///< contact from A's centre of mass, world frame (m)
+  Vec3 r_b = Vec3::Zero();  ///< contact from B's centre of mass, world frame (m)
+  Real separation = 0;      ///< along n when the step began (m)
+  Real friction = 0;        ///< μ
+  Real restitution = 0;     ///< e
+
+  Real normal_mass = 0;             ///< (JM⁻¹Jᵀ)⁻¹ along n (kg)
+  Mat2 tangent_mass = Mat2::Zero(); ///< the same for u and v together (kg)
+  Softness softness;
+
+  Real approach_velocity = 0;  ///< v_n⁰ before this substep's gravity and warm start (m/s)
+  bool struck = false;         ///< λ_n has been positive earlier in this step: v_n⁰ is spent
+
+  Real normal_impulse = 0;              ///< accumulated λ_n ≥ 0 (N·s)
+  Vec2 tangent_impulse = Vec2::Zero();  ///< accumulated λ_u, λ_v (N·s)
+
+  Vec3 v() const { return n.cross(u); }
+};
+
+}  // namespace cs550

@@ -1,0 +1,28 @@
+#pragma once
+/// @file diagnostics.hpp
+/// Sums over a world, in double precision.
+
+#include "cs550/world.hpp"
+
+namespace cs550 {
+
+/// Mechanical energy of the dynamic bodies (J).
+struct Energy {
+  double kinetic = 0;
+  double potential = 0;  ///< −m·g·x, zero at the world's origin
+  /// KE + PE + ½·h·m·g·v_up: what the semi-implicit step of length h conserves in free fall.
+  double invariant = 0;
+
+  double total() const { return kinetic + potential; }
+};
+
+/// @param h the substep (s), for the invariant
+Energy energy(const World& world, Real h);
+
+/// Σ P of the dynamic bodies, world frame (kg·m/s).
+Eigen::Vector3d linear_momentum(const World& world);
+
+/// Σ L + x × P of the dynamic bodies about the world's origin (kg·m²/s).
+Eigen::Vector3d angular_momentum(const World& world);
+
+}  // namespace cs550

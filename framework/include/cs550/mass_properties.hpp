@@ -1,0 +1,22 @@
+#pragma once
+/// @file mass_properties.hpp
+/// Mass, centre and inertia of a convex polyhedron, exactly.
+
+#include "cs550/half_edge_mesh.hpp"
+
+namespace cs550 {
+
+/// The integrals of a solid of uniform density.
+struct MassProperties {
+  Real volume = 0;                     ///< m³; mass = density·volume
+  Vec3 centroid = Vec3::Zero();        ///< in the frame of the mesh (m)
+  Mat3 unit_inertia = Mat3::Zero();    ///< about the centroid, for density 1 (m⁵)
+};
+
+/// Integrates 1, x and x·xᵀ over the solid by the divergence theorem, from a fan of triangles of
+/// each face, in double precision. Mirtich, *Fast and Accurate Computation of Polyhedral Mass
+/// Properties* (1996); Eberly, *Polyhedral Mass Properties (Revisited)* (2002).
+/// An inside-out mesh gives a negative volume: nothing is hidden by an absolute value.
+MassProperties mass_properties(const HalfEdgeMesh& mesh);
+
+}  // namespace cs550

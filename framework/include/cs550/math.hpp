@@ -1,0 +1,111 @@
+#pragma once
+/// @file math.hpp
+/// The vocabulary of every other header, and the conventions of the whole project.
+///
+/// **Conventions**, everywhere:
+/// - right-handed axes, SI units (m, kg, s, rad);
+/// - a quaternion `q` rotates body to world;
+/// - a contact normal `n` is unit length and points **from A to B**;
+/// - the normal velocity `v_n = n·(v_B + ω_B × r_B − v_A − ω_A × r_A)` is negative when approaching;
+/// - a separation is negative in penetration;
+/// - faces are counter-clockwise seen from outside, so their normals point outward.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+
+namespace cs550 {
+
+/// The scalar of the engine.
+using Real = float;
+
+/// Names an element (vertex, half-edge, face, body) by its place in an array.
+using Index = std::int32_t;
+
+/// The index of nothing.
+inline constexpr Index no_index = -1;
+
+// Fixed-size types carry no alignment demands: they may be stored, copied and serialised as plain
+// bytes, and they give the same bits whatever the instruction set.
+using Vec2 = Eigen::Matrix<Real, 2, 1, Eigen::DontAlign>;
+using Vec3 = Eigen::Matrix<Real, 3, 1, Eigen::DontAlign>;
+using Mat2 = Eigen::Matrix<Real, 2, 2, Eigen::DontAlign>;
+using Mat3 = Eigen::Matrix<Real, 3, 3, Eigen::DontAlign>;
+using Quat = Eigen::Quaternion<Real, Eigen::DontAlign>;
+
+inline constexpr Real pi = static_cast<Real>(3.14159265358979323846L);
+
+/// The points x with `normal·x = offset`. The normal is unit length.
+struct Plane {
+  Vec3 normal = Vec3::UnitZ();
+  Real offset = 0;  ///< m, along the normal from the origin
+
+  /// Signed distance of a point (m), positive on the side to which the normal points.
+  Real distance(const Vec3& point) const { return normal.dot(point) - offset; }
+};
+
+/// Where a body is: `x_world = R(orientation)·x_body + position`.
+struct Pose {
+  Vec3 position = Vec3::Zero();         ///< of the body's origin, in the world (m)
+  Quat orientation = Quat::Identity();  ///< unit length, body to world
+
+  Mat3 rotation() const { return orientation.toRotationMatrix(); }
+  Vec3 to_world(const Vec3& point) const { return orientation * point + position; }
+  Vec3 to_body(const Vec3& point) const { return orientation.conjugate() * (point - position); }
+
+  /// Turns a direction from body to world; directions ignore the position.
+  Vec3 rotate(const Vec3& direction) const { return orientation * direction; }
+  /// Turns a direction from world to body.
+  Vec3 unrotate(const Vec3& direction) const { return orientation.conjugate() * direction; }
+};
+
+/// An axis-aligned box; empty until it includes a point.
+struct Bounds {
+  Vec3 lower = Vec3::Constant(HUGE_VALF);
+  Vec3 upper = Vec3::Constant(-HUGE_VALF);
+
+  void include(const Vec3& point) {
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
+  }
+  void include(const Bounds& other) {
+    lower = lower.cwiseMin(other.lower);
+    upper = upper.cwiseMax(other.upper);
+  }
+  bool contains(const Bounds& other) const {
+    return (lower.array() <= other.lower.array()).all() &&
+           (upper.array() >= other.upper.array()).all();
+  }
+  bool overlaps(const Bounds& other) const {
+    return (lower.array() <= other.upper.array()).all() &&
+           (upper.array() >= other.lower.array()).all();
+  }
+  Bounds expanded(Real margin) const {
+    Bounds result = *this;
+    result.lower.array() -= margin;
+    result.upper.array() += margin;
+    return result;
+  }
+  Vec3 center() const { return Real(0.5) * (lower + upper); }
+  Vec3 extent() const { return upper - lower; }
+};
+
+/// The unit quaternion of a turn by |v| radians about v: exp(v/2) of the pure quaternion (0, v).
+/// @param v rotation vector (rad); zero gives the identity
+inline Quat rotation_exp(const Vec3& v) {
+  const Real half_angle = Real(0.5) * v.norm();
+  // sin(x)/x, by its series where the quotient would lose digits.
+  const Real sinc = half_angle > Real(1e-3) ? std::sin(half_angle) / half_angle
+                                            : 1 - half_angle * half_angle / 6;
+  const Vec3 axis = (Real(0.5) * sinc) * v;
+  return {std::cos(half_angle), axis.x(), axis.y(), axis.z()};
+}
+
+/// A unit vector perpendicular to a unit vector n, chosen away from n's largest components.
+inline Vec3 any_perpendicular(const Vec3& n) {
+  const Vec3 axis = std::abs(n.x()) < Real(0.6) ? Vec3::UnitX() : Vec3::UnitY();
+  return axis.cross(n).normalized();
+}
+
+}  // namespace cs550

@@ -1,0 +1,26 @@
+#pragma once
+/// @file mesh_io.hpp
+/// Meshes from and to files.
+
+#include <filesystem>
+
+#include "cs550/primitives.hpp"
+
+namespace cs550 {
+
+/// Reads a Wavefront OBJ file (tinyobjloader), polygons split into triangles. Nothing is repaired:
+/// build_half_edge_mesh() says what is wrong with the triangles, if anything. Errors name the file.
+SoupResult load_obj(const std::filesystem::path& file);
+
+/// A half-edge mesh as JSON (vertices, half-edges, faces): what fixtures are stored as.
+/// Loading checks the result with validate().
+std::string to_json(const HalfEdgeMesh& mesh);
+
+/// A mesh, or a sentence that says why there is none.
+struct MeshResult {
+  HalfEdgeMesh mesh;
+  std::string error;
+};
+MeshResult load_mesh_json(const std::filesystem::path& file);
+
+}  // namespace cs550

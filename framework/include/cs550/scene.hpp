@@ -1,0 +1,47 @@
+#pragma once
+/// @file scene.hpp
+/// Worlds described in JSON files.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cs550/world.hpp"
+
+namespace cs550 {
+
+/// A scene file, read: everything that is needed to build its world, any number of times.
+struct Scene {
+  std::string name;
+  std::string title;        ///< one line for people
+  std::string description;
+  WorldSettings settings;
+  std::vector<BodyDef> bodies;
+  std::vector<std::string> body_names;  ///< parallel to bodies; may be empty strings
+  Real h = Real(1) / 60;    ///< step (s)
+  int steps = 600;          ///< how long a demo runs
+  Real max_penetration = 0; ///< stated bound on penetration, tested (m)
+};
+
+/// A scene, or a sentence: file, JSON path, what was expected, an example.
+struct SceneResult {
+  Scene scene;
+  std::string error;
+
+  explicit operator bool() const { return error.empty(); }
+};
+
+/// Reads a scene file (schema version 1, framework/assets/scenes/README.md). Meshes are looked for
+/// beside the scene and in the assets' meshes/ folder.
+SceneResult load_scene(const std::filesystem::path& file);
+
+/// The shipped scene of that name ("wall"), or a sentence that lists the names there are; also takes
+/// a path.
+SceneResult find_scene(const std::string& name_or_path);
+
+/// The names of the shipped scenes, sorted.
+std::vector<std::string> shipped_scenes();
+
+World make_world(const Scene& scene);
+
+}  // namespace cs550
