@@ -1,0 +1,85 @@
+#pragma once
+/// @file story.hpp
+/// Checks that tell, when they fail, what happened: the property in words, the steps that led there,
+/// what was expected and what came out with units, and what most likely went wrong.
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cs550/math.hpp"
+
+namespace cs550::test {
+
+/// Where a check stands in the test's source.
+struct SourceLine {
+  const char* file;
+  int line;
+  // Implicit, and defaulted here, so that it is the caller's line that is caught.
+  SourceLine(const char* at_file = __builtin_FILE(), int at_line = __builtin_LINE())
+      : file(at_file), line(at_line) {}
+};
+
+/// One property and the case in which it is checked. Copy a story to vary a case in a loop.
+class Story {
+ public:
+  /// @param property a sentence: "Free fall follows x₀ + v₀·t + ½·g·t²"
+  explicit Story(std::string property);
+
+  /// A fact about the case, in words.
+  Story& given(const std::string& fact);
+  template <class Value>
+  Story& given(const std::string& name, const Value& value, const std::string& unit = "") {
+    return given(name + " = " + show(value, unit));
+  }
+  /// What was done.
+  Story& when(const std::string& action);
+  /// The seed of the random inputs.
+  Story& seed(std::uint32_t seed);
+  /// What most likely went wrong, in the student's terms.
+  Story& likely(const std::string& cause);
+
+  // Each check returns whether it held, so that a loop can stop at its first failure.
+
+  bool expect(const std::string& what, bool holds, SourceLine at = {});
+  /// |got − expected| ≤ tolerance; false for NaN.
+  bool expect_near(const std::string& what, double got, double expected, double tolerance,
+                   const std::string& unit = "", SourceLine at = {});
+  /// ‖got − expected‖ ≤ tolerance; false for NaN.
+  bool expect_near(const std::string& what, const Vec3& got, const Vec3& expected,
+                   double tolerance, const std::string& unit = "", SourceLine at = {});
+  bool expect_at_most(const std::string& what, double got, double bound,
+                      const std::string& unit = "", SourceLine at = {});
+  bool expect_at_least(const std::string& what, double got, double bound,
+                       const std::string& unit = "", SourceLine at = {});
+  template <class Got, class Expected>
+  bool expect_equal(const std::string& what, const Got& got, const Expected& expected,
+                    SourceLine at = {}) {
+    if (got == expected) return true;
+    report(what, show(got, ""), show(expected, ""), at);
+    return false;
+  }
+
+  static std::string show(const Vec3& value, const std::string& unit = "");
+  static std::string show(bool value, const std::string& unit = "");
+  static std::string show(const char* value, const std::string& unit = "");
+  template <class Value>
+  static std::string show(const Value& value, const std::string& unit) {
+    std::ostringstream text;
+    text.precision(7);
+    text << value;
+    return unit.empty() ? text.str() : text.str() + " " + unit;
+  }
+
+ private:
+  void report(const std::string& what, const std::string& got, const std::string& expected,
+              SourceLine at) const;
+
+  std::string property_;
+  std::vector<std::string> givens_;
+  std::vector<std::string> actions_;
+  std::vector<std::string> causes_;
+};
+
+}  // namespace cs550::test
