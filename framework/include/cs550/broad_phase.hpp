@@ -52,11 +52,18 @@ class AabbTree {
   Index root() const { return root_; }
 
  private:
+  Node& node(Index index) { return nodes_[static_cast<std::size_t>(index)]; }
+  const Node& node(Index index) const { return nodes_[static_cast<std::size_t>(index)]; }
+
   Index take_node();
-  void free_node(Index node);
+  void free_node(Index index);
+  void attach(Index leaf);
+  void detach(Index leaf);
+  void replace_child(Index parent, Index child, Index replacement);
   Index best_sibling(const Bounds& bounds) const;
-  void refit_upwards(Index node);
-  void rotate(Index node);
+  void refit_upwards(Index index);
+  void refit(Index index);
+  void rotate(Index index);
 
   std::vector<Node> nodes_;
   Index root_ = no_index;

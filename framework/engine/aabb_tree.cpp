@@ -1,0 +1,270 @@
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "cs550/broad_phase.hpp"
+
+namespace cs550 {
+namespace {
+
+Bounds united(const Bounds& a, const Bounds& b) {
+  Bounds result = a;
+  result.include(b);
+  return result;
+}
+
+/// Half the surface area: how likely a random query or ray meets the box, up to a factor.
+Real area(const Bounds& bounds) {
+  const Vec3 size = bounds.extent();
+  return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
+}
+
+/// Whether the part of a ray between 0 and `length` meets a box (Kay & Kajiya's slabs).
+bool ray_meets(const Bounds& bounds, const Vec3& origin, const Vec3& direction, Real length) {
+  Real entry = 0;
+  Real exit = length;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real lower = bounds.lower[axis] - origin[axis];
+    const Real upper = bounds.upper[axis] - origin[axis];
+    if (direction[axis] == 0) {
+      if (lower > 0 || upper < 0) return false;
+      continue;
+    }
+    const Real first = lower / direction[axis];
+    const Real second = upper / direction[axis];
+    entry = std::max(entry, std::min(first, second));
+    exit = std::min(exit, std::max(first, second));
+  }
+  return entry <= exit;
+}
+
+/// Visits a tree depth first. The links to the parents lead back up, so a tree of any height needs
+/// neither recursion nor a stack.
+/// @param enter whether to look below a node: `bool enter(const Node&)`
+/// @param first which of a node's children comes first, 0 or 1, always the same: `int first(const
+/// Node&)`
+template <class Enter, class First>
+void walk(std::span<const AabbTree::Node> nodes, Index root, Enter enter, First first) {
+  const auto at = [nodes](Index i) -> const AabbTree::Node& {
+    return nodes[static_cast<std::size_t>(i)];
+  };
+  Index index = root;
+  while (index != no_index) {
+    const AabbTree::Node& node = at(index);
+    if (enter(node) && !node.is_leaf()) {
+      index = node.child[first(node)];
+      continue;
+    }
+    Index parent = node.parent;
+    while (parent != no_index && index != at(parent).child[first(at(parent))]) {
+      index = parent;
+      parent = at(index).parent;
+    }
+    index = parent == no_index ? no_index : at(parent).child[1 - first(at(parent))];
+  }
+}
+
+}  // namespace
+
+Index AabbTree::insert(const Bounds& bounds, Index user) {
+  const Index leaf = take_node();
+  node(leaf).bounds = bounds;
+  node(leaf).user = user;
+  attach(leaf);
+  ++leaf_count_;
+  return leaf;
+}
+
+void AabbTree::remove(Index leaf) {
+  assert(node(leaf).height == 0);
+  detach(leaf);
+  free_node(leaf);
+  --leaf_count_;
+}
+
+void AabbTree::move(Index leaf, const Bounds& bounds) {
+  assert(node(leaf).height == 0);
+  detach(leaf);
+  node(leaf).bounds = bounds;
+  attach(leaf);
+}
+
+const Bounds& AabbTree::bounds(Index leaf) const { return node(leaf).bounds; }
+
+int AabbTree::height() const { return root_ == no_index ? 0 : node(root_).height; }
+
+void AabbTree::query(const Bounds& bounds, std::vector<Index>& users) const {
+  const auto enter = [&](const Node& visited) {
+    if (!visited.bounds.overlaps(bounds)) return false;
+    if (visited.is_leaf()) users.push_back(visited.user);
+    return true;
+  };
+  walk(nodes_, root_, enter, [](const Node&) { return 0; });
+}
+
+void AabbTree::ray_cast(const Vec3& origin, const Vec3& direction, Real length,
+                        const std::function<Real(Index user, Real length)>& visit) const {
+  const auto enter = [&](const Node& visited) {
+    if (!ray_meets(visited.bounds, origin, direction, length)) return false;
+    if (visited.is_leaf()) length = visit(visited.user, length);
+    return true;
+  };
+  // The nearer child first: its hits shorten the ray before the farther one is looked at.
+  const auto nearer = [&](const Node& visited) {
+    const Vec3 apart =
+        node(visited.child[1]).bounds.center() - node(visited.child[0]).bounds.center();
+    return direction.dot(apart) < 0 ? 1 : 0;
+  };
+  walk(nodes_, root_, enter, nearer);
+}
+
+Index AabbTree::take_node() {
+  if (free_ == no_index) {
+    nodes_.emplace_back();
+    return static_cast<Index>(nodes_.size()) - 1;
+  }
+  const Index taken = free_;
+  free_ = node(taken).parent;
+  node(taken) = Node{};
+  return taken;
+}
+
+void AabbTree::free_node(Index index) {
+  node(index) = Node{};
+  node(index).height = -1;
+  node(index).parent = free_;
+  free_ = index;
+}
+
+/// Puts a leaf beside its best sibling, below a new node that takes the sibling's place.
+void AabbTree::attach(Index leaf) {
+  if (root_ == no_index) {
+    root_ = leaf;
+    node(leaf).parent = no_index;
+    return;
+  }
+  const Index sibling = best_sibling(node(leaf).bounds);
+  const Index joint = take_node();
+  replace_child(node(sibling).parent, sibling, joint);
+  node(joint).child[0] = sibling;
+  node(joint).child[1] = leaf;
+  node(sibling).parent = joint;
+  node(leaf).parent = joint;
+  refit_upwards(joint);
+}
+
+/// Takes a leaf out; its sibling takes the place of their parent, which is freed.
+void AabbTree::detach(Index leaf) {
+  const Index joint = node(leaf).parent;
+  if (joint == no_index) {
+    root_ = no_index;
+    return;
+  }
+  const Index sibling = node(joint).child[node(joint).child[0] == leaf ? 1 : 0];
+  const Index parent = node(joint).parent;
+  replace_child(parent, joint, sibling);
+  free_node(joint);
+  refit_upwards(parent);
+}
+
+/// @param parent of the child, or no_index if the child is the root
+void AabbTree::replace_child(Index parent, Index child, Index replacement) {
+  node(replacement).parent = parent;
+  if (parent == no_index) {
+    root_ = replacement;
+  } else {
+    node(parent).child[node(parent).child[0] == child ? 0 : 1] = replacement;
+  }
+}
+
+/// The node beside which a new leaf adds the least area to the tree (Catto 2019, greedy descent).
+/// The cost of a place is the area of the joint that is made there, plus the growth of all nodes
+/// above it.
+Index AabbTree::best_sibling(const Bounds& bounds) const {
+  const Real own_area = area(bounds);
+  Index best = root_;
+  Real best_cost = area(united(node(root_).bounds, bounds));
+  Real inherited = 0;
+  Index index = root_;
+  while (!node(index).is_leaf()) {
+    const Node& parent = node(index);
+    inherited += area(united(parent.bounds, bounds)) - area(parent.bounds);
+
+    Index next = no_index;
+    Real least_bound = best_cost;
+    Real least_distance = HUGE_VALF;
+    for (const Index child : parent.child) {
+      const Real joint_area = area(united(node(child).bounds, bounds));
+      if (inherited + joint_area < best_cost) {
+        best = child;
+        best_cost = inherited + joint_area;
+      }
+      // No place below the child costs less: it grows, and the joint holds at least the new leaf.
+      const Real bound = inherited + joint_area - area(node(child).bounds) + own_area;
+      const Real distance = (node(child).bounds.center() - bounds.center()).squaredNorm();
+      if (bound < least_bound || (bound == least_bound && distance < least_distance)) {
+        next = child;
+        least_bound = bound;
+        least_distance = distance;
+      }
+    }
+    if (next == no_index || least_bound >= best_cost) break;
+    index = next;
+  }
+  return best;
+}
+
+void AabbTree::refit_upwards(Index index) {
+  while (index != no_index) {
+    refit(index);
+    rotate(index);
+    index = node(index).parent;
+  }
+}
+
+void AabbTree::refit(Index index) {
+  Node& parent = node(index);
+  const Node& first = node(parent.child[0]);
+  const Node& second = node(parent.child[1]);
+  parent.bounds = united(first.bounds, second.bounds);
+  parent.height = 1 + std::max(first.height, second.height);
+}
+
+/// Swaps a child with a grandchild on the other side where that shrinks the tree (Kensler 2008):
+/// in area, or in height where the area stays the same, as among boxes that coincide.
+void AabbTree::rotate(Index index) {
+  struct Swap {
+    int side = -1;        ///< of the child that goes down
+    int grandchild = -1;  ///< that comes up, of the child on the other side
+    Real growth = 0;
+    Index height = 0;
+  };
+  Swap best;
+  best.height = node(index).height;
+  for (int side = 0; side < 2; ++side) {
+    const Node& down = node(node(index).child[side]);
+    const Node& other = node(node(index).child[1 - side]);
+    if (other.is_leaf()) continue;
+    for (int grandchild = 0; grandchild < 2; ++grandchild) {
+      const Node& up = node(other.child[grandchild]);
+      const Node& stays = node(other.child[1 - grandchild]);
+      const Real growth = area(united(down.bounds, stays.bounds)) - area(other.bounds);
+      const Index height = 1 + std::max(up.height, 1 + std::max(down.height, stays.height));
+      if (growth < best.growth || (growth == best.growth && height < best.height)) {
+        best = {side, grandchild, growth, height};
+      }
+    }
+  }
+  if (best.side < 0) return;
+
+  const Index down = node(index).child[best.side];
+  const Index other = node(index).child[1 - best.side];
+  const Index up = node(other).child[best.grandchild];
+  std::swap(node(index).child[best.side], node(other).child[best.grandchild]);
+  node(up).parent = index;
+  node(down).parent = other;
+  refit(other);
+  refit(index);
+}
+
+}  // namespace cs550
