@@ -1,0 +1,98 @@
+#include <cs550/graded_test.hpp>
+#include <cs550/whose_code.hpp>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "manifest.hpp"
+#include "results.hpp"
+
+namespace {
+
+using namespace cs550::autograder;
+
+enum ExitCode { AllPassed = 0, SomeFailed = 1, BadUsage = 2, OnlyBlocked = 77 };
+
+constexpr const char* usage = R"(Runs the graded tests of one lab.
+
+  --results FILE    write the results as JSON, kept up to date while the tests run
+  --manifest        print the list of tests with their points and steps as JSON
+  --whose[=json]    print whose code each lab function is
+  --gtest_filter=Lab3.Name    run one test; other GoogleTest options: --gtest_help
+
+Exit code: 0 all passed, 1 some failed, 2 wrong usage, 77 only blocked by an earlier lab.
+)";
+
+struct Options {
+  std::string results;
+};
+
+/// Answers the questions that need no test to run; empty when tests are to be run.
+std::optional<int> answer(const std::vector<std::string>& arguments, Options& options) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument == "--help") {
+      std::cout << usage;
+      return AllPassed;
+    }
+    if (argument == "--manifest") {
+      std::cout << manifest();
+      return AllPassed;
+    }
+    if (argument == "--whose") {
+      std::cout << whose_code_text();
+      return AllPassed;
+    }
+    if (argument == "--whose=json") {
+      std::cout << whose_code_json() << '\n';
+      return AllPassed;
+    }
+    if (argument == "--results" && i + 1 < arguments.size()) {
+      options.results = arguments[++i];
+    } else if (argument.rfind("--gtest_", 0) != 0) {
+      std::cerr << "unknown or incomplete option " << argument << "\n\n" << usage;
+      return BadUsage;
+    }
+  }
+  return std::nullopt;
+}
+
+/// In a students' copy a lab that does not compile is replaced by its starter: say so.
+void announce_stubs(int own_lab) {
+  int announced = own_lab;
+  for (const LabFunction& function : lab_functions()) {
+    if (function.lab != own_lab && function.lab != announced && whose(function) == "stub") {
+      announced = function.lab;
+      std::cout << "note: lab " << function.lab
+                << " does not compile or lacks a function; its starter stands in for it\n";
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  if (const auto code = answer(std::vector<std::string>(argv + 1, argv + argc), options)) {
+    return *code;
+  }
+  testing::InitGoogleTest(&argc, argv);
+  const std::vector<GradedTestInfo> tests = graded_tests();
+  announce_stubs(tests.empty() ? 0 : tests.front().lab());
+
+  auto* results = new ResultsWriter(options.results);  // owned by GoogleTest
+  testing::UnitTest::GetInstance()->listeners().Append(results);
+  const bool passed = RUN_ALL_TESTS() == 0;
+  if (testing::GTEST_FLAG(list_tests)) {
+    return AllPassed;
+  }
+  if (results->finished() == 0) {
+    std::cerr << "no test matches\n";
+    return BadUsage;
+  }
+  if (!passed || results->failed() > 0) {
+    return SomeFailed;
+  }
+  return results->blocked() > 0 ? OnlyBlocked : AllPassed;
+}

@@ -1,0 +1,102 @@
+#include "results.hpp"
+
+#include <cs550/graded_test.hpp>
+#include <fstream>
+#include <iostream>
+#include <utility>
+
+namespace cs550::autograder {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+GradedTestInfo graded_info(const testing::TestInfo& test) {
+  for (const GradedTestInfo& info : graded_tests()) {
+    if (info.suite == test.test_suite_name() && info.name == test.name()) {
+      return info;
+    }
+  }
+  return {};
+}
+
+std::string status(const testing::TestResult& result) {
+  if (result.Failed()) {
+    return "failed";
+  }
+  return result.Skipped() ? "blocked" : "passed";
+}
+
+/// All that the test's assertions said, without GoogleTest's own first word.
+std::string message(const testing::TestResult& result) {
+  const std::string noise = "Failed\n";
+  std::string text;
+  for (int i = 0; i < result.total_part_count(); ++i) {
+    std::string part = result.GetTestPartResult(i).message();
+    if (part.compare(0, noise.size(), noise) == 0) {
+      part.erase(0, noise.size());
+    }
+    text += (text.empty() ? "" : "\n") + part;
+  }
+  return text;
+}
+
+}  // namespace
+
+ResultsWriter::ResultsWriter(std::filesystem::path file) : file_(std::move(file)) {}
+
+void ResultsWriter::OnTestProgramStart(const testing::UnitTest&) { write(); }
+
+void ResultsWriter::OnTestStart(const testing::TestInfo& test) {
+  const GradedTestInfo info = graded_info(test);
+  rows_.push_back({{"test", std::string(test.test_suite_name()) + "." + test.name()},
+                   {"step", info.step},
+                   {"points", info.points},
+                   {"earned", 0},
+                   {"status", "running"},
+                   {"message", ""},
+                   {"seconds", 0.0},
+                   {"hidden", info.hidden()},
+                   {"long", info.duration == Duration::Long}});
+  write();
+}
+
+void ResultsWriter::OnTestEnd(const testing::TestInfo& test) {
+  const testing::TestResult& result = *test.result();
+  Json& row = rows_.back();
+  row["status"] = status(result);
+  row["message"] = message(result);
+  row["seconds"] = static_cast<double>(result.elapsed_time()) / 1000.0;
+  if (row["status"] == "passed") {
+    row["earned"] = row["points"];
+  }
+  failed_ += row["status"] == "failed";
+  blocked_ += row["status"] == "blocked";
+  write();
+}
+
+void ResultsWriter::write() const {
+  if (file_.empty()) {
+    return;
+  }
+  int points = 0;
+  int earned = 0;
+  for (const Json& row : rows_) {
+    points += row["points"].get<int>();
+    earned += row["earned"].get<int>();
+  }
+  const Json document = {{"points", points}, {"earned", earned}, {"tests", rows_}};
+
+  // Written beside and renamed, so that a reader never sees half a file.
+  std::filesystem::path draft = file_;
+  draft += ".tmp";
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::absolute(file_).parent_path(), error);
+  std::ofstream(draft) << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  std::filesystem::rename(draft, file_, error);
+  if (error) {
+    std::cerr << "cannot write the results to " << file_ << ": " << error.message() << '\n';
+    std::exit(2);
+  }
+}
+
+}  // namespace cs550::autograder

@@ -1,0 +1,20 @@
+# cmake -DPROGRAM=... -DMANIFEST=... -DBUILD=... -P compare_manifest.cmake update|check
+# Compares the manifest that PROGRAM prints with the committed file; `update` rewrites the file.
+cmake_minimum_required(VERSION 3.25)
+math(EXPR last "${CMAKE_ARGC} - 1")
+set(mode "${CMAKE_ARGV${last}}")
+execute_process(COMMAND "${PROGRAM}" --manifest OUTPUT_VARIABLE current COMMAND_ERROR_IS_FATAL ANY)
+set(committed "")
+if(EXISTS "${MANIFEST}")
+  file(READ "${MANIFEST}" committed)
+endif()
+if(current STREQUAL committed)
+  return()
+endif()
+if(mode STREQUAL "update")
+  file(WRITE "${MANIFEST}" "${current}")
+  message(STATUS "Wrote ${MANIFEST}")
+else()
+  message(FATAL_ERROR "${MANIFEST} is stale. To mend it:\n"
+                      "  cmake --build ${BUILD} --target update_manifests")
+endif()

@@ -1,0 +1,20 @@
+# The code that is given. It calls lab functions, which stay undefined until an executable brings the
+# objects of the labs (link_labs.cmake).
+function(cs550_given_library name folder)
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/${folder}/*.cpp")
+  if(sources)
+    add_library(${name} STATIC ${sources})
+    target_link_libraries(${name} PUBLIC cs550_contract ${ARGN} PRIVATE cs550_warnings)
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE cs550_contract ${ARGN})
+    message(STATUS "framework/${folder} has no sources yet")
+  endif()
+endfunction()
+
+cs550_given_library(cs550_engine engine nlohmann_json::nlohmann_json tinyobjloader::tinyobjloader
+                    Qhull::qhullcpp Qhull::qhull_r Threads::Threads)
+cs550_given_library(cs550_drawing drawing)
+cs550_given_library(cs550_autograder autograder GTest::gtest nlohmann_json::nlohmann_json)
+target_include_directories(cs550_autograder PUBLIC
+                           "${PROJECT_SOURCE_DIR}/framework/autograder/include")

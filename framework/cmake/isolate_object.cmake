@@ -1,0 +1,52 @@
+# Merges a lab's OBJECTS into OUTPUT, which exports the functions named in SYMBOLS and nothing else.
+# Its code lies in a section cs550_<variant>_lab<N>: the linker then defines __start_ and __stop_
+# symbols around it, by which a program tells whose function it is about to call.
+#
+# A lab that lacks a function is an error, or, given a FALLBACK (an isolated stub), replaced by it.
+cmake_minimum_required(VERSION 3.25)
+
+function(missing_functions result)
+  file(STRINGS "${SYMBOLS}" promised)
+  execute_process(COMMAND "${NM}" -g --defined-only ${OBJECTS} OUTPUT_VARIABLE listing ERROR_QUIET)
+  set(missing "")
+  foreach(symbol IN LISTS promised)
+    if(NOT listing MATCHES " T ${symbol}\n")
+      list(APPEND missing ${symbol})
+    endif()
+  endforeach()
+  set(${result} "${missing}" PARENT_SCOPE)
+endfunction()
+
+function(demangle symbols result)
+  execute_process(COMMAND c++filt ${symbols} OUTPUT_VARIABLE names ERROR_QUIET)
+  string(STRIP "${names}" names)
+  string(REPLACE "\n" "\n  " names "${names}")
+  set(${result} "${names}" PARENT_SCOPE)
+endfunction()
+
+function(isolate)
+  cmake_path(REMOVE_EXTENSION OUTPUT LAST_ONLY OUTPUT_VARIABLE stem)
+  file(WRITE "${stem}.ld" "SECTIONS { cs550_${VARIANT}_lab${LAB} : { *(.text .text.*) } }\n")
+  # Groups must become ordinary sections first: a plain -r link would drop this lab's copy of an
+  # inline function in favour of another lab's.
+  execute_process(COMMAND "${LINKER}" -r --force-group-allocation -T "${stem}.ld"
+                          -o "${stem}.merged.o" ${OBJECTS} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND "${OBJCOPY}" "--keep-global-symbols=${SYMBOLS}"
+                          "${stem}.merged.o" "${OUTPUT}" COMMAND_ERROR_IS_FATAL ANY)
+  file(REMOVE "${stem}.merged.o")
+endfunction()
+
+list(GET SOURCES 0 source)
+cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${ROOT}")
+missing_functions(missing)
+
+if(NOT missing)
+  isolate()
+elseif(FALLBACK)
+  message(NOTICE "Lab ${LAB}: ${source} is not complete or does not compile; "
+                 "its starter is linked in its place.")
+  file(COPY_FILE "${FALLBACK}" "${OUTPUT}")
+else()
+  demangle("${missing}" names)
+  message(FATAL_ERROR "${source} does not define, exactly as its header declares it:\n  ${names}")
+endif()

@@ -1,0 +1,137 @@
+# A lab is found by its number and topic. Up to five variants of its code exist:
+#   student    labs/labN_topic/topic.cpp
+#   assembled  the same file; where it does not compile or lacks a function, the stub
+#   stub       .starters/labN_topic/topic.cpp in a students' copy, else labs/labN_topic/topic.cpp
+#   reference  solutions/labN_topic/*.cpp
+#   fast       solutions/labN_topic/fast/*.cpp, a drop-in for the reference
+# Each becomes one object file that exports nothing but the functions of the contract, so that two
+# labs with helpers of the same name cannot mix, and whose code can be told from any other's.
+#
+#   cs550_lab(number topic)              declares the lab and the variants whose sources exist
+#   cs550_has_variant(var number variant)
+#   cs550_lab_objects(var number variant)     what an executable adds to its sources
+# CS550_LABS lists the numbers of the labs that exist.
+
+include(isolation_tools)
+set(isolation_scripts "${CMAKE_CURRENT_LIST_DIR}")
+set(lab_folder "${PROJECT_BINARY_DIR}/labs")
+
+macro(cs550_lab number topic)
+  cs550_find_lab(${number} ${topic})
+  if(CS550_LAB${number}_VARIANTS)
+    list(APPEND CS550_LABS ${number})
+    cs550_add_lab_objects(${number})
+  else()
+    message(STATUS "Lab ${number} (${topic}) has no code yet: skipped")
+  endif()
+endmacro()
+
+# Sets CS550_LABn_TOPIC, _NAME, _VARIANTS and for each variant _<variant>_SOURCES.
+macro(cs550_find_lab number topic)
+  set(lab CS550_LAB${number})
+  set(${lab}_TOPIC ${topic})
+  set(${lab}_NAME lab${number}_${topic})
+  set(${lab}_VARIANTS "")
+  set(path "${PROJECT_SOURCE_DIR}/@@/${${lab}_NAME}/${topic}.cpp")
+  string(REPLACE "@@" "labs" student_file "${path}")
+  string(REPLACE "@@" ".starters" stub_file "${path}")
+  if(NOT EXISTS "${stub_file}")
+    set(stub_file "${student_file}")
+  endif()
+  set(solution "${PROJECT_SOURCE_DIR}/solutions/${${lab}_NAME}")
+  file(GLOB ${lab}_student_SOURCES CONFIGURE_DEPENDS "${student_file}")
+  file(GLOB ${lab}_stub_SOURCES CONFIGURE_DEPENDS "${stub_file}")
+  file(GLOB ${lab}_reference_SOURCES CONFIGURE_DEPENDS "${solution}/*.cpp")
+  file(GLOB ${lab}_fast_SOURCES CONFIGURE_DEPENDS "${solution}/fast/*.cpp")
+  if(${lab}_stub_SOURCES)
+    set(${lab}_assembled_SOURCES "${${lab}_student_SOURCES}")
+  endif()
+  foreach(variant student assembled stub reference fast)
+    if(${lab}_${variant}_SOURCES)
+      list(APPEND ${lab}_VARIANTS ${variant})
+    endif()
+  endforeach()
+endmacro()
+
+function(cs550_has_variant result number variant)
+  if("${variant}" IN_LIST CS550_LAB${number}_VARIANTS)
+    set(${result} TRUE PARENT_SCOPE)
+  else()
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(cs550_add_lab_objects number)
+  foreach(variant IN LISTS CS550_LAB${number}_VARIANTS)
+    cs550_compile_lab(${number} ${variant})
+  endforeach()
+  if(CS550_ISOLATE_LABS)
+    cs550_list_contract_symbols(${number})
+    foreach(variant IN LISTS CS550_LAB${number}_VARIANTS)
+      cs550_isolate_lab(${number} ${variant})
+    endforeach()
+  endif()
+endfunction()
+
+function(cs550_compile_lab number variant)
+  set(target lab${number}_${variant}_code)
+  add_library(${target} OBJECT EXCLUDE_FROM_ALL ${CS550_LAB${number}_${variant}_SOURCES})
+  target_link_libraries(${target} PRIVATE cs550_contract cs550_isolable)
+  if(variant MATCHES "^(student|assembled)$")
+    target_link_libraries(${target} PRIVATE cs550_student_warnings)
+    cs550_precompile(${target} <cs550/math.hpp>)
+  else()
+    target_link_libraries(${target} PRIVATE cs550_warnings)
+    target_compile_options(${target} PRIVATE -Wmissing-declarations)
+  endif()
+  if(variant STREQUAL "assembled" AND CS550_ISOLATE_LABS)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
+      "sh;${isolation_scripts}/empty_object_on_error.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
+  endif()
+endfunction()
+
+# labs/labN.symbols: the functions that the lab defines, by the reference or else the stub.
+function(cs550_list_contract_symbols number)
+  cs550_has_variant(has_reference ${number} reference)
+  if(has_reference)
+    set(authority lab${number}_reference_code)
+  else()
+    set(authority lab${number}_stub_code)
+  endif()
+  add_custom_command(
+    OUTPUT "${lab_folder}/lab${number}.symbols"
+    COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DOBJECTS=$<TARGET_OBJECTS:${authority}>"
+            "-DOUTPUT=${lab_folder}/lab${number}.symbols"
+            -P "${isolation_scripts}/list_contract_symbols.cmake"
+    DEPENDS "$<TARGET_OBJECTS:${authority}>" "${isolation_scripts}/list_contract_symbols.cmake"
+    COMMENT "Listing the functions of lab ${number}"
+    VERBATIM COMMAND_EXPAND_LISTS)
+  add_custom_target(lab${number}_symbols DEPENDS "${lab_folder}/lab${number}.symbols")
+endfunction()
+
+function(cs550_isolate_lab number variant)
+  set(output "${lab_folder}/lab${number}_${variant}.o")
+  set(fallback "")
+  if(variant STREQUAL "assembled")
+    set(fallback "${lab_folder}/lab${number}_stub.o")
+  endif()
+  set(script "${isolation_scripts}/isolate_object.cmake")
+  add_custom_command(
+    OUTPUT "${output}"
+    COMMAND "${CMAKE_COMMAND}" "-DLINKER=${CS550_BFD_LINKER}" "-DOBJCOPY=${CMAKE_OBJCOPY}"
+            "-DNM=${CMAKE_NM}" "-DLAB=${number}" "-DVARIANT=${variant}"
+            "-DSOURCES=${CS550_LAB${number}_${variant}_SOURCES}" "-DROOT=${PROJECT_SOURCE_DIR}"
+            "-DOBJECTS=$<TARGET_OBJECTS:lab${number}_${variant}_code>"
+            "-DSYMBOLS=${lab_folder}/lab${number}.symbols" "-DFALLBACK=${fallback}"
+            "-DOUTPUT=${output}" -P "${script}"
+    DEPENDS "$<TARGET_OBJECTS:lab${number}_${variant}_code>" "${lab_folder}/lab${number}.symbols"
+            "${script}" ${fallback}
+    COMMENT "Isolating lab ${number} (${variant})"
+    VERBATIM)
+  # One owner of the rule, whatever the number of executables that link the file.
+  add_custom_target(lab${number}_${variant}_object DEPENDS "${output}")
+  add_dependencies(lab${number}_${variant}_object lab${number}_symbols)
+  if(fallback)
+    add_dependencies(lab${number}_${variant}_object lab${number}_stub_object)
+  endif()
+endfunction()

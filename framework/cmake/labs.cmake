@@ -1,0 +1,8 @@
+# The labs: number and topic. From these two everything else is found, see lab_objects.cmake.
+cs550_lab(1 integration)
+cs550_lab(2 half_edge_mesh)
+cs550_lab(3 hill_climbing)
+cs550_lab(4 separating_axis)
+cs550_lab(5 clipping)
+cs550_lab(6 naive_solver)
+cs550_lab(7 constraint_solver)

@@ -1,0 +1,18 @@
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+
+# Editors look for the database at the root; only builds inside the tree may claim it.
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+cmake_path(IS_PREFIX PROJECT_SOURCE_DIR "${PROJECT_BINARY_DIR}" build_is_inside)
+if(build_is_inside)
+  file(CREATE_LINK "${PROJECT_BINARY_DIR}/compile_commands.json"
+       "${PROJECT_SOURCE_DIR}/compile_commands.json" SYMBOLIC)
+endif()
+
+if(CS550_LTO)
+  include(CheckIPOSupported)
+  check_ipo_supported(LANGUAGES CXX)
+  set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
+endif()
