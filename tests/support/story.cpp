@@ -44,14 +44,16 @@ bool Story::expect(const std::string& what, bool holds, SourceLine at) {
 bool Story::expect_near(const std::string& what, double got, double expected, double tolerance,
                         const std::string& unit, SourceLine at) {
   const bool holds = std::abs(got - expected) <= tolerance;
-  if (!holds) report(what, show(got, unit), show(expected, unit) + " ± " + show(tolerance, unit), at);
+  if (!holds)
+    report(what, show(got, unit), show(expected, unit) + " ± " + show(tolerance, unit), at);
   return holds;
 }
 
 bool Story::expect_near(const std::string& what, const Vec3& got, const Vec3& expected,
                         double tolerance, const std::string& unit, SourceLine at) {
   const bool holds = static_cast<double>((got - expected).norm()) <= tolerance;
-  if (!holds) report(what, show(got, unit), show(expected, unit) + " ± " + show(tolerance, unit), at);
+  if (!holds)
+    report(what, show(got, unit), show(expected, unit) + " ± " + show(tolerance, unit), at);
   return holds;
 }
 

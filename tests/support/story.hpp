@@ -47,8 +47,8 @@ class Story {
   bool expect_near(const std::string& what, double got, double expected, double tolerance,
                    const std::string& unit = "", SourceLine at = {});
   /// ‖got − expected‖ ≤ tolerance; false for NaN.
-  bool expect_near(const std::string& what, const Vec3& got, const Vec3& expected,
-                   double tolerance, const std::string& unit = "", SourceLine at = {});
+  bool expect_near(const std::string& what, const Vec3& got, const Vec3& expected, double tolerance,
+                   const std::string& unit = "", SourceLine at = {});
   bool expect_at_most(const std::string& what, double got, double bound,
                       const std::string& unit = "", SourceLine at = {});
   bool expect_at_least(const std::string& what, double got, double bound,

@@ -44,7 +44,7 @@ class AabbTree {
     Index parent = no_index;  ///< also links the free nodes
     Index child[2] = {no_index, no_index};
     Index user = no_index;
-    Index height = 0;         ///< leaves 0, free nodes −1
+    Index height = 0;  ///< leaves 0, free nodes −1
 
     bool is_leaf() const { return child[0] == no_index; }
   };

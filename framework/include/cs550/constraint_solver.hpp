@@ -26,16 +26,16 @@ enum class ContactModel : std::uint8_t {
 
 /// What the solver is told about a substep.
 struct ContactStep {
-  Real h = 0;                              ///< length of the substep (s)
-  bool use_bias = true;                    ///< false in the relax pass
+  Real h = 0;            ///< length of the substep (s)
+  bool use_bias = true;  ///< false in the relax pass
   ContactModel model = ContactModel::Soft;
-  Softness soft;                           ///< contacts between movable bodies
-  Softness soft_static;                    ///< contacts with an immovable body
-  Real baumgarte = Real(0.2);              ///< β
-  Real slop = 0;                           ///< penetration that is left alone (m)
-  Real max_push_speed = HUGE_VALF;         ///< fastest recovery from penetration (m/s)
-  Real restitution_threshold = 0;          ///< approaches slower than this do not bounce (m/s)
-  int restitution_iterations = 1;          ///< sweeps of apply_restitution()
+  Softness soft;                    ///< contacts between movable bodies
+  Softness soft_static;             ///< contacts with an immovable body
+  Real baumgarte = Real(0.2);       ///< β
+  Real slop = 0;                    ///< penetration that is left alone (m)
+  Real max_push_speed = HUGE_VALF;  ///< fastest recovery from penetration (m/s)
+  Real restitution_threshold = 0;   ///< approaches slower than this do not bounce (m/s)
+  int restitution_iterations = 1;   ///< sweeps of apply_restitution()
 };
 
 /// b of one row in one pass, with what softness makes of the impulse.

@@ -40,12 +40,12 @@ struct FeatureId {
 /// One point of a manifold: a point on A and a point on B that are `separation` apart along the
 /// normal, and the impulses that the solver has gathered there.
 struct ContactPoint {
-  Vec3 anchor_a = Vec3::Zero();        ///< on A, A's body frame (m)
-  Vec3 anchor_b = Vec3::Zero();        ///< on B, B's body frame (m)
-  Real separation = 0;                 ///< normal·(point on B − point on A) (m)
+  Vec3 anchor_a = Vec3::Zero();  ///< on A, A's body frame (m)
+  Vec3 anchor_b = Vec3::Zero();  ///< on B, B's body frame (m)
+  Real separation = 0;           ///< normal·(point on B − point on A) (m)
   FeatureId feature;
-  Real normal_impulse = 0;             ///< λ_n ≥ 0 of the last substep (N·s)
-  Vec2 tangent_impulse = Vec2::Zero(); ///< λ_u, λ_v of the last substep (N·s)
+  Real normal_impulse = 0;              ///< λ_n ≥ 0 of the last substep (N·s)
+  Vec2 tangent_impulse = Vec2::Zero();  ///< λ_u, λ_v of the last substep (N·s)
 };
 
 /// The most points of a manifold.
@@ -63,9 +63,9 @@ struct Manifold {
 struct Contact {
   Index body_a = no_index;  ///< body_a < body_b
   Index body_b = no_index;
-  Manifold manifold;        ///< empty while they do not touch
-  Real friction = 0;        ///< Coulomb's μ
-  Real restitution = 0;     ///< Newton's e, 0–1
+  Manifold manifold;     ///< empty while they do not touch
+  Real friction = 0;     ///< Coulomb's μ
+  Real restitution = 0;  ///< Newton's e, 0–1
 };
 
 /// Gives the points of `now` the impulses of the points of `before` that have the same feature, as

@@ -28,7 +28,7 @@ struct BodyVelocity {
 /// What a soft contact makes of an impulse: λ = −m_scale·m·(Jv + b) − λ_scale·λ_acc.
 /// The defaults are a rigid contact.
 struct Softness {
-  Real bias_rate = 0;      ///< speed of recovery per metre of penetration (1/s)
+  Real bias_rate = 0;  ///< speed of recovery per metre of penetration (1/s)
   Real mass_scale = 1;
   Real impulse_scale = 0;
 };
@@ -50,8 +50,8 @@ struct ContactRow {
   Real friction = 0;        ///< μ
   Real restitution = 0;     ///< e
 
-  Real normal_mass = 0;             ///< (JM⁻¹Jᵀ)⁻¹ along n (kg)
-  Mat2 tangent_mass = Mat2::Zero(); ///< the same for u and v together (kg)
+  Real normal_mass = 0;              ///< (JM⁻¹Jᵀ)⁻¹ along n (kg)
+  Mat2 tangent_mass = Mat2::Zero();  ///< the same for u and v together (kg)
   Softness softness;
 
   Real approach_velocity = 0;  ///< v_n⁰ before this substep's gravity and warm start (m/s)

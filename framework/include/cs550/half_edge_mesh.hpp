@@ -127,10 +127,10 @@ enum class MeshError : std::uint8_t {
 /// The first fault of a list of triangles, and the elements that show it.
 struct MeshIssue {
   MeshError error = MeshError::None;
-  Index triangle = no_index;                           ///< in the input list
-  Index other_triangle = no_index;                     ///< the second one, for pairs
-  Index vertex = no_index;                             ///< for faults of one vertex
-  std::array<Index, 2> edge = {no_index, no_index};    ///< its end points, for faults of an edge
+  Index triangle = no_index;                         ///< in the input list
+  Index other_triangle = no_index;                   ///< the second one, for pairs
+  Index vertex = no_index;                           ///< for faults of one vertex
+  std::array<Index, 2> edge = {no_index, no_index};  ///< its end points, for faults of an edge
 
   explicit operator bool() const { return error != MeshError::None; }
 };
@@ -155,8 +155,7 @@ struct MeshBuild {
 /// O(T log T) for T triangles, or expected O(T) with hashing.
 /// @param vertices body frame (m)
 /// @param triangles counter-clockwise seen from outside
-MeshBuild build_half_edge_mesh(std::span<const Vec3> vertices,
-                               std::span<const Triangle> triangles);
+MeshBuild build_half_edge_mesh(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 
 /// **L2.5** The plane of a polygonal face by Newell's method: the normal is the sum over its edges
 /// (a, b) of (a − c) × (b − c), normalised, which no single short edge or reflex corner spoils; the

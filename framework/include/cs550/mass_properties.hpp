@@ -8,9 +8,9 @@ namespace cs550 {
 
 /// The integrals of a solid of uniform density.
 struct MassProperties {
-  Real volume = 0;                     ///< m³; mass = density·volume
-  Vec3 centroid = Vec3::Zero();        ///< in the frame of the mesh (m)
-  Mat3 unit_inertia = Mat3::Zero();    ///< about the centroid, for density 1 (m⁵)
+  Real volume = 0;                   ///< m³; mass = density·volume
+  Vec3 centroid = Vec3::Zero();      ///< in the frame of the mesh (m)
+  Mat3 unit_inertia = Mat3::Zero();  ///< about the centroid, for density 1 (m⁵)
 };
 
 /// Integrates 1, x and x·xᵀ over the solid by the divergence theorem, from a fan of triangles of

@@ -96,8 +96,8 @@ struct Bounds {
 inline Quat rotation_exp(const Vec3& v) {
   const Real half_angle = Real(0.5) * v.norm();
   // sin(x)/x, by its series where the quotient would lose digits.
-  const Real sinc = half_angle > Real(1e-3) ? std::sin(half_angle) / half_angle
-                                            : 1 - half_angle * half_angle / 6;
+  const Real sinc =
+      half_angle > Real(1e-3) ? std::sin(half_angle) / half_angle : 1 - half_angle * half_angle / 6;
   const Vec3 axis = (Real(0.5) * sinc) * v;
   return {std::cos(half_angle), axis.x(), axis.y(), axis.z()};
 }

@@ -19,8 +19,8 @@ Real effective_mass(const BodyVelocity& a, const BodyVelocity& b, const Vec3& r_
 
 /// **L6.2** v_n = n·(v_B + ω_B × r_B − v_A − ω_A × r_A): negative when approaching (m/s).
 /// @param n unit, A → B, world frame
-Real normal_velocity(const BodyVelocity& a, const BodyVelocity& b, const Vec3& r_a,
-                     const Vec3& r_b, const Vec3& n);
+Real normal_velocity(const BodyVelocity& a, const BodyVelocity& b, const Vec3& r_a, const Vec3& r_b,
+                     const Vec3& n);
 
 /// **L6.3** (impulse) and **L6.4** (restitution and the loop) Visits the rows once, in order: where
 /// two bodies touch or overlap (separation ≤ 0) and approach (v_n < 0), applies

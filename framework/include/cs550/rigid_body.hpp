@@ -25,11 +25,11 @@ struct RigidBody {
   Mat3 inertia = Mat3::Identity();          ///< body frame, about the centre of mass (kg·m²)
   Mat3 inverse_inertia = Mat3::Identity();  ///< body frame; 0 unless dynamic
 
-  Pose pose;                              ///< body → world
-  Vec3 linear_momentum = Vec3::Zero();    ///< P, world (kg·m/s)
-  Vec3 angular_momentum = Vec3::Zero();   ///< L about the centre of mass, world (kg·m²/s)
-  Vec3 force = Vec3::Zero();              ///< gathered since the last step, world (N)
-  Vec3 torque = Vec3::Zero();             ///< about the centre of mass, world (N·m)
+  Pose pose;                             ///< body → world
+  Vec3 linear_momentum = Vec3::Zero();   ///< P, world (kg·m/s)
+  Vec3 angular_momentum = Vec3::Zero();  ///< L about the centre of mass, world (kg·m²/s)
+  Vec3 force = Vec3::Zero();             ///< gathered since the last step, world (N)
+  Vec3 torque = Vec3::Zero();            ///< about the centre of mass, world (N·m)
 
   Vec3 linear_velocity = Vec3::Zero();        ///< v = P/m, world (m/s)
   Vec3 angular_velocity = Vec3::Zero();       ///< ω = R·I⁻¹·Rᵀ·L, world (rad/s)

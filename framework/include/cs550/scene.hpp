@@ -13,14 +13,14 @@ namespace cs550 {
 /// A scene file, read: everything that is needed to build its world, any number of times.
 struct Scene {
   std::string name;
-  std::string title;        ///< one line for people
+  std::string title;  ///< one line for people
   std::string description;
   WorldSettings settings;
   std::vector<BodyDef> bodies;
   std::vector<std::string> body_names;  ///< parallel to bodies; may be empty strings
-  Real h = Real(1) / 60;    ///< step (s)
-  int steps = 600;          ///< how long a demo runs
-  Real max_penetration = 0; ///< stated bound on penetration, tested (m)
+  Real h = Real(1) / 60;                ///< step (s)
+  int steps = 600;                      ///< how long a demo runs
+  Real max_penetration = 0;             ///< stated bound on penetration, tested (m)
 };
 
 /// A scene, or a sentence: file, JSON path, what was expected, an example.

@@ -19,10 +19,10 @@ struct FaceQuery {
 
 /// The best pair of edges; false when no arcs of the two Gauss maps cross.
 struct EdgeQuery {
-  Index edge_a = no_index;    ///< half-edge of A
-  Index edge_b = no_index;    ///< half-edge of B
-  Vec3 axis = Vec3::Zero();   ///< unit, A → B, world frame
-  Real separation = 0;        ///< axis·(p_B − p_A), p on the edges (m)
+  Index edge_a = no_index;   ///< half-edge of A
+  Index edge_b = no_index;   ///< half-edge of B
+  Vec3 axis = Vec3::Zero();  ///< unit, A → B, world frame
+  Real separation = 0;       ///< axis·(p_B − p_A), p on the edges (m)
 
   explicit operator bool() const { return edge_a != no_index; }
 };

@@ -35,13 +35,13 @@ struct WorldSettings {
   Real contact_hertz = 30;
   Real contact_damping_ratio = 10;
   Real baumgarte = Real(0.2);
-  Real slop = Real(1e-3);                 ///< of the length unit
-  Real max_push_speed = 3;                ///< length units per second
-  Real restitution_threshold = Real(0.5); ///< length units per second
+  Real slop = Real(1e-3);                  ///< of the length unit
+  Real max_push_speed = 3;                 ///< length units per second
+  Real restitution_threshold = Real(0.5);  ///< length units per second
   int restitution_iterations = 8;
 
-  bool check_stages = false;   ///< check after each stage what it promised (rule 5)
-  bool audit_momentum = false; ///< keep the ledger of momentum_error()
+  bool check_stages = false;    ///< check after each stage what it promised (rule 5)
+  bool audit_momentum = false;  ///< keep the ledger of momentum_error()
 };
 
 /// Which bodies may touch: A and B do if each one's mask has a bit of the other's category.
@@ -53,14 +53,14 @@ struct CollisionFilter {
 /// Everything that a new body needs.
 struct BodyDef {
   BodyKind kind = BodyKind::Dynamic;
-  ShapePtr shape;                         ///< required
-  Real density = 1000;                    ///< kg/m³
-  std::optional<Real> mass;               ///< kg; overrides the density
+  ShapePtr shape;            ///< required
+  Real density = 1000;       ///< kg/m³
+  std::optional<Real> mass;  ///< kg; overrides the density
   Pose pose;
-  Vec3 linear_velocity = Vec3::Zero();    ///< world (m/s)
-  Vec3 angular_velocity = Vec3::Zero();   ///< world (rad/s)
-  Real friction = Real(0.6);              ///< μ; a pair uses the geometric mean
-  Real restitution = 0;                   ///< e; a pair uses the larger one
+  Vec3 linear_velocity = Vec3::Zero();   ///< world (m/s)
+  Vec3 angular_velocity = Vec3::Zero();  ///< world (rad/s)
+  Real friction = Real(0.6);             ///< μ; a pair uses the geometric mean
+  Real restitution = 0;                  ///< e; a pair uses the larger one
   CollisionFilter filter;
 };
 
@@ -90,9 +90,9 @@ const char* to_string(Stage stage);
 struct StageProblem {
   Stage stage = Stage::Integrate;
   int lab = 0;
-  Index body = no_index;   ///< or no_index
+  Index body = no_index;  ///< or no_index
   std::int64_t step = 0;
-  std::string message;     ///< "not implemented: L4.4 …", or the promise that was broken
+  std::string message;  ///< "not implemented: L4.4 …", or the promise that was broken
 };
 
 /// What one step did.
@@ -101,7 +101,7 @@ struct StepStats {
   int pairs = 0;                              ///< from the broad phase
   int contacts = 0;                           ///< pairs with a manifold
   int points = 0;
-  Real deepest_separation = 0;                ///< most negative separation, 0 if none (m)
+  Real deepest_separation = 0;  ///< most negative separation, 0 if none (m)
 };
 
 /// Two bodies that began or ceased to touch.
@@ -114,10 +114,13 @@ struct ContactEvent {
 struct RayHit {
   BodyId body;
   Index face = no_index;
-  Real distance = 0;            ///< along the ray (m)
-  Vec3 point = Vec3::Zero();    ///< world (m)
-  Vec3 normal = Vec3::Zero();   ///< of the face, world
+  Real distance = 0;           ///< along the ray (m)
+  Vec3 point = Vec3::Zero();   ///< world (m)
+  Vec3 normal = Vec3::Zero();  ///< of the face, world
 };
+
+class AabbTree;
+struct WorldState;
 
 /// Bodies that move, collide and rest. A plain value: a copy of a world continues identically, which
 /// is how a state is saved and restored.
@@ -175,7 +178,7 @@ class World {
   /// Bodies whose bounds overlap a box, sorted by index.
   std::vector<BodyId> query(const Bounds& bounds) const;
   /// The nodes of the broad phase's tree, for drawing.
-  const class AabbTree& broad_phase() const;
+  const AabbTree& broad_phase() const;
 
   /// A hash of all poses and momenta, bit for bit (FNV-1a): equal hashes, equal states.
   std::uint64_t state_hash() const;
@@ -185,8 +188,7 @@ class World {
   double momentum_error() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<WorldState> state_;
 };
 
 }  // namespace cs550

@@ -1,0 +1,83 @@
+#include "world_state.hpp"
+
+namespace cs550 {
+
+namespace {
+
+ContactRow make_row(const Contact& contact, const ContactPoint& point, const Pose& a,
+                    const Pose& b) {
+  const Manifold& manifold = contact.manifold;
+  // Halfway between the surfaces: both bodies then feel the impulse on one line of action, and
+  // friction conserves angular momentum too.
+  const Vec3 middle = Real(0.5) * (a.to_world(point.anchor_a) + b.to_world(point.anchor_b));
+  ContactRow row;
+  row.body_a = contact.body_a;
+  row.body_b = contact.body_b;
+  row.n = manifold.normal;
+  row.u = manifold.tangent;
+  row.r_a = middle - a.position;
+  row.r_b = middle - b.position;
+  row.separation = point.separation;
+  row.friction = contact.friction;
+  row.restitution = contact.restitution;
+  row.normal_impulse = point.normal_impulse;
+  row.tangent_impulse = point.tangent_impulse;
+  return row;
+}
+
+}  // namespace
+
+void fill_rows(WorldState& world) {
+  world.rows.clear();
+  for (const Contact& contact : world.pairs.contacts) {
+    const Pose& a = world.bodies[static_cast<std::size_t>(contact.body_a)].pose;
+    const Pose& b = world.bodies[static_cast<std::size_t>(contact.body_b)].pose;
+    for (const ContactPoint& point : contact.manifold.points) {
+      world.rows.push_back(make_row(contact, point, a, b));
+    }
+  }
+}
+
+void store_impulses(WorldState& world) {
+  auto row = world.rows.begin();
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    char touching = 0;
+    for (ContactPoint& point : world.pairs.contacts[i].manifold.points) {
+      point.normal_impulse = row->normal_impulse;
+      point.tangent_impulse = row->tangent_impulse;
+      if (row->struck || point.separation <= 0) touching = 1;
+      ++row;
+    }
+    const Contact& contact = world.pairs.contacts[i];
+    const ContactEvent event{world.id_at(contact.body_a), world.id_at(contact.body_b)};
+    if (touching && !world.pairs.touching[i]) world.began.push_back(event);
+    if (!touching && world.pairs.touching[i]) world.ended.push_back(event);
+    world.pairs.touching[i] = touching;
+  }
+}
+
+void gather_velocities(const WorldState& world, std::span<BodyVelocity> velocities) {
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    const RigidBody& body = world.bodies[i];
+    velocities[i].v = body.linear_velocity;
+    velocities[i].w = body.angular_velocity;
+    velocities[i].inverse_mass = body.inverse_mass;
+    velocities[i].world_inverse_inertia = body.world_inverse_inertia;
+  }
+}
+
+void write_back_momenta(WorldState& world) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    RigidBody& body = world.bodies[i];
+    if (body.kind != BodyKind::Dynamic) continue;
+    const Vec3 dv = world.velocities[i].v - body.linear_velocity;
+    const Vec3 dw = world.velocities[i].w - body.angular_velocity;
+    if (dv.isZero(0) && dw.isZero(0)) continue;
+    const Vec3 dw_body = body.pose.unrotate(dw);
+    body.linear_momentum += body.mass * dv;
+    body.angular_momentum += body.pose.rotate(body.inertia * dw_body);
+    refresh_velocity(body);
+  }
+}
+
+}  // namespace cs550

@@ -1,0 +1,118 @@
+#pragma once
+/// @file world_state.hpp
+/// What a world is made of, and the parts of its step. Everything here is copied with a world, so that
+/// a copy continues identically.
+
+#include <cstdint>
+#include <vector>
+
+#include "cs550/broad_phase.hpp"
+#include "cs550/world.hpp"
+
+namespace cs550 {
+
+/// Place and life of one body in the arrays of the world.
+struct BodySlot {
+  std::uint32_t generation = 0;
+  bool alive = false;
+  Index leaf = no_index;  ///< in the tree
+  Bounds reach;           ///< where its surface and contact margin may be during this step
+};
+
+/// The pairs that are near each other, sorted by (body_a, body_b), and what is remembered of each.
+struct PairList {
+  std::vector<Contact> contacts;
+  std::vector<SeparatingAxis> axes;
+  std::vector<char> touching;  ///< at the end of the last step
+
+  std::size_t size() const { return contacts.size(); }
+  void clear();
+  /// Appends pair i of another list.
+  void append(const PairList& other, std::size_t i);
+};
+
+/// Linear momentum that nothing explains, summed over the audited steps.
+struct MomentumLedger {
+  Eigen::Vector3d unexplained = Eigen::Vector3d::Zero();
+  double largest_sum = 0;  ///< of |P| over the bodies: the scale of the error
+};
+
+struct WorldState {
+  WorldSettings settings;
+
+  std::vector<RigidBody> bodies;
+  std::vector<BodyDef> definitions;
+  std::vector<BodySlot> slots;
+  int alive_count = 0;
+
+  AabbTree tree;
+  PairList pairs;
+
+  std::vector<ContactEvent> began;
+  std::vector<ContactEvent> ended;
+  std::vector<ContactEvent> ended_by_removal;  ///< to be told with the next step
+  std::vector<StageProblem> problems;
+  StepStats stats;
+  MomentumLedger ledger;
+  std::int64_t step_count = 0;
+  double time = 0;
+
+  // Room that a step works in, kept so that a warm step allocates nothing.
+  std::vector<BodyVelocity> velocities;
+  std::vector<ContactRow> rows;
+  PairList next_pairs;
+  std::vector<Index> moved;  ///< whose leaves moved since pairs were looked for
+  std::vector<Index> found;
+  std::vector<std::uint64_t> new_keys;
+  std::vector<RigidBody> bodies_before;
+
+  std::size_t slot_count() const { return slots.size(); }
+  BodyId id_at(Index index) const {
+    return {index, slots[static_cast<std::size_t>(index)].generation};
+  }
+  PosedShape posed_shape(Index index) const {
+    const auto i = static_cast<std::size_t>(index);
+    return {definitions[i].shape.get(), bodies[i].pose};
+  }
+  Real slop() const { return settings.slop * settings.length_unit; }
+};
+
+/// The margin within which two surfaces get contact points during a step of length h (m): what
+/// they may close at their present speeds and in free fall, and a few slops.
+Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h);
+
+/// Gives a new body its leaf in the tree.
+void insert_leaf(WorldState& world, Index body);
+/// Makes every leaf hold its body as it is now, so that queries between steps find it.
+void enclose_bodies(WorldState& world);
+/// Brings the tree and the pairs up to date with poses and speeds. @param h step (s)
+void update_pairs(WorldState& world, Real h);
+/// Drops the pairs of a body that is being removed; those that touched go to ended_by_removal.
+void remove_pairs_of(WorldState& world, Index body);
+
+/// Copies what solvers see of the bodies. Displacements are kept.
+void gather_velocities(const WorldState& world, std::span<BodyVelocity> velocities);
+/// Gives the bodies the momenta that belong to the solved velocities. Only the change is written,
+/// so that a body without contacts keeps P and L to the last bit.
+void write_back_momenta(WorldState& world);
+
+/// Fills one row per contact point.
+void fill_rows(WorldState& world);
+/// Hands the accumulated impulses back to the contact points, for the next step's warm start.
+void store_impulses(WorldState& world);
+
+/// What a stage promised (rule 5): breaches are reported in problems() and their effect undone.
+void check_bodies(WorldState& world);
+void check_axes(WorldState& world);
+void check_manifolds(WorldState& world);
+
+/// One step, stage by stage. @param h s
+void advance(WorldState& world, Real h);
+
+/// Impulses of one substep that come from outside the dynamic bodies: forces over h, and the rows
+/// that push against immovable bodies (N·s).
+Eigen::Vector3d outer_impulse(const WorldState& world, Real h);
+/// Σ P of the dynamic bodies, in double.
+Eigen::Vector3d total_momentum(const WorldState& world);
+
+}  // namespace cs550

@@ -1,0 +1,161 @@
+#include "cs550/constraint_solver.hpp"
+
+#include <algorithm>
+
+#include "cs550/naive_solver.hpp"
+
+namespace cs550 {
+
+namespace {
+
+/// J·M⁻¹·Kᵀ for two rows of the same contact: how much an impulse along k changes the velocity
+/// along j.
+Real couple(const ContactJacobian& j, const ContactJacobian& k, const BodyVelocity& a,
+            const BodyVelocity& b) {
+  return a.inverse_mass * j.linear_a.dot(k.linear_a) +
+         j.angular_a.dot(a.world_inverse_inertia * k.angular_a) +
+         b.inverse_mass * j.linear_b.dot(k.linear_b) +
+         j.angular_b.dot(b.world_inverse_inertia * k.angular_b);
+}
+
+/// (JM⁻¹Jᵀ)⁻¹ for the two tangents together; 0 for two immovable bodies.
+Mat2 tangent_constraint_mass(const ContactRow& row, const BodyVelocity& a, const BodyVelocity& b) {
+  const ContactJacobian ju = contact_jacobian(row.u, row.r_a, row.r_b);
+  const ContactJacobian jv = contact_jacobian(row.v(), row.r_a, row.r_b);
+  const Real uu = couple(ju, ju, a, b);
+  const Real uv = couple(ju, jv, a, b);
+  const Real vv = couple(jv, jv, a, b);
+  const Real determinant = uu * vv - uv * uv;
+  if (determinant <= 0) return Mat2::Zero();
+  Mat2 inverse;
+  inverse << vv, -uv, -uv, uu;
+  return inverse / determinant;
+}
+
+/// The velocity of B relative to A at the contact.
+Vec3 relative_velocity(const ContactRow& row, const BodyVelocity& a, const BodyVelocity& b) {
+  return b.v + b.w.cross(row.r_b) - a.v - a.w.cross(row.r_a);
+}
+
+/// The separation now: the row's own plus J times what the bodies have moved since the step began.
+Real present_separation(const ContactRow& row, const BodyVelocity& a, const BodyVelocity& b) {
+  const Vec3 moved = b.delta_position + b.delta_rotation.cross(row.r_b) - a.delta_position -
+                     a.delta_rotation.cross(row.r_a);
+  return row.separation + row.n.dot(moved);
+}
+
+void apply_pair(const ContactRow& row, const Vec3& impulse, BodyVelocity& a, BodyVelocity& b) {
+  a.apply(-impulse, row.r_a);
+  b.apply(impulse, row.r_b);
+}
+
+/// Adds to λ_n, keeps it from pulling, and applies what is left of the change.
+void accumulate_normal(ContactRow& row, Real impulse, BodyVelocity& a, BodyVelocity& b) {
+  const Real before = row.normal_impulse;
+  row.normal_impulse = std::max(before + impulse, Real(0));
+  apply_pair(row, (row.normal_impulse - before) * row.n, a, b);
+}
+
+bool bounces(const ContactRow& row, Real threshold) {
+  return row.restitution > 0 && row.approach_velocity < -threshold;
+}
+
+}  // namespace
+
+ContactJacobian contact_jacobian(const Vec3& direction, const Vec3& r_a, const Vec3& r_b) {
+  return {-direction, -r_a.cross(direction), direction, r_b.cross(direction)};
+}
+
+Real constraint_mass(const ContactJacobian& jacobian, const BodyVelocity& a,
+                     const BodyVelocity& b) {
+  const Real inverse = couple(jacobian, jacobian, a, b);
+  return inverse > 0 ? 1 / inverse : 0;
+}
+
+ContactBias contact_bias(const ContactRow& row, Real separation, const ContactStep& step) {
+  ContactBias bias;
+  if (separation > 0) {
+    bias.velocity = separation / step.h;
+  } else if (step.use_bias) {
+    const bool soft = step.model == ContactModel::Soft;
+    const Real rate = soft ? row.softness.bias_rate : step.baumgarte / step.h;
+    bias.velocity =
+        std::max(rate * std::min(Real(0), separation + step.slop), -step.max_push_speed);
+    if (soft) {
+      bias.mass_scale = row.softness.mass_scale;
+      bias.impulse_scale = row.softness.impulse_scale;
+    }
+  }
+  if (step.use_bias && step.model == ContactModel::Baumgarte &&
+      bounces(row, step.restitution_threshold)) {
+    bias.velocity = std::min(bias.velocity, row.restitution * row.approach_velocity);
+  }
+  return bias;
+}
+
+void prepare_contacts(std::span<ContactRow> rows, std::span<const BodyVelocity> bodies,
+                      const ContactStep& step) {
+  for (ContactRow& row : rows) {
+    const BodyVelocity& a = bodies[static_cast<std::size_t>(row.body_a)];
+    const BodyVelocity& b = bodies[static_cast<std::size_t>(row.body_b)];
+    row.normal_mass = constraint_mass(contact_jacobian(row.n, row.r_a, row.r_b), a, b);
+    row.tangent_mass = tangent_constraint_mass(row, a, b);
+    const bool with_immovable = a.inverse_mass == 0 || b.inverse_mass == 0;
+    row.softness = with_immovable ? step.soft_static : step.soft;
+  }
+}
+
+void warm_start(const ContactRow& row, BodyVelocity& a, BodyVelocity& b) {
+  const Vec3 impulse = row.normal_impulse * row.n + row.tangent_impulse.x() * row.u +
+                       row.tangent_impulse.y() * row.v();
+  apply_pair(row, impulse, a, b);
+}
+
+void solve_normal(ContactRow& row, BodyVelocity& a, BodyVelocity& b, const ContactStep& step) {
+  const ContactBias bias = contact_bias(row, present_separation(row, a, b), step);
+  const Real jv = row.n.dot(relative_velocity(row, a, b));
+  const Real impulse = -bias.mass_scale * row.normal_mass * (jv + bias.velocity) -
+                       bias.impulse_scale * row.normal_impulse;
+  accumulate_normal(row, impulse, a, b);
+}
+
+void solve_friction(ContactRow& row, BodyVelocity& a, BodyVelocity& b) {
+  const Vec3 v = row.v();
+  const Vec3 slip = relative_velocity(row, a, b);
+  const Vec2 before = row.tangent_impulse;
+  Vec2 impulse = before - row.tangent_mass * Vec2(row.u.dot(slip), v.dot(slip));
+  const Real limit = row.friction * row.normal_impulse;
+  const Real length = impulse.norm();
+  if (length > limit) impulse *= limit / length;
+  row.tangent_impulse = impulse;
+  const Vec2 change = impulse - before;
+  apply_pair(row, change.x() * row.u + change.y() * v, a, b);
+}
+
+void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
+                    const ContactStep& step) {
+  for (ContactRow& row : rows) {
+    BodyVelocity& a = bodies[static_cast<std::size_t>(row.body_a)];
+    BodyVelocity& b = bodies[static_cast<std::size_t>(row.body_b)];
+    solve_friction(row, a, b);
+    solve_normal(row, a, b, step);
+  }
+}
+
+void apply_restitution(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
+                       const ContactStep& step) {
+  for (int sweep = 0; sweep < step.restitution_iterations; ++sweep) {
+    for (ContactRow& row : rows) {
+      const bool impact = row.normal_impulse > 0 && !row.struck;
+      if (!impact || !bounces(row, step.restitution_threshold)) continue;
+      BodyVelocity& a = bodies[static_cast<std::size_t>(row.body_a)];
+      BodyVelocity& b = bodies[static_cast<std::size_t>(row.body_b)];
+      const Real v_n = normal_velocity(a, b, row.r_a, row.r_b, row.n);
+      const Real target = -row.restitution * row.approach_velocity;
+      accumulate_normal(row, -row.normal_mass * (v_n - target), a, b);
+    }
+  }
+  for (ContactRow& row : rows) row.struck = row.struck || row.normal_impulse > 0;
+}
+
+}  // namespace cs550
