@@ -18,3 +18,8 @@ cs550_given_library(cs550_drawing drawing)
 cs550_given_library(cs550_autograder autograder GTest::gtest nlohmann_json::nlohmann_json)
 target_include_directories(cs550_autograder PUBLIC
                            "${PROJECT_SOURCE_DIR}/framework/autograder/include")
+
+# The main of every graded executable.
+file(GLOB runner_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/autograder/runner/*.cpp")
+add_library(cs550_graded_main OBJECT EXCLUDE_FROM_ALL ${runner_sources})
+target_link_libraries(cs550_graded_main PRIVATE cs550_autograder cs550_warnings)

@@ -54,6 +54,7 @@ endfunction()
 function(cs550_add_graded_executable number variant)
   set(target lab${number}_${variant})
   add_executable(${target} $<TARGET_OBJECTS:lab${number}_tests>
+                           $<TARGET_OBJECTS:cs550_graded_main>
                            $<TARGET_OBJECTS:cs550_lab_table>)
   target_link_libraries(${target} PRIVATE cs550_test_support)
   cs550_link_lab(${target} ${number} ${variant})

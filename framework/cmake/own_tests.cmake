@@ -1,6 +1,8 @@
 # The framework's own tests: one executable per folder of tests/, `tests_engine`, run on the
 # reference labs. A test whose name ends in Long or Soak carries that label.
-include(GoogleTest)
+#
+# ctest lists the tests when it starts, by running the executable: nothing to keep up to date.
+set(list_script "${CMAKE_CURRENT_LIST_DIR}/list_own_tests.cmake")
 
 function(cs550_add_own_tests folder)
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
@@ -12,18 +14,29 @@ function(cs550_add_own_tests folder)
   target_link_libraries(${target} PRIVATE cs550_test_support cs550_warnings GTest::gtest_main
                         ${ARGN})
   cs550_link_reference_labs(${target})
-  cs550_discover_own_tests(${target} ${folder} "-*Long:*Soak" 120 "")
-  cs550_discover_own_tests(${target} ${folder} "*Long" 600 "long")
-  cs550_discover_own_tests(${target} ${folder} "*Soak" 3600 "soak")
+  cs550_discover_own_tests(${target} ${folder})
 endfunction()
 
-function(cs550_discover_own_tests target folder filter timeout label)
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-    TEST_PREFIX "${folder}." TEST_FILTER "${filter}" TEST_LIST ${target}_tests_${label}
-    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
-    PROPERTIES LABELS "${folder}$<$<NOT:$<STREQUAL:${label},>>:;${label}>" TIMEOUT ${timeout})
+# gtest_discover_tests keeps only the first of several labels, hence our own.
+function(cs550_discover_own_tests target folder)
+  set(list_file "${PROJECT_BINARY_DIR}/tests/${target}.cmake")
+  file(GENERATE OUTPUT "${list_file}" CONTENT
+"set(PROGRAM \"$<TARGET_FILE:${target}>\")
+set(FOLDER \"${folder}\")
+set(ROOT \"${PROJECT_SOURCE_DIR}\")
+include(\"${list_script}\")
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${list_file}")
 endfunction()
 
 foreach(folder framework engine)
   cs550_add_own_tests(${folder})
 endforeach()
+
+file(GLOB benchmark_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/benchmarks/*.cpp")
+if(benchmark_sources AND benchmark_FOUND)
+  add_executable(benchmarks EXCLUDE_FROM_ALL ${benchmark_sources})
+  target_link_libraries(benchmarks PRIVATE cs550_test_support cs550_warnings
+                        benchmark::benchmark_main)
+  cs550_link_fast_labs(benchmarks)
+endif()
