@@ -1,0 +1,129 @@
+// Lab 7: the constraint solver. The handout is README.md in this folder; what each function promises
+// is in framework/include/cs550/constraint_solver.hpp, and the rows in contact_row.hpp beside it.
+
+#include "cs550/constraint_solver.hpp"
+
+#include "cs550/not_implemented.hpp"
+
+namespace cs550 {
+namespace {
+
+// A worked example, complete: a bead on a vertical wire must not sink below a peg. One body, one
+// direction, one constraint v + b ≥ 0. Every function of this lab does the same with more bodies.
+
+struct Bead {
+  Real mass;      // kg
+  Real velocity;  // m/s, positive upwards
+};
+
+// Asks for v ≥ −b once more and returns the impulse that the peg has given in all (N·s).
+[[maybe_unused]] Real push_bead(Bead& bead, Real accumulated, Real b) {
+  // 1. What impulse would make v + b zero, if this were the only constraint?
+  const Real wanted = -bead.mass * (bead.velocity + b);
+
+  // 2. The peg can push but not pull. That holds for the *sum* of its impulses: a later one may take
+  //    back what an earlier one gave too much.
+  const Real before = accumulated;
+  accumulated = before + wanted > 0 ? before + wanted : 0;
+
+  // 3. Apply only what is new.
+  bead.velocity += (accumulated - before) / bead.mass;
+  return accumulated;
+}
+
+}  // namespace
+
+ContactJacobian contact_jacobian([[maybe_unused]] const Vec3& direction,
+                                 [[maybe_unused]] const Vec3& r_a,
+                                 [[maybe_unused]] const Vec3& r_b) {
+  // L7.1, step 1: write d·(v_B + ω_B × r_B − v_A − ω_A × r_A) as a sum of four dot products, each
+  //               with one of v_A, ω_A, v_B, ω_B. The triple product d·(ω × r) can be turned round.
+  // L7.1, step 2: the four vectors beside the velocities are the row of J.
+  // See README.md, L7.1.
+  throw NotImplemented("L7.1");
+}
+
+Real constraint_mass([[maybe_unused]] const ContactJacobian& jacobian,
+                     [[maybe_unused]] const BodyVelocity& a,
+                     [[maybe_unused]] const BodyVelocity& b) {
+  // L7.2, step 1: M⁻¹ is block diagonal: 1/m and the world inverse inertia of A, then those of B.
+  // L7.2, step 2: J·M⁻¹·Jᵀ is therefore a sum of four terms.
+  // L7.2, step 3: invert it. What is the answer for two bodies that cannot move?
+  // See README.md, L7.2.
+  throw NotImplemented("L7.2");
+}
+
+ContactBias contact_bias([[maybe_unused]] const ContactRow& row, [[maybe_unused]] Real separation,
+                         [[maybe_unused]] const ContactStep& step) {
+  // L7.3, step 1: apart: how fast may the gap close, so that it is just gone after the substep?
+  // L7.3, step 2: in penetration, unless this is the relax pass: how fast is it to be undone, by a
+  //               share of the error beyond the slop (Baumgarte) or by a spring (soft)? Not faster
+  //               than the largest push speed.
+  // L7.3, step 3: a soft contact also brings its two scales along.
+  // L7.3, step 4: in the Baumgarte model the bias may ask for a bounce, too. Do you add the two?
+  // See README.md, L7.3.
+  throw NotImplemented("L7.3");
+}
+
+void prepare_contacts([[maybe_unused]] std::span<ContactRow> rows,
+                      [[maybe_unused]] std::span<const BodyVelocity> bodies,
+                      [[maybe_unused]] const ContactStep& step) {
+  // L7.4, step 1: the normal mass, from L7.1 and L7.2.
+  // L7.4, step 2: the tangents u and v feel each other: put J·M⁻¹·Jᵀ of the two together into a
+  //               2 × 2 matrix, with the coupling beside the diagonal, and invert that.
+  // L7.4, step 3: choose the softness: which one, if a body cannot move?
+  // See README.md, L7.4.
+  throw NotImplemented("L7.4");
+}
+
+void warm_start([[maybe_unused]] const ContactRow& row, [[maybe_unused]] BodyVelocity& a,
+                [[maybe_unused]] BodyVelocity& b) {
+  // L7.5, step 1: what impulse, as a vector in the world, do the three accumulated numbers make?
+  // L7.5, step 2: who gets it, and who its opposite?
+  // See README.md, L7.5.
+  throw NotImplemented("L7.5");
+}
+
+void solve_normal([[maybe_unused]] ContactRow& row, [[maybe_unused]] BodyVelocity& a,
+                  [[maybe_unused]] BodyVelocity& b, [[maybe_unused]] const ContactStep& step) {
+  // L7.6, step 1: how far apart are the surfaces by now? The row tells the start of the step, the
+  //               bodies what they moved and turned since.
+  // L7.6, step 2: Jv, and the bias b for this separation.
+  // L7.6, step 3: λ = −m·(Jv + b), softened by the two scales of the bias.
+  // L7.6, step 4: accumulate, clamp the sum, apply the difference.
+  // See README.md, L7.6.
+  throw NotImplemented("L7.6");
+}
+
+void solve_friction([[maybe_unused]] ContactRow& row, [[maybe_unused]] BodyVelocity& a,
+                    [[maybe_unused]] BodyVelocity& b) {
+  // L7.7, step 1: how fast does the contact slip along u and along v?
+  // L7.7, step 2: the pair of impulses that stops both, from the 2 × 2 mass, added to what the row
+  //               has accumulated.
+  // L7.7, step 3: the pair is a vector in the tangent plane. How long may it be?
+  // L7.7, step 4: apply what is new.
+  // See README.md, L7.7.
+  throw NotImplemented("L7.7");
+}
+
+void solve_contacts([[maybe_unused]] std::span<ContactRow> rows,
+                    [[maybe_unused]] std::span<BodyVelocity> bodies,
+                    [[maybe_unused]] const ContactStep& step) {
+  // L7.8, step 1: visit every row once, in order, with its two bodies.
+  // L7.8, step 2: which of friction and normal should have the last word?
+  // See README.md, L7.8.
+  throw NotImplemented("L7.8");
+}
+
+void apply_restitution([[maybe_unused]] std::span<ContactRow> rows,
+                       [[maybe_unused]] std::span<BodyVelocity> bodies,
+                       [[maybe_unused]] const ContactStep& step) {
+  // L7.9, step 1: which rows have just been hit, and hard enough to bounce?
+  // L7.9, step 2: what normal velocity should they leave with, and which impulse gives it to them?
+  // L7.9, step 3: several corners of one body pull at each other: sweep as often as the step says.
+  // L7.9, step 4: when all is done, remember which rows have been struck.
+  // See README.md, L7.9.
+  throw NotImplemented("L7.9");
+}
+
+}  // namespace cs550
