@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 #include "cs550/broad_phase.hpp"
@@ -190,25 +191,26 @@ Index AabbTree::best_sibling(const Bounds& bounds) const {
     const Node& parent = node(index);
     inherited += area(united(parent.bounds, bounds)) - area(parent.bounds);
 
+    // Equal costs are settled by distance, then by height: among boxes that coincide the tree stays
+    // balanced.
     Index next = no_index;
-    Real least_bound = best_cost;
-    Real least_distance = HUGE_VALF;
+    std::tuple<Real, Real, Index> least = {HUGE_VALF, HUGE_VALF, 0};
     for (const Index child : parent.child) {
       const Real joint_area = area(united(node(child).bounds, bounds));
-      if (inherited + joint_area < best_cost) {
+      if (inherited + joint_area <= best_cost) {
         best = child;
         best_cost = inherited + joint_area;
       }
       // No place below the child costs less: it grows, and the joint holds at least the new leaf.
       const Real bound = inherited + joint_area - area(node(child).bounds) + own_area;
       const Real distance = (node(child).bounds.center() - bounds.center()).squaredNorm();
-      if (bound < least_bound || (bound == least_bound && distance < least_distance)) {
+      const auto rank = std::make_tuple(bound, distance, node(child).height);
+      if (rank < least) {
         next = child;
-        least_bound = bound;
-        least_distance = distance;
+        least = rank;
       }
     }
-    if (next == no_index || least_bound >= best_cost) break;
+    if (next == no_index || std::get<0>(least) > best_cost) break;
     index = next;
   }
   return best;
