@@ -1,0 +1,124 @@
+#include <libqhull_r/qhull_ra.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "cs550/primitives.hpp"
+
+namespace cs550 {
+namespace {
+
+using Vec3d = Eigen::Vector3d;
+
+std::string first_fault(std::span<const Vec3> points) {
+  if (points.size() < 4) {
+    return "a hull needs at least four points, there are " + std::to_string(points.size());
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite()) {
+      return "point " + std::to_string(i) + " has a coordinate that is infinite or not a number";
+    }
+  }
+  return {};
+}
+
+/// The point that is farthest by some measure.
+template <class Measure>
+Vec3d farthest(std::span<const Vec3> points, const Measure& measure) {
+  const auto nearer = [&](const Vec3& a, const Vec3& b) {
+    return measure(a.cast<double>()) < measure(b.cast<double>());
+  };
+  return std::max_element(points.begin(), points.end(), nearer)->template cast<double>();
+}
+
+/// Whether the points lie in a plane, as far as floats can tell: merging would fold such a hull.
+bool are_coplanar(std::span<const Vec3> points) {
+  const Vec3d a = points[0].cast<double>();
+  const Vec3d b = farthest(points, [&](const Vec3d& p) { return (p - a).squaredNorm(); });
+  const Vec3d along = (b - a).normalized();
+  const Vec3d c = farthest(points, [&](const Vec3d& p) { return (p - a).cross(along).norm(); });
+  const Vec3d normal = along.cross(c - a).normalized();
+  const Vec3d d = farthest(points, [&](const Vec3d& p) { return std::abs(normal.dot(p - a)); });
+  return std::abs(normal.dot(d - a)) <= coplanar_tolerance * (b - a).norm();
+}
+
+/// One run of qhull: its state is in here and nowhere else, so that threads do not meet.
+class HullRun {
+ public:
+  explicit HullRun(std::span<const Vec3> points) {
+    for (const Vec3& point : points) {
+      for (const Real coordinate : point) coordinates_.push_back(coordinate);
+    }
+    char triangulated[] = "qhull Qt";
+    qh_zero(&state_, stderr);
+    exit_code_ = qh_new_qhull(&state_, 3, static_cast<int>(points.size()), coordinates_.data(),
+                              False, triangulated, nullptr, messages_.get());
+  }
+  ~HullRun() { qh_freeqhull(&state_, qh_ALL); }
+  HullRun(const HullRun&) = delete;
+  HullRun& operator=(const HullRun&) = delete;
+
+  int exit_code() const { return exit_code_; }
+
+  /// The facets as triangles of the given points, outward.
+  std::vector<Triangle> triangles() const {
+    std::vector<Triangle> result;
+    for (const facetT* facet = state_.facet_list; facet->next != nullptr; facet = facet->next) {
+      Triangle triangle;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto* vertex = static_cast<const vertexT*>(facet->vertices->e[i].p);
+        triangle.at(i) = static_cast<Index>((vertex->point - coordinates_.data()) / 3);
+      }
+      if (facet->toporient) std::swap(triangle[1], triangle[2]);
+      result.push_back(triangle);
+    }
+    return result;
+  }
+
+ private:
+  struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::vector<double> coordinates_;
+  // qhull explains its failures at length, in terms of its own options: not for our readers.
+  std::unique_ptr<std::FILE, CloseFile> messages_{std::fopen("/dev/null", "w")};
+  qhT state_;
+  int exit_code_ = 0;
+};
+
+/// Keeps the vertices that triangles use, in their order, and renumbers them.
+TriangleSoup without_unused_points(std::span<const Vec3> points, std::vector<Triangle> triangles) {
+  std::vector<Index> new_number(points.size(), no_index);
+  for (const Triangle& triangle : triangles) {
+    for (Index v : triangle) new_number[static_cast<std::size_t>(v)] = 0;
+  }
+  TriangleSoup soup;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (new_number[i] == no_index) continue;
+    new_number[i] = static_cast<Index>(soup.vertices.size());
+    soup.vertices.push_back(points[i]);
+  }
+  for (Triangle& triangle : triangles) {
+    for (Index& v : triangle) v = new_number[static_cast<std::size_t>(v)];
+  }
+  soup.triangles = std::move(triangles);
+  return soup;
+}
+
+}  // namespace
+
+SoupResult convex_hull(std::span<const Vec3> points) {
+  if (const std::string fault = first_fault(points); !fault.empty()) return {{}, fault};
+  if (are_coplanar(points)) {
+    return {{}, "the points lie in one plane: a hull needs one that stands out of it"};
+  }
+  const HullRun run(points);
+  if (run.exit_code() != 0) {
+    return {{}, "qhull gives up on these points (error " + std::to_string(run.exit_code()) +
+                    "): spread them, or remove those that nearly coincide"};
+  }
+  return {without_unused_points(points, run.triangles()), {}};
+}
+
+}  // namespace cs550

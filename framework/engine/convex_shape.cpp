@@ -1,0 +1,105 @@
+#include "cs550/convex_shape.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "cs550/mass_properties.hpp"
+#include "cs550/mesh_validation.hpp"
+
+namespace cs550 {
+namespace {
+
+Index face_vertex_count(const HalfEdgeMesh& mesh, Index f) {
+  Index count = 0;
+  for ([[maybe_unused]] Index e : face_edges(mesh, f)) ++count;
+  return count;
+}
+
+/// Why the engine cannot hold a valid mesh, if it cannot.
+std::optional<std::string> exceeded_limit(const HalfEdgeMesh& mesh) {
+  const Index edges = mesh.edge_count() / 2;
+  if (edges > max_shape_edges) {
+    return "the mesh has " + std::to_string(edges) + " edges and a shape at most " +
+           std::to_string(max_shape_edges) + ": take fewer points";
+  }
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const Index count = face_vertex_count(mesh, f);
+    if (count > max_face_vertices) {
+      return "face " + std::to_string(f) + " has " + std::to_string(count) +
+             " vertices and a face of a shape at most " + std::to_string(max_face_vertices) +
+             ": take fewer points around it";
+    }
+  }
+  return std::nullopt;
+}
+
+void move_origin_to(const Vec3& origin, HalfEdgeMesh& mesh) {
+  for (Vec3& vertex : mesh.vertices) vertex -= origin;
+  for (Face& face : mesh.faces) {
+    // From the moved vertices: subtracting from the old offset would lose digits far from the origin.
+    Real sum = 0;
+    Index count = 0;
+    for (Index e = face.edge; count == 0 || e != face.edge; e = mesh.edge(e).next, ++count) {
+      sum += face.plane.normal.dot(mesh.vertex(mesh.edge(e).vertex));
+    }
+    face.plane.offset = sum / static_cast<Real>(count);
+  }
+}
+
+/// The distance between the plane of a face and the farthest vertex behind it.
+Real width_behind(const Plane& plane, const HalfEdgeMesh& mesh) {
+  Real width = 0;
+  for (const Vec3& vertex : mesh.vertices) width = std::max(width, -plane.distance(vertex));
+  return width;
+}
+
+void measure(ConvexShape& shape) {
+  for (const Vec3& vertex : shape.mesh.vertices) {
+    shape.bounds.include(vertex);
+    shape.radius = std::max(shape.radius, vertex.norm());
+  }
+  Real smallest_width = HUGE_VALF;
+  for (const Face& face : shape.mesh.faces) {
+    smallest_width = std::min(smallest_width, width_behind(face.plane, shape.mesh));
+  }
+  shape.smallest_half_extent = smallest_width / 2;
+}
+
+}  // namespace
+
+ShapeResult make_shape(const HalfEdgeMesh& mesh) {
+  if (const auto defect = validate(mesh)) {
+    return {nullptr, defect->sentence + "; mend the mesh, or use the convex hull of its vertices"};
+  }
+  if (const auto error = exceeded_limit(mesh)) return {nullptr, *error};
+
+  const MassProperties properties = mass_properties(mesh);
+  auto shape = std::make_shared<ConvexShape>();
+  shape->mesh = mesh;
+  shape->volume = properties.volume;
+  shape->unit_inertia = properties.unit_inertia;
+  shape->source_origin = -properties.centroid;
+  move_origin_to(properties.centroid, shape->mesh);
+  measure(*shape);
+  return {std::move(shape), {}};
+}
+
+ShapeResult make_shape(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
+  const MeshBuild build = build_half_edge_mesh(vertices, triangles);
+  if (build.issue) {
+    return {nullptr, describe(build.issue) + "; or use the convex hull of the vertices"};
+  }
+  return make_shape(merge_coplanar_faces(build.mesh));
+}
+
+Bounds world_bounds(const PosedShape& body) {
+  const ConvexShape& shape = *body.shape;
+  const Vec3 center = body.pose.to_world(shape.bounds.center());
+  const Vec3 half = body.pose.rotation().cwiseAbs() * (shape.bounds.extent() / 2);
+  // The turned box is tight for boxes, the sphere for round shapes: both hold all of the body.
+  const Vec3 reach = Vec3::Constant(shape.radius);
+  return {(center - half).cwiseMax(body.pose.position - reach),
+          (center + half).cwiseMin(body.pose.position + reach)};
+}
+
+}  // namespace cs550

@@ -1,0 +1,89 @@
+#include "cs550/mesh_io.hpp"
+
+#include <tiny_obj_loader.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cs550/mesh_validation.hpp"
+
+namespace cs550 {
+namespace {
+
+/// JSON whose numbers are floats: written with the fewest digits that read back as the same bits.
+using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
+                                  std::uint64_t, Real>;
+
+Json to_array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+HalfEdgeMesh mesh_from(const Json& json) {
+  HalfEdgeMesh mesh;
+  for (const Json& v : json.at("vertices")) mesh.vertices.emplace_back(v.at(0), v.at(1), v.at(2));
+  mesh.vertex_edge = json.at("vertex_edge").get<std::vector<Index>>();
+  for (const Json& e : json.at("half_edges")) {
+    const Index twin = mesh.edge_count() ^ 1;
+    mesh.edges.push_back({e.at(0), e.at(1), e.at(2), twin, e.at(3)});
+  }
+  for (const Json& f : json.at("faces")) {
+    mesh.faces.push_back({f.at(0), {Vec3(f.at(1), f.at(2), f.at(3)), f.at(4)}});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+SoupResult load_obj(const std::filesystem::path& file) {
+  tinyobj::ObjReader reader;
+  if (!reader.ParseFromFile(file.string())) {
+    const std::string reason = reader.Error().empty() ? "cannot be read" : reader.Error();
+    return {{}, file.string() + ": " + reason};
+  }
+  TriangleSoup soup;
+  const std::vector<Real>& coordinates = reader.GetAttrib().vertices;
+  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
+    soup.vertices.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+  }
+  for (const tinyobj::shape_t& shape : reader.GetShapes()) {
+    const auto& corners = shape.mesh.indices;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+      soup.triangles.push_back({corners[i].vertex_index, corners[i + 1].vertex_index,
+                                corners[i + 2].vertex_index});
+    }
+  }
+  if (soup.triangles.empty()) return {{}, file.string() + ": there are no faces in this file"};
+  return {std::move(soup), {}};
+}
+
+std::string to_json(const HalfEdgeMesh& mesh) {
+  Json vertices = Json::array();
+  for (const Vec3& vertex : mesh.vertices) vertices.push_back(to_array(vertex));
+  // Twins are adjacent, so they are not written.
+  Json half_edges = Json::array();
+  for (const HalfEdge& e : mesh.edges) half_edges.push_back({e.vertex, e.next, e.prev, e.face});
+  Json faces = Json::array();
+  for (const Face& face : mesh.faces) {
+    const Vec3& n = face.plane.normal;
+    faces.push_back({face.edge, n.x(), n.y(), n.z(), face.plane.offset});
+  }
+  return Json{{"vertices", vertices},
+              {"vertex_edge", mesh.vertex_edge},
+              {"half_edges", half_edges},
+              {"faces", faces}}
+             .dump() +
+         '\n';
+}
+
+MeshResult load_mesh_json(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) return {{}, file.string() + ": cannot be opened"};
+  HalfEdgeMesh mesh;
+  try {
+    mesh = mesh_from(Json::parse(stream));
+  } catch (const Json::exception& error) {
+    return {{}, file.string() + ": is not a half-edge mesh in JSON: " + error.what()};
+  }
+  if (const auto defect = validate(mesh)) return {{}, file.string() + ": " + defect->sentence};
+  return {std::move(mesh), {}};
+}
+
+}  // namespace cs550

@@ -1,0 +1,141 @@
+#include "cs550/primitives.hpp"
+
+#include <map>
+#include <random>
+#include <utility>
+
+namespace cs550 {
+namespace {
+
+constexpr double two_pi = 6.283185307179586476925;
+
+/// The corners of a regular polygon about the z axis, counter-clockwise seen from above.
+std::vector<Vec3> ring(int sides, Real radius, Real z) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = two_pi * i / sides;
+    points.emplace_back(static_cast<Real>(radius * std::cos(angle)),
+                        static_cast<Real>(radius * std::sin(angle)), z);
+  }
+  return points;
+}
+
+/// Splits a convex polygon into a fan of triangles.
+void add_polygon(TriangleSoup& soup, const std::vector<Index>& corners) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    soup.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+}
+
+std::vector<Index> counting(Index first, Index count, Index step) {
+  std::vector<Index> numbers;
+  for (Index i = 0; i < count; ++i) numbers.push_back(first + i * step);
+  return numbers;
+}
+
+TriangleSoup icosahedron() {
+  const Real t = (1 + std::sqrt(Real(5))) / 2;
+  return {{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0},
+           {0, -1, t}, {0, 1, t}, {0, -1, -t}, {0, 1, -t},
+           {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}},
+          {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
+           {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+           {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
+           {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+}
+
+/// Splits every triangle into four at the middles of its edges, which lie on the unit sphere.
+TriangleSoup subdivided(const TriangleSoup& coarse) {
+  TriangleSoup fine{coarse.vertices, {}};
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b) {
+    const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), fine.vertices.size());
+    if (is_new) {
+      const Vec3 sum = fine.vertices[static_cast<std::size_t>(a)] +
+                       fine.vertices[static_cast<std::size_t>(b)];
+      fine.vertices.push_back(sum.normalized());
+    }
+    return entry->second;
+  };
+  for (const auto& [a, b, c] : coarse.triangles) {
+    const Index ab = middle(a, b);
+    const Index bc = middle(b, c);
+    const Index ca = middle(c, a);
+    fine.triangles.insert(fine.triangles.end(),
+                          {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return fine;
+}
+
+/// A number in [0, 1) that is the same with every standard library.
+double unit_interval(std::mt19937& generator) { return static_cast<double>(generator()) * 0x1p-32; }
+
+}  // namespace
+
+TriangleSoup box_soup(const Vec3& half_extents) {
+  TriangleSoup soup;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    soup.vertices.push_back(signs.cwiseProduct(half_extents));
+  }
+  add_polygon(soup, {0, 4, 6, 2});  // −x
+  add_polygon(soup, {1, 3, 7, 5});  // +x
+  add_polygon(soup, {0, 1, 5, 4});  // −y
+  add_polygon(soup, {2, 6, 7, 3});  // +y
+  add_polygon(soup, {0, 2, 3, 1});  // −z
+  add_polygon(soup, {4, 5, 7, 6});  // +z
+  return soup;
+}
+
+TriangleSoup tetrahedron_soup(Real side) {
+  return {{{0, 0, 0}, {side, 0, 0}, {0, side, 0}, {0, 0, side}},
+          {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+TriangleSoup prism_soup(int sides, Real radius, Real half_height) {
+  TriangleSoup soup{ring(sides, radius, -half_height), {}};
+  const std::vector<Vec3> top = ring(sides, radius, half_height);
+  soup.vertices.insert(soup.vertices.end(), top.begin(), top.end());
+
+  add_polygon(soup, counting(sides - 1, sides, -1));
+  add_polygon(soup, counting(sides, sides, 1));
+  for (Index i = 0; i < sides; ++i) {
+    const Index next = (i + 1) % sides;
+    add_polygon(soup, {i, next, next + sides, i + sides});
+  }
+  return soup;
+}
+
+TriangleSoup pyramid_soup(int sides, Real radius, Real height) {
+  TriangleSoup soup{ring(sides, radius, 0), {}};
+  const Index apex = sides;
+  soup.vertices.emplace_back(0, 0, height);
+
+  add_polygon(soup, counting(sides - 1, sides, -1));
+  for (Index i = 0; i < sides; ++i) add_polygon(soup, {i, (i + 1) % sides, apex});
+  return soup;
+}
+
+TriangleSoup icosphere_soup(int subdivisions, Real radius) {
+  TriangleSoup soup = icosahedron();
+  for (Vec3& vertex : soup.vertices) vertex.normalize();
+  for (int i = 0; i < subdivisions; ++i) soup = subdivided(soup);
+  for (Vec3& vertex : soup.vertices) vertex *= radius;
+  return soup;
+}
+
+std::vector<Vec3> random_sphere_points(int count, std::uint32_t seed) {
+  std::mt19937 generator(seed);
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) {
+    // Archimedes: slices of a sphere that are equally high have equal areas.
+    const double z = 2 * unit_interval(generator) - 1;
+    const double angle = two_pi * unit_interval(generator);
+    const double r = std::sqrt(1 - z * z);
+    points.emplace_back(static_cast<Real>(r * std::cos(angle)),
+                        static_cast<Real>(r * std::sin(angle)), static_cast<Real>(z));
+  }
+  return points;
+}
+
+}  // namespace cs550
