@@ -1,0 +1,167 @@
+#include "graded_run.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "process.hpp"
+#include "project.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+Json manifest(const std::string& lab_name) {
+  const fs::path file = project_root() / "tests" / lab_name / "manifest.json";
+  std::ifstream stream(file);
+  if (!stream)
+    throw std::runtime_error(lab_name + " has no graded tests yet (no " + file.string() + ")");
+  return Json::parse(stream);
+}
+
+bool has_hidden_tests(const std::string& lab_name) {
+  return fs::exists(project_root() / "tests" / lab_name / "hidden");
+}
+
+/// `--gtest_filter=Lab3.A:Lab3.B`
+std::string filter(int lab, const std::vector<GradedTest>& tests) {
+  std::string filter = "--gtest_filter=";
+  for (const GradedTest& test : tests) {
+    filter += "Lab" + std::to_string(lab) + '.' + test.name + ':';
+  }
+  return filter;
+}
+
+/// The rows of the results file, by the name of the test.
+std::map<std::string, Json> read_results(const fs::path& file) {
+  std::map<std::string, Json> rows;
+  std::ifstream stream(file);
+  if (!stream) return rows;
+  const Json document = Json::parse(stream, nullptr, false);
+  if (document.is_discarded()) return rows;
+  for (const Json& row : document.at("tests")) {
+    const std::string name = row.at("test");
+    rows[name.substr(name.find('.') + 1)] = row;
+  }
+  return rows;
+}
+
+/// What the sanitizers said, or nothing.
+std::string sanitizer_report(const fs::path& output) {
+  std::ifstream stream(output);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t start =
+      std::min(text.find("runtime error: "), text.find("ERROR: AddressSanitizer"));
+  if (start == std::string::npos) return {};
+  const std::size_t line = text.rfind('\n', start);
+  constexpr std::size_t most_characters = 2500;
+  return text.substr(line == std::string::npos ? 0 : line + 1, most_characters);
+}
+
+Verdict to_verdict(const GradedTest& test, const Json& row) {
+  static const std::map<std::string, Verdict::Kind> kinds{{"passed", Verdict::Kind::Passed},
+                                                          {"blocked", Verdict::Kind::Blocked}};
+  const auto kind = kinds.find(row.at("status"));
+  return {test, kind == kinds.end() ? Verdict::Kind::Failed : kind->second, row.at("message"),
+          row.at("seconds")};
+}
+
+Verdict ended_the_program(const GradedTest& test, const Ending& ending, const fs::path& output) {
+  const std::string report = sanitizer_report(output);
+  return {test, Verdict::Kind::Failed, ending.in_words() + (report.empty() ? "" : "\n" + report),
+          0};
+}
+
+/// Notices when a file has not changed for too long: the graded program writes it at the start and
+/// at the end of each test.
+class Watch {
+ public:
+  Watch(fs::path file, Clock::duration patience) : file_(std::move(file)), patience_(patience) {}
+
+  bool stands_still() {
+    std::error_code absent;
+    const fs::file_time_type written = fs::last_write_time(file_, absent);
+    if (!absent && written != written_) {
+      written_ = written;
+      since_ = Clock::now();
+    }
+    return Clock::now() - since_ > patience_;
+  }
+
+ private:
+  fs::path file_;
+  Clock::duration patience_;
+  fs::file_time_type written_;
+  Clock::time_point since_ = Clock::now();
+};
+
+}  // namespace
+
+std::vector<GradedTest> graded_tests(const std::string& lab_name) {
+  const bool with_hidden = has_hidden_tests(lab_name);
+  std::vector<GradedTest> tests;
+  for (const Json& test : manifest(lab_name).at("tests")) {
+    if (test.at("hidden") && !with_hidden) continue;
+    tests.push_back({test.at("name"), test.at("step"), test.at("points"), test.at("long")});
+  }
+  return tests;
+}
+
+int points_graded_elsewhere(const std::string& lab_name) {
+  return has_hidden_tests(lab_name) ? 0 : manifest(lab_name).at("points").at("hidden").get<int>();
+}
+
+std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
+                                      const std::vector<GradedTest>& tests,
+                                      std::chrono::seconds patience) {
+  const fs::path folder = project_root() / "build/results";
+  fs::create_directories(folder);
+  const fs::path draft = folder / ("lab" + std::to_string(lab) + '.' + std::to_string(getpid()));
+  const fs::path results = draft.string() + ".json";
+  const fs::path output = draft.string() + ".txt";
+
+  std::vector<Verdict> verdicts;
+  std::vector<GradedTest> waiting = tests;
+  while (!waiting.empty()) {
+    fs::remove(results);
+    Watch watch(results, patience);
+    const Ending ending = run({program, filter(lab, waiting), "--results", results},
+                              {project_root(), output, [&] { return watch.stands_still(); }});
+
+    const std::map<std::string, Json> rows = read_results(results);
+    std::vector<GradedTest> not_reached;
+    bool one_ended_it = false;
+    for (const GradedTest& test : waiting) {
+      const auto row = rows.find(test.name);
+      if (row == rows.end()) {
+        not_reached.push_back(test);
+      } else if (row->second.at("status") == "running") {
+        verdicts.push_back(ended_the_program(test, ending, output));
+        one_ended_it = true;
+      } else {
+        verdicts.push_back(to_verdict(test, row->second));
+      }
+    }
+    if (!one_ended_it) {  // the code did it before or after the tests: it would do so again
+      for (const GradedTest& test : not_reached) {
+        verdicts.push_back(ended_the_program(test, ending, output));
+      }
+      not_reached.clear();
+    }
+    waiting = not_reached;
+  }
+  fs::remove(results);
+  fs::remove(output);
+  return verdicts;
+}
+
+}  // namespace cs550::cli

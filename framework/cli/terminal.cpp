@@ -1,0 +1,59 @@
+#include "terminal.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+namespace cs550::cli {
+namespace {
+
+/// https://no-color.org: any value but an empty one asks for plain text.
+bool shows_colours() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0') &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+const char* escape_code(Colour colour) {
+  switch (colour) {
+    case Colour::Red:
+      return "31";
+    case Colour::Green:
+      return "32";
+    case Colour::Yellow:
+      return "33";
+    case Colour::Bold:
+      return "1";
+    case Colour::Faint:
+      return "2";
+  }
+  return "0";
+}
+
+}  // namespace
+
+std::string coloured(std::string_view text, Colour colour) {
+  static const bool show = shows_colours();
+  if (!show) return std::string(text);
+  return std::string("\033[") + escape_code(colour) + 'm' + std::string(text) + "\033[0m";
+}
+
+std::string indented(std::string_view text, int spaces) {
+  std::istringstream lines{std::string(text)};
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) result.append(static_cast<std::size_t>(spaces), ' ');
+    result += line + '\n';
+  }
+  return result;
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size(), width), ' ');
+  return text;
+}
+
+}  // namespace cs550::cli

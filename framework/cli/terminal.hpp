@@ -1,0 +1,21 @@
+#pragma once
+/// @file terminal.hpp
+/// How output looks: colours only where someone sees them, blocks of text that keep their indent.
+
+#include <string>
+#include <string_view>
+
+namespace cs550::cli {
+
+enum class Colour { Red, Green, Yellow, Bold, Faint };
+
+/// The text in a colour; plain when standard output is no terminal, or NO_COLOR is set.
+std::string coloured(std::string_view text, Colour colour);
+
+/// Every line of the text with `spaces` spaces before it, ending in a newline; empty for no text.
+std::string indented(std::string_view text, int spaces);
+
+/// The text filled up to `width` columns with spaces.
+std::string padded(std::string text, std::size_t width);
+
+}  // namespace cs550::cli
