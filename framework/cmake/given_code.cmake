@@ -23,3 +23,7 @@ target_include_directories(cs550_autograder PUBLIC
 file(GLOB runner_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/autograder/runner/*.cpp")
 add_library(cs550_graded_main OBJECT EXCLUDE_FROM_ALL ${runner_sources})
 target_link_libraries(cs550_graded_main PRIVATE cs550_autograder cs550_warnings)
+
+# Where meshes and scenes are found unless the environment variable CS550_ASSETS says otherwise.
+set_source_files_properties("${PROJECT_SOURCE_DIR}/framework/engine/assets.cpp" PROPERTIES
+  COMPILE_DEFINITIONS "CS550_ASSETS_DIR=\"${PROJECT_SOURCE_DIR}/framework/assets\"")

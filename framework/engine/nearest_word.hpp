@@ -1,0 +1,15 @@
+#pragma once
+/// @file nearest_word.hpp
+/// What somebody probably meant to type.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cs550 {
+
+/// The word that the fewest letters inserted, deleted or changed turn `typed` into (Levenshtein
+/// 1966); empty if even that one differs in more than half of its letters.
+std::string nearest_word(std::string_view typed, const std::vector<std::string>& words);
+
+}  // namespace cs550
