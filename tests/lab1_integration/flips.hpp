@@ -1,0 +1,25 @@
+#pragma once
+/// @file flips.hpp
+/// The Dzhanibekov effect, told by the changes of sign of the body-frame ω_y.
+
+#include <vector>
+
+#include "lab1_integration/free_body.hpp"
+
+namespace cs550::test {
+
+/// When ω_y of a body that turns freely changes sign, at 60 Hz by implicit midpoint (s).
+inline std::vector<double> flip_times(RigidBody body, double duration) {
+  constexpr double h = 1.0 / 60;
+  std::vector<double> times;
+  double before = body.pose.unrotate(body.angular_velocity).y();
+  for (int i = 0; i * h < duration; ++i) {
+    turn(body, static_cast<Real>(h), RotationMethod::ImplicitMidpoint);
+    const double now = body.pose.unrotate(body.angular_velocity).y();
+    if (before * now < 0) times.push_back((i + before / (before - now)) * h);
+    before = now;
+  }
+  return times;
+}
+
+}  // namespace cs550::test

@@ -1,0 +1,128 @@
+// L1.1 and L1.2: what a force and an impulse do at once, before any time passes.
+#include <cs550/graded_test.hpp>
+
+#include "lab1_integration/free_body.hpp"
+#include "support/random.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_force_causes(Story story) {
+  return story.likely("the mass has no part in a force: dP/dt = F, and only v = P/m divides")
+      .likely("the lever is measured from the centre of mass, not from the world's origin")
+      .likely("the torque is lever × force; the other order turns the body the wrong way");
+}
+
+Story with_impulse_causes(Story story) {
+  return story.likely("an impulse changes L by lever × impulse, too: off centre, it turns the body")
+      .likely("the lever is measured from the centre of mass, not from the world's origin")
+      .likely("the velocities are derived afresh after an impulse: call refresh_velocity()")
+      .likely("an impulse acts at once: no time step and no gathered force is part of it");
+}
+
+GRADED_TEST(Lab1, ForceAndTorqueGather, 3, "L1.1") {
+  Random random(11);
+  Story story = with_force_causes(Story("Forces at points add up to ΣF and Σ(p − x) × F"));
+  story.seed(random.seed()).when("three forces are added to a body at rest");
+  for (const Real size : {Real(0.01), Real(1), Real(100)}) {
+    const Pose pose{size * random.point_in_box(Vec3(5, 5, 5)), random.orientation()};
+    RigidBody body = box(size * racket, pose);
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 f = body.mass * random.unit_vector();
+      const Vec3 point = pose.position + size * random.unit_vector();
+      force += f.cast<double>();
+      torque += (point - pose.position).cast<double>().cross(f.cast<double>());
+      add_force(body, f, point);
+    }
+    Story here = story;
+    here.given("size of the body", size, "m").given("mass", body.mass, "kg");
+    // A few roundings of float, relative to three unit forces times the mass.
+    const Real scale = body.mass;
+    here.expect_near("gathered force", body.force, force.cast<Real>(), 1e-5 * scale, "N");
+    here.expect_near("gathered torque", body.torque, torque.cast<Real>(), 1e-5 * scale * size,
+                     "N·m");
+  }
+}
+
+GRADED_TEST(Lab1, ForceOffCentreGivesTorque, 2, "L1.1") {
+  Story story = with_force_causes(Story("A force turns a body about the axis lever × force"));
+  const Pose pose{Vec3(3, 0, 0), Quat::Identity()};
+  story.given("centre of mass", pose.position, "m").given("mass", 4000.0f, "kg");
+
+  RigidBody pushed_centrally = box(Vec3(1, 1, Real(0.5)), pose);
+  add_force(pushed_centrally, Vec3(0, 10, 0), pose.position);
+  Story centrally = story;
+  centrally.when("a force of 10 N along y acts at the centre of mass");
+  centrally.expect_near("force", pushed_centrally.force, Vec3(0, 10, 0), 0, "N");
+  centrally.expect_near("torque", pushed_centrally.torque, Vec3::Zero(), 0, "N·m");
+
+  RigidBody pushed_at_side = box(Vec3(1, 1, Real(0.5)), pose);
+  add_force(pushed_at_side, Vec3(0, 10, 0), pose.position + Vec3(2, 0, 0));
+  Story aside = story;
+  aside.when("a force of 10 N along y acts 2 m further along x");
+  aside.expect_near("torque", pushed_at_side.torque, Vec3(0, 0, 20), 0, "N·m");
+  aside.expect_near("linear momentum, before any time has passed", pushed_at_side.linear_momentum,
+                    Vec3::Zero(), 0, "kg·m/s");
+  aside.expect_near("angular momentum, before any time has passed",
+                    pushed_at_side.angular_momentum, Vec3::Zero(), 0, "kg·m²/s");
+}
+
+GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {
+  Random random(12);
+  Story story = with_impulse_causes(
+      Story("An impulse j at p gives ΔP = j and ΔL = (p − x) × j, and velocities that follow"));
+  story.seed(random.seed()).when("apply_impulse()");
+  for (const Real size : {Real(0.01), Real(1), Real(100)}) {
+    const Pose pose{size * random.point_in_box(Vec3(5, 5, 5)), random.orientation()};
+    RigidBody body = box(size * racket, pose);
+    set_velocity(body, size * random.unit_vector(), random.unit_vector());
+    body.force = Vec3(1, 2, 3);
+    const RigidBody before = body;
+    const Vec3 impulse = body.mass * size * random.unit_vector();
+    const Vec3 point = pose.position + size * random.unit_vector();
+    apply_impulse(body, impulse, point);
+
+    const Eigen::Vector3d lever = (point - pose.position).cast<double>();
+    const Eigen::Vector3d momentum =
+        before.linear_momentum.cast<double>() + impulse.cast<double>();
+    const Eigen::Vector3d spin =
+        before.angular_momentum.cast<double>() + lever.cross(impulse.cast<double>());
+    const Eigen::Vector3d w = world_inertia(before).inverse() * spin;
+    Story here = story;
+    here.given("size of the body", size, "m").given("lever p − x", Vec3(lever.cast<Real>()), "m");
+    here.given("impulse", impulse, "N·s");
+    // A few roundings of float, relative to the momenta and speeds of this size.
+    const Real scale = body.mass * size;
+    here.expect_near("P", body.linear_momentum, momentum.cast<Real>(), 1e-5 * scale, "kg·m/s");
+    here.expect_near("L", body.angular_momentum, spin.cast<Real>(), 1e-5 * scale * size,
+                     "kg·m²/s");
+    here.expect_near("v", body.linear_velocity, (momentum / body.mass).cast<Real>(), 1e-5 * size,
+                     "m/s");
+    here.expect_near("ω", body.angular_velocity, w.cast<Real>(), 1e-4, "rad/s");
+    here.expect_near("gathered force, which is not an impulse's", body.force, before.force, 0, "N");
+  }
+}
+
+GRADED_TEST(Lab1, ImpulseLeavesImmovableBodiesAlone, 2, "L1.2") {
+  for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic}) {
+    RigidBody body = make_immovable_body(kind, Pose{});
+    set_velocity(body, Vec3(1, 0, 0), Vec3(0, 2, 0));
+    const RigidBody before = body;
+    apply_impulse(body, Vec3(0, 0, 5), Vec3(1, 0, 0));
+
+    Story story("An impulse does not change a body that is not dynamic");
+    story.given(kind == BodyKind::Static ? "a static body" : "a kinematic body that its owner moves")
+        .when("an impulse of 5 N·s strikes it off centre")
+        .likely("only a dynamic body has momenta: leave the others before anything is added");
+    story.expect_near("P", body.linear_momentum, Vec3::Zero(), 0, "kg·m/s");
+    story.expect_near("L", body.angular_momentum, Vec3::Zero(), 0, "kg·m²/s");
+    story.expect_near("v", body.linear_velocity, before.linear_velocity, 0, "m/s");
+    story.expect_near("ω", body.angular_velocity, before.angular_velocity, 0, "rad/s");
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

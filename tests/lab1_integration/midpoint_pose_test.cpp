@@ -1,0 +1,140 @@
+// L1.7: the implicit midpoint rotation against closed forms and a reference in double precision.
+#include <cs550/graded_test.hpp>
+
+#include <vector>
+
+#include "lab1_integration/flips.hpp"
+#include "lab1_integration/free_body.hpp"
+#include "support/random.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+namespace {
+
+constexpr RotationMethod method = RotationMethod::ImplicitMidpoint;
+
+Story with_causes(Story story) {
+  return story.likely("w is the ω at the orientation *half* a step ahead, exp(½·h·w)·q")
+      .likely("ω at another orientation is R·I⁻¹·Rᵀ·L there: both rotations change with q")
+      .likely("without the iterations it is an explicit step again, which gains energy")
+      .likely("the turn by a world-frame h·w multiplies q from the left");
+}
+
+GRADED_TEST(Lab1, MidpointConvergesAtSecondOrder, 2, "L1.7") {
+  Story story = with_causes(Story("Half the step, a quarter of the error: the midpoint is of order 2"));
+  story.given("half-extents", racket, "m").given("body ω", Vec3(Real(0.5), 5, Real(0.5)), "rad/s");
+  story.when("orientation after 1 s against a Runge–Kutta solution in double precision");
+  const RigidBody start = spinning_box(racket, Vec3(Real(0.5), 5, Real(0.5)));
+  FreeRotation exact(start);
+  exact.advance(1);
+  double coarser = 0;
+  for (const int rate : {30, 60, 120, 240}) {
+    RigidBody body = start;
+    for (int i = 0; i < rate; ++i) turn(body, Real(1) / static_cast<Real>(rate), method);
+    const double error = orientation_error(body, exact.orientation());
+    Story here = story;
+    here.given("rate", rate, "Hz").given("error", error, "rad");
+    if (coarser > 0) here.expect_near("slope log₂(error/error)", std::log2(coarser / error), 2, 0.1);
+    coarser = error;
+  }
+}
+
+GRADED_TEST(Lab1, MidpointKeepsTheEnergy, 3, "L1.7") {
+  struct Case {
+    Real speed;
+    int rate;
+    double bound;
+  };
+  for (const Case& at : {Case{5, 60, 1e-3}, Case{20, 60, 1e-2}, Case{20, 240, 1e-3}}) {
+    const Vec3 spin = at.speed * Vec3(Real(0.1), 1, Real(0.1));
+    RigidBody body = spinning_box(racket, spin);
+    const double energy = rotational_energy(body);
+    double worst = 0;
+    for (int i = 0; i < 20 * at.rate; ++i) {
+      turn(body, Real(1) / static_cast<Real>(at.rate), method);
+      worst = std::max(worst, std::abs(rotational_energy(body) / energy - 1));
+    }
+    Story story = with_causes(Story("A body that turns freely keeps its energy"));
+    story.given("half-extents", racket, "m").given("body ω", spin, "rad/s");
+    story.given("rate", at.rate, "Hz").when("20 s without forces");
+    story.expect_at_most("largest change of the energy, relative", worst, at.bound);
+  }
+}
+
+GRADED_TEST(Lab1, AngularMomentumLastsTenThousandSteps, 2, "L1.7") {
+  RigidBody body = spinning_box(racket, Vec3(Real(0.5), 5, Real(0.5)));
+  const Vec3 momentum = body.angular_momentum;
+  double mismatch = 0;
+  double length = 0;
+  for (int i = 0; i < 10000; ++i) {
+    turn(body, Real(1) / 60, method);
+    mismatch = std::max(mismatch, momentum_mismatch(body, momentum));
+    length = std::max(length, length_error(body.pose.orientation));
+  }
+  Story story("R·I·Rᵀ·ω, recomputed from the pose, stays the initial L");
+  story.given("half-extents", racket, "m").when("10 000 steps at 60 Hz without forces");
+  story.likely("q drifts off unit length: normalise it after every step")
+      .likely("integrate_pose() leaves the momenta as they are")
+      .likely("ω must come from the inverse inertia at the present pose");
+  story.expect_at_most("R·I·Rᵀ·ω off the initial L by, relative", mismatch, 1e-5);
+  story.expect_at_most("|q| off 1 by", length, 1e-6);
+}
+
+GRADED_TEST(Lab1, SymmetricTopPrecesses, 2, "L1.7") {
+  Random random(17);
+  const Quat start = random.orientation();
+  // I₁ = I₂: ω = L/I₁ + (1 − I₃/I₁)·ω₃·e₃, two constant turns, one about the fixed L and one about
+  // the body's own axis (Goldstein, Classical Mechanics, §5.6).
+  RigidBody body = spinning_box(Vec3(Real(0.3), Real(0.3), 1), Vec3(1, 0, 4), start);
+  const Eigen::Vector3d momentum = body.angular_momentum.cast<double>();
+  const double i1 = body.inertia(0, 0);
+  const double i3 = body.inertia(2, 2);
+  const double spin = 4 * (1 - i3 / i1);
+  const Real h = Real(1) / 240;
+  for (int i = 0; i < 2 * 240; ++i) turn(body, h, method);
+
+  const Eigen::Quaterniond precession(
+      Eigen::AngleAxisd(2 * momentum.norm() / i1, momentum.normalized()));
+  const Eigen::Quaterniond own_spin(Eigen::AngleAxisd(2 * spin, Eigen::Vector3d::UnitZ()));
+  const Eigen::Quaterniond exact = precession * start.cast<double>().normalized() * own_spin;
+  Story story = with_causes(Story("A symmetric top precesses about L by |L|/I₁"));
+  story.seed(random.seed()).given("half-extents", Vec3(Real(0.3), Real(0.3), 1), "m");
+  story.given("body ω", Vec3(1, 0, 4), "rad/s").when("2 s at 240 Hz");
+  // The midpoint lags by (h·ω)²/12 of an angle: at most 3e-5 of some 13 rad, for each of the turns.
+  story.expect_at_most("orientation off by", orientation_error(body, exact), 1e-3, "rad");
+}
+
+GRADED_TEST(Lab1, TumblingRacketFlipsOnTime, 2, "L1.7") {
+  const std::vector<double> listed = {0.8526, 3.4814, 6.1102, 8.7389, 11.3677};
+  const Vec3 spin(Real(0.5), 5, Real(0.5));
+  for (const Real size : {Real(0.01), Real(1), Real(100)}) {
+    Story story = with_causes(Story("Spun about its middle axis, a box flips at known times"));
+    story.given("half-extents", Vec3(size * racket), "m").given("body ω", spin, "rad/s");
+    story.when("12 s at 60 Hz without forces");
+    const std::vector<double> got = flip_times(spinning_box(size * racket, spin), 12);
+    if (!story.expect_equal("number of flips", got.size(), listed.size())) continue;
+    for (std::size_t i = 0; i < listed.size(); ++i)
+      story.expect_near("flip " + std::to_string(i + 1), got[i], listed[i], 5e-3, "s");
+  }
+}
+
+GRADED_TEST(Lab1, MidpointTurnOfAKinematicBody, 1, "L1.7") {
+  Random random(18);
+  const Vec3 w = 3 * random.unit_vector();
+  const Quat start = random.orientation();
+  RigidBody body = make_immovable_body(BodyKind::Kinematic, Pose{Vec3(1, 0, 0), start});
+  body.linear_velocity = Vec3(0, 2, 0);
+  body.angular_velocity = w;
+  for (int i = 0; i < 60; ++i) integrate_pose(body, Real(1) / 60, method);
+
+  Story story("A kinematic body turns by h·ω in every step, exactly");
+  story.seed(random.seed()).given("ω", w, "rad/s").when("60 steps of 1/60 s");
+  story.likely("a kinematic body has no L to derive ω from: its ω is constant, no iteration");
+  const Eigen::Quaterniond exact = Eigen::AngleAxisd(double{w.norm()}, w.cast<double>().normalized()) *
+                                   start.cast<double>().normalized();
+  story.expect_at_most("orientation off by", orientation_error(body, exact), 1e-5, "rad");
+  story.expect_near("position", body.pose.position, Vec3(1, 2, 0), 1e-5, "m");
+}
+
+}  // namespace
+}  // namespace cs550::test
