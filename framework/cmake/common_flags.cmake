@@ -4,8 +4,11 @@ add_library(cs550_contract INTERFACE)
 target_include_directories(cs550_contract INTERFACE "${PROJECT_SOURCE_DIR}/framework/include")
 target_link_libraries(cs550_contract INTERFACE Eigen3::Eigen)
 target_compile_definitions(cs550_contract INTERFACE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MPL2_ONLY)
+# A compiler cache may hand the compiler relative names.
+file(RELATIVE_PATH way_to_root "${PROJECT_BINARY_DIR}" "${PROJECT_SOURCE_DIR}")
 target_compile_options(cs550_contract INTERFACE -ffp-contract=off
-                       "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=")
+                       "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/="
+                       "-ffile-prefix-map=${way_to_root}=")
 
 # Our own code.
 add_library(cs550_warnings INTERFACE)
@@ -28,9 +31,17 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(cs550_isolable INTERFACE -fno-gnu-unique)
 endif()
 
-# cs550_precompile(target header...): only where files are edited and rebuilt all day.
-function(cs550_precompile target)
-  if(CS550_PCH)
+# cs550_precompile(target group header...): only where files are edited and rebuilt all day. The
+# targets of a group have the same flags and share what the first of them compiled.
+function(cs550_precompile target group)
+  if(NOT CS550_PCH)
+    return()
+  endif()
+  get_property(owner GLOBAL PROPERTY cs550_precompiled_${group})
+  if(owner)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  else()
+    set_property(GLOBAL PROPERTY cs550_precompiled_${group} ${target})
     target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
 endfunction()

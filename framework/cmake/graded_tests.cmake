@@ -37,7 +37,7 @@ function(cs550_add_graded_lab number)
   # Compiled once, linked with every variant.
   add_library(lab${number}_tests OBJECT EXCLUDE_FROM_ALL ${visible} ${hidden})
   target_link_libraries(lab${number}_tests PRIVATE cs550_test_support cs550_warnings)
-  cs550_precompile(lab${number}_tests <cs550/math.hpp> <gtest/gtest.h> <cs550/graded_test.hpp>)
+  cs550_precompile(lab${number}_tests graded_tests <cs550/math.hpp> <cs550/graded_test.hpp>)
 
   cs550_read_manifest(${number})
   foreach(variant IN LISTS CS550_GRADED_VARIANTS)

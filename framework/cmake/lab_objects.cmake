@@ -1,6 +1,6 @@
 # A lab is found by its number and topic. Up to five variants of its code exist:
 #   student    labs/labN_topic/topic.cpp
-#   assembled  the same file; where it does not compile or lacks a function, the stub
+#   assembled  the same file; where it does not compile or lacks a function, a pristine stub
 #   stub       .starters/labN_topic/topic.cpp in a students' copy, else labs/labN_topic/topic.cpp
 #   reference  solutions/labN_topic/*.cpp
 #   fast       solutions/labN_topic/fast/*.cpp, a drop-in for the reference
@@ -43,9 +43,7 @@ macro(cs550_find_lab number topic)
   file(GLOB ${lab}_stub_SOURCES CONFIGURE_DEPENDS "${stub_file}")
   file(GLOB ${lab}_reference_SOURCES CONFIGURE_DEPENDS "${solution}/*.cpp")
   file(GLOB ${lab}_fast_SOURCES CONFIGURE_DEPENDS "${solution}/fast/*.cpp")
-  if(${lab}_stub_SOURCES)
-    set(${lab}_assembled_SOURCES "${${lab}_student_SOURCES}")
-  endif()
+  set(${lab}_assembled_SOURCES "${${lab}_student_SOURCES}")
   foreach(variant student assembled stub reference fast)
     if(${lab}_${variant}_SOURCES)
       list(APPEND ${lab}_VARIANTS ${variant})
@@ -55,6 +53,17 @@ endmacro()
 
 function(cs550_has_variant result number variant)
   if("${variant}" IN_LIST CS550_LAB${number}_VARIANTS)
+    set(${result} TRUE PARENT_SCOPE)
+  else()
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+# The assembled engine falls back on the stub, where that is another file than the student's.
+function(cs550_has_fallback result number variant)
+  set(lab CS550_LAB${number})
+  if(variant STREQUAL "assembled" AND CS550_ISOLATE_LABS
+     AND NOT "${${lab}_stub_SOURCES}" STREQUAL "${${lab}_student_SOURCES}")
     set(${result} TRUE PARENT_SCOPE)
   else()
     set(${result} FALSE PARENT_SCOPE)
@@ -79,15 +88,23 @@ function(cs550_compile_lab number variant)
   target_link_libraries(${target} PRIVATE cs550_contract cs550_isolable)
   if(variant MATCHES "^(student|assembled)$")
     target_link_libraries(${target} PRIVATE cs550_student_warnings)
-    cs550_precompile(${target} <cs550/math.hpp>)
+    cs550_precompile(${target} student <cs550/math.hpp> <vector>)
   else()
     target_link_libraries(${target} PRIVATE cs550_warnings)
-    target_compile_options(${target} PRIVATE -Wmissing-declarations)
+    # A stub speaks of the file that is to be edited, wherever it was kept.
+    target_compile_options(${target} PRIVATE -Wmissing-declarations
+                           "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/")
   endif()
-  if(variant STREQUAL "assembled" AND CS550_ISOLATE_LABS)
+  cs550_has_fallback(has_fallback ${number} ${variant})
+  if(has_fallback)
     set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
       "sh;${isolation_scripts}/empty_object_on_error.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
   endif()
+endfunction()
+
+# A precompiled header counts among a target's objects.
+function(cs550_object_files result target)
+  set(${result} "$<FILTER:$<TARGET_OBJECTS:${target}>,INCLUDE,\\.o$>" PARENT_SCOPE)
 endfunction()
 
 # labs/labN.symbols: the functions that the lab defines, by the reference or else the stub.
@@ -98,40 +115,42 @@ function(cs550_list_contract_symbols number)
   else()
     set(authority lab${number}_stub_code)
   endif()
+  cs550_object_files(objects ${authority})
   add_custom_command(
     OUTPUT "${lab_folder}/lab${number}.symbols"
-    COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DOBJECTS=$<TARGET_OBJECTS:${authority}>"
+    COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DOBJECTS=${objects}"
             "-DOUTPUT=${lab_folder}/lab${number}.symbols"
             -P "${isolation_scripts}/list_contract_symbols.cmake"
-    DEPENDS "$<TARGET_OBJECTS:${authority}>" "${isolation_scripts}/list_contract_symbols.cmake"
+    DEPENDS "${objects}" "${isolation_scripts}/list_contract_symbols.cmake"
     COMMENT "Listing the functions of lab ${number}"
-    VERBATIM COMMAND_EXPAND_LISTS)
+    VERBATIM)
   add_custom_target(lab${number}_symbols DEPENDS "${lab_folder}/lab${number}.symbols")
 endfunction()
 
 function(cs550_isolate_lab number variant)
   set(output "${lab_folder}/lab${number}_${variant}.o")
   set(fallback "")
-  if(variant STREQUAL "assembled")
+  cs550_has_fallback(has_fallback ${number} ${variant})
+  if(has_fallback)
     set(fallback "${lab_folder}/lab${number}_stub.o")
   endif()
   set(script "${isolation_scripts}/isolate_object.cmake")
+  cs550_object_files(objects lab${number}_${variant}_code)
   add_custom_command(
     OUTPUT "${output}"
     COMMAND "${CMAKE_COMMAND}" "-DLINKER=${CS550_BFD_LINKER}" "-DOBJCOPY=${CMAKE_OBJCOPY}"
             "-DNM=${CMAKE_NM}" "-DLAB=${number}" "-DVARIANT=${variant}"
             "-DSOURCES=${CS550_LAB${number}_${variant}_SOURCES}" "-DROOT=${PROJECT_SOURCE_DIR}"
-            "-DOBJECTS=$<TARGET_OBJECTS:lab${number}_${variant}_code>"
-            "-DSYMBOLS=${lab_folder}/lab${number}.symbols" "-DFALLBACK=${fallback}"
-            "-DOUTPUT=${output}" -P "${script}"
-    DEPENDS "$<TARGET_OBJECTS:lab${number}_${variant}_code>" "${lab_folder}/lab${number}.symbols"
+            "-DOBJECTS=${objects}" "-DSYMBOLS=${lab_folder}/lab${number}.symbols"
+            "-DFALLBACK=${fallback}" "-DOUTPUT=${output}" -P "${script}"
+    DEPENDS "${objects}" "${lab_folder}/lab${number}.symbols"
             "${script}" ${fallback}
     COMMENT "Isolating lab ${number} (${variant})"
     VERBATIM)
   # One owner of the rule, whatever the number of executables that link the file.
   add_custom_target(lab${number}_${variant}_object DEPENDS "${output}")
   add_dependencies(lab${number}_${variant}_object lab${number}_symbols)
-  if(fallback)
+  if(has_fallback)
     add_dependencies(lab${number}_${variant}_object lab${number}_stub_object)
   endif()
 endfunction()
