@@ -1,6 +1,7 @@
 #include <libqhull_r/qhull_ra.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include "cs550/primitives.hpp"
@@ -9,6 +10,10 @@ namespace cs550 {
 namespace {
 
 using Vec3d = Eigen::Vector3d;
+
+/// A triangle is a sliver if its height is below this part of its longest edge: in float, its normal
+/// would be mostly rounding.
+constexpr double sliver_height = 1e-4;
 
 std::string first_fault(std::span<const Vec3> points) {
   if (points.size() < 4) {
@@ -106,6 +111,48 @@ TriangleSoup without_unused_points(std::span<const Vec3> points, std::vector<Tri
   return soup;
 }
 
+/// The corner opposite to the longest edge of a sliver, no_index of any other triangle.
+Index vertex_of_sliver(const TriangleSoup& soup, const Triangle& triangle) {
+  const auto corner = [&](std::size_t i) -> Vec3d {
+    return soup.vertices[static_cast<std::size_t>(triangle[i % 3])].cast<double>();
+  };
+  std::size_t tip = 0;
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double length = (corner(i + 2) - corner(i + 1)).norm();
+    if (length > longest) {
+      longest = length;
+      tip = i;
+    }
+  }
+  const double twice_area = (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+  return twice_area < sliver_height * longest * longest ? triangle[tip] : no_index;
+}
+
+/// Takes the vertices that make slivers out of the soup, which is a point cloud from then on. Each
+/// lies beside an edge of the hull, so the hull of the rest differs by no more than a sliver's height.
+/// @return whether there were any
+bool drop_slivers(TriangleSoup& soup) {
+  std::vector<bool> dropped(soup.vertices.size(), false);
+  bool any = false;
+  for (const Triangle& triangle : soup.triangles) {
+    const Index v = vertex_of_sliver(soup, triangle);
+    const bool is_alone = std::none_of(triangle.begin(), triangle.end(), [&](Index corner) {
+      return dropped[static_cast<std::size_t>(corner)];
+    });
+    // The next hull tells about triangles that have lost a corner already.
+    if (v == no_index || !is_alone) continue;
+    dropped[static_cast<std::size_t>(v)] = true;
+    any = true;
+  }
+  std::vector<Vec3> kept;
+  for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
+    if (!dropped[v]) kept.push_back(soup.vertices[v]);
+  }
+  soup.vertices = std::move(kept);
+  return any;
+}
+
 }  // namespace
 
 SoupResult convex_hull(std::span<const Vec3> points) {
@@ -113,12 +160,16 @@ SoupResult convex_hull(std::span<const Vec3> points) {
   if (are_coplanar(points)) {
     return {{}, "the points lie in one plane: a hull needs one that stands out of it"};
   }
-  const HullRun run(points);
-  if (run.exit_code() != 0) {
-    return {{}, "qhull gives up on these points (error " + std::to_string(run.exit_code()) +
-                    "): spread them, or remove those that nearly coincide"};
+  TriangleSoup soup{{points.begin(), points.end()}, {}};
+  for (;;) {
+    const HullRun run(soup.vertices);
+    if (run.exit_code() != 0) {
+      return {{}, "qhull gives up on these points (error " + std::to_string(run.exit_code()) +
+                      "): spread them, or remove those that nearly coincide"};
+    }
+    soup = without_unused_points(soup.vertices, run.triangles());
+    if (!drop_slivers(soup)) return {std::move(soup), {}};
   }
-  return {without_unused_points(points, run.triangles()), {}};
 }
 
 }  // namespace cs550
