@@ -1,9 +1,14 @@
 // ./cs550 demo: a scene through the assembled engine, and a summary of what happened.
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "progress_bar.hpp"
+#include "run_record.hpp"
+#include "trajectory_csv.hpp"
 #include "verb.hpp"
 
 namespace cs550::cli {
@@ -15,9 +20,41 @@ struct DemoOptions {
   int steps = 0;  ///< 0: as many as the scene asks for
 };
 
+double timed_step(World& world, Real h) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  world.step(h);
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void run_scene(World& world, const Scene& scene, int steps, RunRecord& record,
+               std::optional<TrajectoryCsv>& trajectory) {
+  ProgressBar progress(steps);
+  if (trajectory) trajectory->add(world, scene);
+  for (int step = 0; step < steps; ++step) {
+    record.add_step(world, timed_step(world, scene.h));
+    if (trajectory) trajectory->add(world, scene);
+    progress.show(step + 1);
+  }
+  if (trajectory) trajectory->commit();
+}
+
 int run_demo(const DemoOptions& options) {
-  std::cerr << "cs550: the engine cannot run '" << options.scene << "' yet\n";
-  return Failed;
+  SceneResult found = find_scene(options.scene);
+  if (!found) {
+    std::cerr << "cs550: " << found.error << '\n';
+    return Misused;
+  }
+  Scene& scene = found.scene;
+  scene.settings.audit_momentum = true;
+
+  std::optional<TrajectoryCsv> trajectory;
+  if (!options.csv.empty()) trajectory.emplace(options.csv);
+  World world = make_world(scene);
+  RunRecord record(scene, world);
+  run_scene(world, scene, options.steps > 0 ? options.steps : scene.steps, record, trajectory);
+  record.print(std::cout);
+  return record.good() ? Good : Failed;
 }
 
 }  // namespace

@@ -109,7 +109,8 @@ std::vector<NamedBody> pyramid(SceneReader& generator, const SceneShapes& shapes
   return copies.take();
 }
 
-/// One after the other, each turned a little further about z; starts at the body, along its x axis.
+/// One after the other from the body's position, along the world's x axis at first; the heading of
+/// each is turned a little further about z.
 std::vector<NamedBody> line(SceneReader& generator, const SceneShapes& shapes) {
   Copies copies = copies_of_body(generator, shapes);
   int count = 40;
@@ -121,10 +122,11 @@ std::vector<NamedBody> line(SceneReader& generator, const SceneShapes& shapes) {
 
   Vec3 displacement = Vec3::Zero();
   for (int i = 0; i < count; ++i) {
-    const Real heading = static_cast<Real>(i) * turn_degrees * pi / 180;
-    NamedBody& body = copies.add(displacement);
-    body.def.pose.orientation = rotation_exp(heading * Vec3::UnitZ()) * body.def.pose.orientation;
-    displacement += spacing * body.def.pose.rotate(Vec3::UnitX());
+    const Real angle = static_cast<Real>(i) * turn_degrees * pi / 180;
+    const Quat heading = rotation_exp(angle * Vec3::UnitZ());
+    Pose& pose = copies.add(displacement).def.pose;
+    pose.orientation = heading * pose.orientation;
+    displacement += spacing * (heading * Vec3::UnitX());
   }
   return copies.take();
 }
