@@ -18,8 +18,8 @@
 #include <algorithm>
 
 #include "arc_walk.hpp"
-#include "cs550/hill_climbing.hpp"
 #include "face_bounds.hpp"
+#include "support_search.hpp"
 
 namespace cs550 {
 namespace {
@@ -28,26 +28,27 @@ namespace {
 struct Pair {
   const HalfEdgeMesh& a;
   const HalfEdgeMesh& b;
-  Pose b_in_a;
+  Mat3 rotation;  ///< B's frame to A's
+  Vec3 position;  ///< of B's centroid
 
   Pair(const PosedShape& body_a, const PosedShape& body_b)
       : a(body_a.mesh()),
         b(body_b.mesh()),
-        b_in_a{body_a.pose.to_body(body_b.pose.position),
-               body_a.pose.orientation.conjugate() * body_b.pose.orientation} {}
+        rotation((body_a.pose.orientation.conjugate() * body_b.pose.orientation).toRotationMatrix()),
+        position(body_a.pose.to_body(body_b.pose.position)) {}
 
-  /// A vertex of B in A's frame.
-  Vec3 vertex_of_b(Index v) const { return b_in_a.to_world(b.vertex(v)); }
-  /// B's vertex farthest against a direction in A's frame.
-  Index support_against(const Vec3& normal, Index start) const {
-    return hill_climb(b, b_in_a.unrotate(-normal), start).vertex;
+  Vec3 to_a(const Vec3& point_of_b) const { return rotation * point_of_b + position; }
+  Vec3 to_b(const Vec3& point_of_a) const {
+    return rotation.transpose() * (point_of_a - position);
   }
+  Vec3 turn_to_a(const Vec3& direction) const { return rotation * direction; }
+  Vec3 turn_to_b(const Vec3& direction) const { return rotation.transpose() * direction; }
 };
 
 FaceQuery query_face(const Pair& pair, Index face, Index start) {
   const Plane& plane = pair.a.face(face).plane;
-  const Index vertex = pair.support_against(plane.normal, start);
-  return {face, vertex, plane.distance(pair.vertex_of_b(vertex))};
+  const Index vertex = lowest_vertex(pair.b, pair.turn_to_b(plane.normal), start);
+  return {face, vertex, plane.distance(pair.to_a(pair.b.vertex(vertex)))};
 }
 
 /// Of two equal faces the first wins, in whatever order they are tried.
@@ -61,7 +62,7 @@ bool is_better(const FaceQuery& query, const FaceQuery& best) {
 /// @param first tried before all others, if not empty
 /// @param[out] bounds of all faces by the witnesses that were used
 FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, FaceBounds& bounds) {
-  bounds.start(pair.a, pair.b_in_a.position);
+  bounds.start(pair.a, pair.position);
   FaceQuery best;
   Index face = first ? first.face : bounds.largest();
   Index start = first ? first.vertex : 0;
@@ -70,7 +71,7 @@ FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, Fac
     if (is_better(query, best)) best = query;
     if (best.separation > margin) return best;
 
-    bounds.add(pair.a, pair.vertex_of_b(query.vertex));
+    bounds.add(pair.a, pair.to_a(pair.b.vertex(query.vertex)));
     face = bounds.largest();
     start = query.vertex;
     if (face == best.face || bounds.of(face) < best.separation) return best;
@@ -93,19 +94,19 @@ EdgeQuery query_edge_pair(const Pair& pair, Index edge_a, Index edge_b) {
   };
   const Vec3& left = normal(pair.a, edge_a);
   const Vec3& right = normal(pair.a, edge_a ^ 1);
-  if (!is_minkowski_face(left, right, -pair.b_in_a.rotate(normal(pair.b, edge_b)),
-                         -pair.b_in_a.rotate(normal(pair.b, edge_b ^ 1)))) {
+  if (!is_minkowski_face(left, right, -pair.turn_to_a(normal(pair.b, edge_b)),
+                         -pair.turn_to_a(normal(pair.b, edge_b ^ 1)))) {
     return {};
   }
   const Vec3 along_a = pair.a.edge_vector(edge_a);
-  const Vec3 along_b = pair.b_in_a.rotate(pair.b.edge_vector(edge_b));
+  const Vec3 along_b = pair.turn_to_a(pair.b.edge_vector(edge_b));
   const Vec3 cross = along_a.cross(along_b);
   const Real length = cross.norm();
   if (length < parallel_sine * along_a.norm() * along_b.norm()) return {};
 
   const Real outward = cross.dot(left + right) > 0 ? Real(1) : Real(-1);
   const Vec3 axis = (outward / length) * cross;
-  const Vec3 a_to_b = pair.vertex_of_b(pair.b.origin(edge_b)) - pair.a.vertex(pair.a.origin(edge_a));
+  const Vec3 a_to_b = pair.to_a(pair.b.vertex(pair.b.origin(edge_b))) - pair.a.vertex(pair.a.origin(edge_a));
   return {edge_a, edge_b, axis, axis.dot(a_to_b)};
 }
 
@@ -149,16 +150,16 @@ class EdgeSearch {
   /// The arc of an edge of A, in B's frame.
   Arc arc_of(Index e) const {
     const auto normal = [&](Index half) {
-      return pair_.b_in_a.unrotate(pair_.a.face(pair_.a.edge(half).face).plane.normal);
+      return pair_.turn_to_b(pair_.a.face(pair_.a.edge(half).face).plane.normal);
     };
-    return {normal(e), normal(e ^ 1), pair_.b_in_a.to_body(pair_.a.vertex(pair_.a.origin(e))),
-            pair_.b_in_a.to_body(pair_.a.vertex(pair_.a.edge(e).vertex))};
+    return {normal(e), normal(e ^ 1), pair_.to_b(pair_.a.vertex(pair_.a.origin(e))),
+            pair_.to_b(pair_.a.vertex(pair_.a.edge(e).vertex))};
   }
 
   /// B's support vertex against the normal of a face of A (in B's frame), found once.
   Index support(Index face, const Vec3& normal) {
     Index& vertex = support_[static_cast<std::size_t>(face)];
-    if (vertex == no_index) vertex = hill_climb(pair_.b, -normal, last_support_).vertex;
+    if (vertex == no_index) vertex = lowest_vertex(pair_.b, normal, last_support_);
     return last_support_ = vertex;
   }
 
