@@ -164,8 +164,9 @@ SoupResult convex_hull(std::span<const Vec3> points) {
   for (;;) {
     const HullRun run(soup.vertices);
     if (run.exit_code() != 0) {
-      return {{}, "qhull gives up on these points (error " + std::to_string(run.exit_code()) +
-                      "): spread them, or remove those that nearly coincide"};
+      return {{},
+              "qhull gives up on these points (error " + std::to_string(run.exit_code()) +
+                  "): spread them, or remove those that nearly coincide"};
     }
     soup = without_unused_points(soup.vertices, run.triangles());
     if (!drop_slivers(soup)) return {std::move(soup), {}};

@@ -46,8 +46,8 @@ SoupResult load_obj(const std::filesystem::path& file) {
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     const auto& corners = shape.mesh.indices;
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-      soup.triangles.push_back({corners[i].vertex_index, corners[i + 1].vertex_index,
-                                corners[i + 2].vertex_index});
+      soup.triangles.push_back(
+          {corners[i].vertex_index, corners[i + 1].vertex_index, corners[i + 2].vertex_index});
     }
   }
   if (soup.triangles.empty()) return {{}, file.string() + ": there are no faces in this file"};
@@ -73,7 +73,7 @@ std::string to_json(const HalfEdgeMesh& mesh) {
          '\n';
 }
 
-MeshResult load_mesh_json(const std::filesystem::path& file) {
+MeshResult load_mesh_json(const std::filesystem::path& file, Real tolerance) {
   std::ifstream stream(file);
   if (!stream) return {{}, file.string() + ": cannot be opened"};
   HalfEdgeMesh mesh;
@@ -82,7 +82,9 @@ MeshResult load_mesh_json(const std::filesystem::path& file) {
   } catch (const Json::exception& error) {
     return {{}, file.string() + ": is not a half-edge mesh in JSON: " + error.what()};
   }
-  if (const auto defect = validate(mesh)) return {{}, file.string() + ": " + defect->sentence};
+  if (const auto defect = validate(mesh, tolerance)) {
+    return {{}, file.string() + ": " + defect->sentence};
+  }
   return {std::move(mesh), {}};
 }
 

@@ -11,10 +11,14 @@ using Defect = std::optional<MeshDefect>;
 
 const char* name(MeshElement element) {
   switch (element) {
-    case MeshElement::Mesh: return "mesh";
-    case MeshElement::Vertex: return "vertex";
-    case MeshElement::HalfEdge: return "half-edge";
-    case MeshElement::Face: return "face";
+    case MeshElement::Mesh:
+      return "mesh";
+    case MeshElement::Vertex:
+      return "vertex";
+    case MeshElement::HalfEdge:
+      return "half-edge";
+    case MeshElement::Face:
+      return "face";
   }
   return "element";
 }
@@ -105,8 +109,8 @@ Defect twins(const Subject& subject) {
       return defect(MeshElement::HalfEdge, e, "its twin is ", twin, ", not its neighbour ", e ^ 1);
     }
     if (mesh.edge(twin).vertex == mesh.edge(e).vertex) {
-      return defect(MeshElement::HalfEdge, e, "it and its twin ", twin, " point to the same vertex ",
-                    mesh.edge(e).vertex);
+      return defect(MeshElement::HalfEdge, e, "it and its twin ", twin,
+                    " point to the same vertex ", mesh.edge(e).vertex);
     }
   }
   return std::nullopt;
@@ -153,8 +157,7 @@ Defect vertex_edges_leave(const Subject& subject) {
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const Index e = mesh.vertex_edge[static_cast<std::size_t>(v)];
     if (mesh.origin(e) != v) {
-      return defect(MeshElement::Vertex, v, "its half-edge ", e, " leaves vertex ",
-                    mesh.origin(e));
+      return defect(MeshElement::Vertex, v, "its half-edge ", e, " leaves vertex ", mesh.origin(e));
     }
   }
   return std::nullopt;
@@ -263,9 +266,9 @@ Real largest_extent(const HalfEdgeMesh& mesh) {
 std::optional<MeshDefect> validate(const HalfEdgeMesh& mesh, Real tolerance) {
   const Subject subject{mesh, tolerance * largest_extent(mesh)};
   // Each check relies on what those before it have found to be true.
-  for (const auto check : {sizes_and_ranges, finite_vertices, twins, loops, vertex_edges_leave, fans,
-                           euler, unit_normals, planar_faces, positive_volume, convex_faces,
-                           convex_mesh}) {
+  for (const auto check :
+       {sizes_and_ranges, finite_vertices, twins, loops, vertex_edges_leave, fans, euler,
+        unit_normals, planar_faces, positive_volume, convex_faces, convex_mesh}) {
     if (Defect found = check(subject)) return found;
   }
   return std::nullopt;

@@ -35,13 +35,21 @@ std::vector<Index> counting(Index first, Index count, Index step) {
 
 TriangleSoup icosahedron() {
   const Real t = (1 + std::sqrt(Real(5))) / 2;
-  return {{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0},
-           {0, -1, t}, {0, 1, t}, {0, -1, -t}, {0, 1, -t},
-           {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}},
-          {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
-           {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-           {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
-           {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  return {{{-1, t, 0},
+           {1, t, 0},
+           {-1, -t, 0},
+           {1, -t, 0},
+           {0, -1, t},
+           {0, 1, t},
+           {0, -1, -t},
+           {0, 1, -t},
+           {t, 0, -1},
+           {t, 0, 1},
+           {-t, 0, -1},
+           {-t, 0, 1}},
+          {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
 /// Splits every triangle into four at the middles of its edges, which lie on the unit sphere.
@@ -51,8 +59,8 @@ TriangleSoup subdivided(const TriangleSoup& coarse) {
   const auto middle = [&](Index a, Index b) {
     const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), fine.vertices.size());
     if (is_new) {
-      const Vec3 sum = fine.vertices[static_cast<std::size_t>(a)] +
-                       fine.vertices[static_cast<std::size_t>(b)];
+      const Vec3 sum =
+          fine.vertices[static_cast<std::size_t>(a)] + fine.vertices[static_cast<std::size_t>(b)];
       fine.vertices.push_back(sum.normalized());
     }
     return entry->second;

@@ -13,7 +13,7 @@ namespace cs550 {
 SoupResult load_obj(const std::filesystem::path& file);
 
 /// A half-edge mesh as JSON (vertices, half-edges, faces): what fixtures are stored as.
-/// Loading checks the result with validate().
+/// Loading checks the result with validate(); errors name the file.
 std::string to_json(const HalfEdgeMesh& mesh);
 
 /// A mesh, or a sentence that says why there is none.
@@ -21,6 +21,8 @@ struct MeshResult {
   HalfEdgeMesh mesh;
   std::string error;
 };
-MeshResult load_mesh_json(const std::filesystem::path& file);
+
+/// @param tolerance of validate(); HUGE_VALF takes a mesh that is not convex
+MeshResult load_mesh_json(const std::filesystem::path& file, Real tolerance = Real(1e-4));
 
 }  // namespace cs550

@@ -45,7 +45,8 @@ RigidBody make_dynamic_body(Real mass, const Mat3& inertia, const Pose& pose);
 RigidBody make_immovable_body(BodyKind kind, const Pose& pose);
 
 /// Gives a body velocities (world frame; m/s, rad/s): sets P = m·v and L = R·I·Rᵀ·ω of a dynamic
-/// body, the velocities themselves of a kinematic one; does nothing to a static one.
+/// body, whose velocities follow at the next refresh_velocity(); the velocities themselves of a
+/// kinematic one; does nothing to a static one. Calls no lab function.
 void set_velocity(RigidBody& body, const Vec3& linear, const Vec3& angular);
 
 /// ½·m·v² + ½·ω·L of a dynamic body, 0 for the others (J). ω is computed afresh from L and the pose.

@@ -1,0 +1,20 @@
+#pragma once
+/// @file fixtures.hpp
+/// Recorded shapes: data, so that a lab's tests need no other lab. See recorded_meshes.hpp for what
+/// each one is.
+
+#include <string>
+
+#include "cs550/convex_shape.hpp"
+
+namespace cs550::test {
+
+/// The mesh in tests/fixtures/meshes/NAME.json, read once.
+/// @throws std::runtime_error if there is none of that name
+const HalfEdgeMesh& fixture_mesh(const std::string& name);
+
+/// The shape made of that mesh: the same one for every caller.
+/// @throws std::runtime_error if there is none of that name, or the mesh is not convex
+ShapePtr fixture_shape(const std::string& name);
+
+}  // namespace cs550::test
