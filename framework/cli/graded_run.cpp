@@ -108,8 +108,9 @@ class Watch {
 
 std::vector<GradedTest> graded_tests(const std::string& lab_name) {
   const bool with_hidden = has_hidden_tests(lab_name);
+  const Json listed = manifest(lab_name).at("tests");
   std::vector<GradedTest> tests;
-  for (const Json& test : manifest(lab_name).at("tests")) {
+  for (const Json& test : listed) {
     if (test.at("hidden") && !with_hidden) continue;
     tests.push_back({test.at("name"), test.at("step"), test.at("points"), test.at("long")});
   }
