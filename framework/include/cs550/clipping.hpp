@@ -24,7 +24,7 @@ struct ClipEdge {
 /// A corner of a clipped polygon. The two edges that meet in it name it: two incident edges are an
 /// incident vertex, one of each a crossing, two reference edges a corner of the reference face.
 struct ClipVertex {
-  Vec3 point = Vec3::Zero();  ///< world frame (m)
+  Vec3 point = Vec3::Zero();  ///< any frame: face_manifold() takes the reference body's (m)
   ClipEdge in;                ///< the edge that ends here, going counter-clockwise
   ClipEdge out;               ///< the edge that leaves here
 };
@@ -65,7 +65,7 @@ Manifold face_manifold(const PosedShape& a, const PosedShape& b, const Separatin
                        Real margin);
 
 /// **L5.4** The manifold of two edges: one point, with anchors at the closest points of the two
-/// *segments* (Ericson §5.1.9), normal along axis.edges.axis.
+/// *segments* (Ericson §5.1.9), normal along axis.edges.axis, tangent along A's edge.
 /// @param axis axis.edges is not empty
 Manifold edge_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis);
 
@@ -77,16 +77,20 @@ Manifold edge_manifold(const PosedShape& a, const PosedShape& b, const Separatin
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
     std::span<const ContactPoint> points, const Vec3& normal);
 
-/// An edge contact replaces a face manifold only if it is better by this much, relative to the
+/// An edge contact is taken in place of a face only if it is better by this much, relative to the
 /// smaller radius of the two shapes: a face is the steadier support.
 inline constexpr Real edge_preference = Real(5e-3);
 
-/// **L5.6** The manifold for an axis. The face manifold comes first (the better of axis.face_a and
-/// axis.face_b; the kind in axis.feature decides between equals); the edge contact wins only if its
-/// separation beats **both** the SAT separation of that face and the deepest point of the face
-/// manifold by edge_preference. Bodies that overlap never get an empty manifold: a face manifold that lost
-/// all its points falls back to the edges, then to the deepest vertex. A separation above the
-/// margin gives an empty manifold.
+/// **L5.6** The manifold for an axis: of edges if their separation beats the better face query's by
+/// edge_preference, else of that face (axis.feature decides between faces that are equal up to
+/// tie_tolerance). Like is compared with like: what clipping leaves can be much shallower than the
+/// face's separation, and edges that had to beat *that* would leave boxes deep in each other.
+///
+/// A face manifold without a point that is as deep as the face query says, up to edge_preference,
+/// has lost the contact (the incident face need not hold the deepest vertex). It gives way to the
+/// edges if their separation is no less than the face's, else, where the bodies overlap, to the
+/// deepest vertex. So bodies that overlap never get an empty manifold, and the depth it reports is
+/// that of the axis up to edge_preference. A separation above the margin gives an empty manifold.
 Manifold build_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
                         Real margin);
 
