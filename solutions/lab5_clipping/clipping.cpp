@@ -332,8 +332,6 @@ Manifold build_manifold(const PosedShape& a, const PosedShape& b, const Separati
   face_axis.feature = better_face(axis, tie_tolerance * radius);
   const FaceQuery& face = face_axis.feature == AxisFeature::FaceA ? axis.face_a : axis.face_b;
 
-  // Like is compared with like: a clipped point may be much shallower than the face's separation,
-  // and an edge that had to beat it would leave the bodies deep in each other.
   const Real preference = edge_preference * radius;
   if (axis.edges && axis.edges.separation > face.separation + preference) {
     return edge_manifold(a, b, axis);
