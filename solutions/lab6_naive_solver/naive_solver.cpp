@@ -28,8 +28,8 @@ Real effective_mass(const BodyVelocity& a, const BodyVelocity& b, const Vec3& r_
 }
 
 // L6.2
-Real normal_velocity(const BodyVelocity& a, const BodyVelocity& b, const Vec3& r_a,
-                     const Vec3& r_b, const Vec3& n) {
+Real normal_velocity(const BodyVelocity& a, const BodyVelocity& b, const Vec3& r_a, const Vec3& r_b,
+                     const Vec3& n) {
   return n.dot(b.v + b.w.cross(r_b) - a.v - a.w.cross(r_a));
 }
 

@@ -66,8 +66,8 @@ GRADED_TEST(Lab1, ForceOffCentreGivesTorque, 2, "L1.1") {
   aside.expect_near("torque", pushed_at_side.torque, Vec3(0, 0, 20), 0, "N·m");
   aside.expect_near("linear momentum, before any time has passed", pushed_at_side.linear_momentum,
                     Vec3::Zero(), 0, "kg·m/s");
-  aside.expect_near("angular momentum, before any time has passed",
-                    pushed_at_side.angular_momentum, Vec3::Zero(), 0, "kg·m²/s");
+  aside.expect_near("angular momentum, before any time has passed", pushed_at_side.angular_momentum,
+                    Vec3::Zero(), 0, "kg·m²/s");
 }
 
 GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {
@@ -86,8 +86,7 @@ GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {
     apply_impulse(body, impulse, point);
 
     const Eigen::Vector3d lever = (point - pose.position).cast<double>();
-    const Eigen::Vector3d momentum =
-        before.linear_momentum.cast<double>() + impulse.cast<double>();
+    const Eigen::Vector3d momentum = before.linear_momentum.cast<double>() + impulse.cast<double>();
     const Eigen::Vector3d spin =
         before.angular_momentum.cast<double>() + lever.cross(impulse.cast<double>());
     const Eigen::Vector3d w = world_inertia(before).inverse() * spin;
@@ -97,8 +96,7 @@ GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {
     // A few roundings of float, relative to the momenta and speeds of this size.
     const Real scale = body.mass * size;
     here.expect_near("P", body.linear_momentum, momentum.cast<Real>(), 1e-5 * scale, "kg·m/s");
-    here.expect_near("L", body.angular_momentum, spin.cast<Real>(), 1e-5 * scale * size,
-                     "kg·m²/s");
+    here.expect_near("L", body.angular_momentum, spin.cast<Real>(), 1e-5 * scale * size, "kg·m²/s");
     here.expect_near("v", body.linear_velocity, (momentum / body.mass).cast<Real>(), 1e-5 * size,
                      "m/s");
     here.expect_near("ω", body.angular_velocity, w.cast<Real>(), 1e-4, "rad/s");
@@ -114,7 +112,8 @@ GRADED_TEST(Lab1, ImpulseLeavesImmovableBodiesAlone, 2, "L1.2") {
     apply_impulse(body, Vec3(0, 0, 5), Vec3(1, 0, 0));
 
     Story story("An impulse does not change a body that is not dynamic");
-    story.given(kind == BodyKind::Static ? "a static body" : "a kinematic body that its owner moves")
+    story
+        .given(kind == BodyKind::Static ? "a static body" : "a kinematic body that its owner moves")
         .when("an impulse of 5 N·s strikes it off centre")
         .likely("only a dynamic body has momenta: leave the others before anything is added");
     story.expect_near("P", body.linear_momentum, Vec3::Zero(), 0, "kg·m/s");

@@ -1,8 +1,6 @@
 // L1.3 to L1.5: velocities derived from momenta, and what a force does in a time h.
 #include <cs550/graded_test.hpp>
 
-#include <Eigen/LU>
-
 #include "lab1_integration/free_body.hpp"
 #include "support/random.hpp"
 #include "support/story.hpp"
@@ -57,9 +55,9 @@ GRADED_TEST(Lab1, VelocitiesFollowFromMomenta, 4, "L1.4") {
     here.given("size of the body", size, "m").given("mass", body.mass, "kg");
     here.expect_near("v", body.linear_velocity, v, 1e-5 * size, "m/s");
     here.expect_near("ω", body.angular_velocity, w, 1e-5, "rad/s");
-    here.expect_at_most(
-        "error of the stored inverse inertia, relative",
-        (body.world_inverse_inertia.cast<double>() - exact).norm() / exact.norm(), 1e-5);
+    here.expect_at_most("error of the stored inverse inertia, relative",
+                        (body.world_inverse_inertia.cast<double>() - exact).norm() / exact.norm(),
+                        1e-5);
   }
 }
 
@@ -82,7 +80,8 @@ GRADED_TEST(Lab1, ImmovableBodiesKeepOrHaveNoVelocity, 2, "L1.4") {
   fixed.world_inverse_inertia = Mat3::Identity();
   refresh_velocity(fixed);
   Story still("A static body has no velocity");
-  still.given("velocities left over from another use").when("refresh_velocity()")
+  still.given("velocities left over from another use")
+      .when("refresh_velocity()")
       .likely("a static body's inverse mass and inertia are 0: the usual formulas give it rest");
   still.expect_near("v", fixed.linear_velocity, Vec3::Zero(), 0, "m/s");
   still.expect_near("ω", fixed.angular_velocity, Vec3::Zero(), 0, "rad/s");
@@ -110,10 +109,10 @@ GRADED_TEST(Lab1, ForceActsForTheTimeStep, 3, "L1.5") {
     here.expect_near("L", body.angular_momentum, share * Vec3(0, 3, 0), 1e-6, "kg·m²/s");
     here.expect_near("force afterwards", body.force, Vec3(6, 0, -12), 0, "N");
     here.expect_near("torque afterwards", body.torque, Vec3(0, 3, 0), 0, "N·m");
-    here.expect_near("v, which waits for refresh_velocity()", body.linear_velocity, Vec3::Zero(),
-                     0, "m/s");
-    here.expect_near("ω, which waits for refresh_velocity()", body.angular_velocity,
-                     Vec3::Zero(), 0, "rad/s");
+    here.expect_near("v, which waits for refresh_velocity()", body.linear_velocity, Vec3::Zero(), 0,
+                     "m/s");
+    here.expect_near("ω, which waits for refresh_velocity()", body.angular_velocity, Vec3::Zero(),
+                     0, "rad/s");
   }
 }
 

@@ -1,0 +1,143 @@
+// L6.1 and L6.2: the numbers that an impulse is made of.
+#include <cs550/graded_test.hpp>
+
+#include "lab6_naive_solver/collision.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_mass_causes(Story story) {
+  return story.likely("the bracket: d·[(I⁻¹(r × d)) × r], the cross product with r comes last")
+      .likely("the turning terms are missing, or their sign is wrong: both make the mass smaller")
+      .likely("a mass is impulse per velocity: the sum is its inverse");
+}
+
+Story with_velocity_causes(Story story) {
+  return story.likely("v_n is B's velocity less A's, along n, which points from A to B")
+      .likely("a point at r of a turning body moves by ω × r as well, in that order");
+}
+
+GRADED_TEST(Lab6, EffectiveMassMatchesDense, 6, "L6.1") {
+  Random random(61);
+  Story story = with_mass_causes(Story("m_e = 1/(J·M⁻¹·Jᵀ), with M⁻¹ written out as 12 × 12"));
+  story.seed(random.seed()).when("effective_mass() of two random boxes");
+  for (const Real size : {Real(0.01), Real(1), Real(100)}) {
+    for (int i = 0; i < 20; ++i) {
+      const Collision at = random_collision(random, size);
+      const Vec3 d = random.unit_vector();
+      const double exact = dense_effective_mass(at.a, at.b, at.row.r_a, at.row.r_b, d);
+      const double got = effective_mass(at.a, at.b, at.row.r_a, at.row.r_b, d);
+      Story here = story;
+      here.given("size", size, "m").given("r_A", at.row.r_a, "m").given("r_B", at.row.r_b, "m");
+      // Only positive terms are added: nothing can cancel, a few roundings of float remain.
+      if (!here.expect_near("m_e", got, exact, 1e-5 * exact, "kg")) return;
+    }
+  }
+}
+
+GRADED_TEST(Lab6, EffectiveMassOfKnownCases, 4, "L6.1") {
+  const Vec3 x = Vec3::UnitX();
+  const Vec3 z = Vec3::UnitZ();
+  const BodyVelocity fixed;
+  const BodyVelocity one = movable(1, Vec3(1, 1, 1));
+  const BodyVelocity three = movable(3, Vec3(1, 1, 1));
+
+  Story central =
+      with_mass_causes(Story("A central blow meets the reduced mass m_A·m_B/(m_A + m_B)"));
+  central.given("masses", "1 kg and 3 kg");
+  central.expect_near("m_e", effective_mass(one, three, x, -x, x), 0.75, 1e-6, "kg");
+
+  Story wall =
+      with_mass_causes(Story("A central blow against an immovable body meets the whole mass"));
+  wall.given("mass", 3.0f, "kg");
+  wall.expect_near("m_e", effective_mass(fixed, three, x, -x, x), 3, 1e-6, "kg");
+
+  // A thin rod of length l: I = m·l²/12, so 1/m_e = 1/m + (l/2)²/I = 4/m.
+  BodyVelocity rod;
+  rod.inverse_mass = Real(0.5);
+  rod.world_inverse_inertia.diagonal() = Vec3(0, Real(1) / 6, Real(1) / 6);
+  Story tip = with_mass_causes(Story("At its tip, a thin rod is only a quarter as hard to move"));
+  tip.given("rod of mass", 2.0f, "kg").given("length", 6.0f, "m").given("blow across the rod");
+  tip.expect_near("m_e", effective_mass(fixed, rod, x, 3 * x, z), 0.5, 1e-6, "kg");
+}
+
+GRADED_TEST(Lab6, EffectiveMassOfImmovableAndSwappedBodies, 4, "L6.1") {
+  const BodyVelocity fixed;
+  Story story("Two immovable bodies have the effective mass 0, by agreement");
+  story.likely("1/0 is infinite, and infinity times zero is not a number in the next line");
+  story.expect_near(
+      "m_e", effective_mass(fixed, fixed, Vec3(1, 2, 3), Vec3(3, 2, 1), Vec3::UnitY()), 0, 0, "kg");
+
+  Random random(62);
+  for (int i = 0; i < 20; ++i) {
+    const Collision at = random_collision(random, 1);
+    const Vec3 d = at.row.n;
+    const double mass = effective_mass(at.a, at.b, at.row.r_a, at.row.r_b, d);
+    const double swapped = effective_mass(at.b, at.a, at.row.r_b, at.row.r_a, d);
+    const double reversed = effective_mass(at.a, at.b, at.row.r_a, at.row.r_b, -d);
+    const double reduced = 1 / double{at.a.inverse_mass + at.b.inverse_mass};
+    Story here = with_mass_causes(Story("m_e asks neither who is A nor which way the blow goes"));
+    here.seed(random.seed()).given("r_A", at.row.r_a, "m").given("r_B", at.row.r_b, "m");
+    bool held = here.expect_near("m_e with A and B swapped", swapped, mass, 1e-5 * mass, "kg");
+    held &= here.expect_near("m_e of the reversed blow", reversed, mass, 1e-5 * mass, "kg");
+    held &= here.expect_at_most("m_e of bodies that can turn", mass, reduced * (1 + 1e-5), "kg");
+    if (!held) return;
+  }
+}
+
+GRADED_TEST(Lab6, NormalVelocityMatchesDense, 4, "L6.2") {
+  Random random(63);
+  Story story = with_velocity_causes(Story("v_n = J·V, with J and V written out"));
+  story.seed(random.seed()).when("normal_velocity() of two random boxes");
+  for (const Real size : {Real(0.01), Real(1), Real(100)}) {
+    for (int i = 0; i < 20; ++i) {
+      const Collision at = random_collision(random, size);
+      const Vec3 n = random.unit_vector();
+      const double exact =
+          dense_jacobian(n, at.row.r_a, at.row.r_b).dot(dense_velocity(at.a, at.b));
+      const double got = normal_velocity(at.a, at.b, at.row.r_a, at.row.r_b, n);
+      Story here = story;
+      here.given("size", size, "m").given("n", n);
+      // Speeds of up to ten sizes a second are added and may cancel.
+      if (!here.expect_near("v_n", got, exact, 1e-5 * size, "m/s")) return;
+    }
+  }
+}
+
+GRADED_TEST(Lab6, NormalVelocityIsNegativeWhenApproaching, 3, "L6.2") {
+  const Vec3 x = Vec3::UnitX();
+  BodyVelocity a = movable(1, Vec3(1, 1, 1));
+  BodyVelocity b = movable(1, Vec3(1, 1, 1));
+  Story story =
+      with_velocity_causes(Story("v_n is negative when approaching, positive when parting"));
+  story.given("n", x).given("A at the left, B at the right");
+
+  a.v = Vec3(5, 1, 0);
+  Story chase = story;
+  chase.given("v_A", a.v, "m/s").given("v_B", b.v, "m/s");
+  chase.expect_near("v_n", normal_velocity(a, b, x, -x, x), -5, 0, "m/s");
+
+  b.v = Vec3(7, 0, 2);
+  Story escape = story;
+  escape.given("v_A", a.v, "m/s").given("v_B", b.v, "m/s");
+  escape.expect_near("v_n", normal_velocity(a, b, x, -x, x), 2, 0, "m/s");
+}
+
+GRADED_TEST(Lab6, NormalVelocityCountsTheTurning, 3, "L6.2") {
+  const Vec3 x = Vec3::UnitX();
+  const Vec3 y = Vec3::UnitY();
+  const BodyVelocity still = movable(1, Vec3(1, 1, 1));
+  BodyVelocity spinning = still;
+  spinning.w = Vec3(0, 0, 4);
+  // A point 2 m to the right of an axis along z moves by 4 · 2 m/s along y.
+  Story story = with_velocity_causes(Story("A turning body moves its contact points by ω × r"));
+  story.given("ω", spinning.w, "rad/s").given("r", Vec3(2 * x), "m").given("n", y);
+  story.expect_near("v_n if B turns", normal_velocity(still, spinning, -x, 2 * x, y), 8, 0, "m/s");
+  story.expect_near("v_n if A turns", normal_velocity(spinning, still, 2 * x, -x, y), -8, 0, "m/s");
+  story.expect_near("v_n along r, where nothing moves",
+                    normal_velocity(still, spinning, -x, 2 * x, x), 0, 0, "m/s");
+}
+
+}  // namespace
+}  // namespace cs550::test
