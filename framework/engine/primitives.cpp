@@ -33,23 +33,30 @@ std::vector<Index> counting(Index first, Index count, Index step) {
   return numbers;
 }
 
+/// The twelve points (0, ±1, ±φ) and their cyclic shifts; any three at mutual distance 2 are a face.
 TriangleSoup icosahedron() {
-  const Real t = (1 + std::sqrt(Real(5))) / 2;
-  return {{{-1, t, 0},
-           {1, t, 0},
-           {-1, -t, 0},
-           {1, -t, 0},
-           {0, -1, t},
-           {0, 1, t},
-           {0, -1, -t},
-           {0, 1, -t},
-           {t, 0, -1},
-           {t, 0, 1},
-           {-t, 0, -1},
-           {-t, 0, 1}},
-          {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+  const Real golden = (1 + std::sqrt(Real(5))) / 2;
+  TriangleSoup soup;
+  for (const Real a : {-1, 1}) {
+    for (const Real b : {-golden, golden}) {
+      soup.vertices.insert(soup.vertices.end(), {{0, a, b}, {a, b, 0}, {b, 0, a}});
+    }
+  }
+  const auto point = [&](Index v) -> const Vec3& {
+    return soup.vertices[static_cast<std::size_t>(v)];
+  };
+  // Points that are not neighbours are at least 2·φ apart.
+  const auto adjacent = [&](Index u, Index v) { return (point(u) - point(v)).norm() < Real(2.5); };
+  for (Index u = 0; u < 12; ++u) {
+    for (Index v = u + 1; v < 12; ++v) {
+      for (Index w = v + 1; w < 12; ++w) {
+        if (!adjacent(u, v) || !adjacent(v, w) || !adjacent(w, u)) continue;
+        const bool outward = point(u).dot(point(v).cross(point(w))) > 0;
+        soup.triangles.push_back(outward ? Triangle{u, v, w} : Triangle{u, w, v});
+      }
+    }
+  }
+  return soup;
 }
 
 /// Splits every triangle into four at the middles of its edges, which lie on the unit sphere.
