@@ -29,7 +29,8 @@ struct Verdict {
   int earned() const { return kind == Kind::Passed ? test.points : 0; }
 };
 
-/// The tests of a lab that are present: without the hidden ones where their sources are not.
+/// The tests of a lab that are present, step by step: without the hidden ones where their sources
+/// are not.
 /// Throws std::runtime_error when there is no manifest.
 std::vector<GradedTest> graded_tests(const std::string& lab_name);
 

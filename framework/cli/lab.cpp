@@ -46,12 +46,19 @@ std::string verdict_word(const Verdict& verdict) {
   return {};
 }
 
-void print(const Verdict& verdict) {
-  std::ostringstream points;
-  points << verdict.earned() << '/' << verdict.test.points;
-  std::cout << "  " << verdict_word(verdict) << ' ' << std::setw(5) << points.str() << "  "
-            << padded(verdict.test.step, 6) << verdict.test.name << '\n'
-            << indented(verdict.message, 10);
+/// One line for each test, and what it said. The same words are not said twice in a row: an
+/// unwritten function stops many tests.
+void print(const std::vector<Verdict>& verdicts) {
+  std::string said;
+  for (const Verdict& verdict : verdicts) {
+    std::ostringstream points;
+    points << verdict.earned() << '/' << verdict.test.points;
+    std::cout << "  " << verdict_word(verdict) << ' ' << std::setw(5) << points.str() << "  "
+              << padded(verdict.test.step, 6) << verdict.test.name << '\n';
+    if (verdict.message != said) std::cout << indented(verdict.message, 6);
+    said = verdict.message;
+  }
+  std::cout << std::flush;
 }
 
 std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long) {
@@ -132,11 +139,10 @@ int run_lab(const LabOptions& options) {
   const int slowdown = options.asan ? 5 : 1;
   std::vector<Verdict> verdicts;
   const auto run_and_print = [&](const std::vector<GradedTest>& chosen, seconds patience) {
-    for (const Verdict& verdict : run_graded_tests(built_program(preset, target), options.lab,
-                                                   chosen, slowdown * patience)) {
-      print(verdict);
-      verdicts.push_back(verdict);
-    }
+    const std::vector<Verdict> outcome =
+        run_graded_tests(built_program(preset, target), options.lab, chosen, slowdown * patience);
+    print(outcome);
+    verdicts.insert(verdicts.end(), outcome.begin(), outcome.end());
   };
   run_and_print(only(tests, false), seconds{10});
   const std::vector<GradedTest> long_tests = only(tests, true);

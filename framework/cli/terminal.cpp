@@ -33,6 +33,12 @@ const char* escape_code(Colour colour) {
   return "0";
 }
 
+/// How many characters a UTF-8 text shows: its bytes but for those that continue a character.
+std::size_t columns(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
+}
+
 }  // namespace
 
 std::string coloured(std::string_view text, Colour colour) {
@@ -41,12 +47,18 @@ std::string coloured(std::string_view text, Colour colour) {
   return std::string("\033[") + escape_code(colour) + 'm' + std::string(text) + "\033[0m";
 }
 
-std::string indented(std::string_view text, int spaces) {
+std::string indented(std::string_view text, std::size_t spaces) {
+  constexpr std::size_t last_column = 80;
   std::istringstream lines{std::string(text)};
   std::string result;
   for (std::string line; std::getline(lines, line);) {
-    if (!line.empty()) result.append(static_cast<std::size_t>(spaces), ' ');
-    result += line + '\n';
+    for (std::size_t width = last_column - spaces; columns(line) > width;) {
+      const std::size_t space = line.rfind(' ', width);
+      if (space == std::string::npos || space == 0) break;
+      result += std::string(spaces, ' ') + line.substr(0, space) + '\n';
+      line.erase(0, space + 1);
+    }
+    result += (line.empty() ? "" : std::string(spaces, ' ')) + line + '\n';
   }
   return result;
 }
