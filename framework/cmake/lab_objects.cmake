@@ -91,9 +91,12 @@ function(cs550_compile_lab number variant)
     cs550_precompile(${target} student <cs550/math.hpp> <vector>)
   else()
     target_link_libraries(${target} PRIVATE cs550_warnings)
-    # A stub speaks of the file that is to be edited, wherever it was kept.
-    target_compile_options(${target} PRIVATE -Wmissing-declarations
-                           "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/")
+    target_compile_options(${target} PRIVATE -Wmissing-declarations)
+  endif()
+  if(variant STREQUAL "stub")
+    # It speaks of the file that is to be edited, wherever it was kept. The last mapping wins.
+    set_source_files_properties(${CS550_LAB${number}_stub_SOURCES} PROPERTIES COMPILE_OPTIONS
+      "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/")
   endif()
   cs550_has_fallback(has_fallback ${number} ${variant})
   if(has_fallback)

@@ -29,9 +29,12 @@ include(\"${list_script}\")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${list_file}")
 endfunction()
 
-foreach(folder framework engine)
+foreach(folder framework engine autograder)
   cs550_add_own_tests(${folder})
 endforeach()
+if(TARGET tests_autograder)
+  include("${PROJECT_SOURCE_DIR}/tests/autograder/tests.cmake")
+endif()
 
 file(GLOB benchmark_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/benchmarks/*.cpp")
 if(benchmark_sources AND benchmark_FOUND)

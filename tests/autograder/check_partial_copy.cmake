@@ -1,0 +1,16 @@
+# cmake -DROOT=... -DCOPY=... -DWITHOUT=labs|solutions -DTARGET=... -DCXX=... -DLAUNCHER=... -P ...
+# The project builds in a copy that lacks one of its folders.
+cmake_minimum_required(VERSION 3.25)
+file(REMOVE_RECURSE "${COPY}")
+foreach(part CMakeLists.txt framework labs solutions tests)
+  if(NOT part STREQUAL WITHOUT AND EXISTS "${ROOT}/${part}")
+    file(COPY "${ROOT}/${part}" DESTINATION "${COPY}")
+  endif()
+endforeach()
+execute_process(COMMAND "${CMAKE_COMMAND}" -S "${COPY}" -B "${COPY}/build" -G "${GENERATOR}"
+                        "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
+                COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${COPY}/build" --target ${TARGET}
+                COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${COPY}/build/bin/${TARGET}" --manifest COMMAND_ERROR_IS_FATAL ANY)
+file(REMOVE_RECURSE "${COPY}")

@@ -1,0 +1,138 @@
+/// What the runner of graded tests says about each kind of ending, seen from outside: the fake lab
+/// runs as a program of its own, as a student's does.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+struct Outcome {
+  int exit_code;
+  std::string output;
+};
+
+Outcome run_fake_lab(const std::string& arguments) {
+  const std::string command = std::string(CS550_FAKE_LAB) + " " + arguments + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string output;
+  std::array<char, 4096> buffer;
+  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    output.append(buffer.data(), size);
+  }
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+}
+
+/// Runs one test and returns what the results file says about it.
+class GradedTestVerdict : public testing::Test {
+ protected:
+  nlohmann::json verdict(const std::string& test) {
+    run_ = run_fake_lab("--gtest_filter=Lab5." + test + " --results " + file_.string());
+    results_ = nlohmann::json::parse(std::ifstream(file_));
+    return results_["tests"].at(0);
+  }
+
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  const std::filesystem::path file_ =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string("verdict_") +
+       testing::UnitTest::GetInstance()->current_test_info()->name() + ".json");
+  Outcome run_;
+  nlohmann::json results_;
+};
+
+TEST_F(GradedTestVerdict, PassingEarnsThePoints) {
+  const nlohmann::json test = verdict("Passes");
+  EXPECT_EQ(test["test"], "Lab5.Passes");
+  EXPECT_EQ(test["status"], "passed");
+  EXPECT_EQ(test["step"], "L5.1");
+  EXPECT_EQ(test["points"], 6);
+  EXPECT_EQ(test["earned"], 6);
+  EXPECT_EQ(results_["earned"], 6);
+  EXPECT_EQ(run_.exit_code, 0);
+}
+
+TEST_F(GradedTestVerdict, FailingEarnsNothing) {
+  const nlohmann::json test = verdict("Fails");
+  EXPECT_EQ(test["status"], "failed");
+  EXPECT_EQ(test["earned"], 0);
+  EXPECT_EQ(results_["points"], 5);
+  EXPECT_EQ(run_.exit_code, 1);
+}
+
+TEST_F(GradedTestVerdict, UnwrittenStepSaysSoAndNothingElse) {
+  const nlohmann::json test = verdict("ReachesAnUnwrittenStep");
+  EXPECT_EQ(test["status"], "failed");
+  const std::string message = test["message"];
+  EXPECT_EQ(message.rfind("not implemented: L5.2 clip (tests/autograder/fake_lab/fake_lab.cpp:", 0), 0U)
+      << message;
+  EXPECT_EQ(message.find("exception"), std::string::npos) << message;
+  EXPECT_EQ(run_.exit_code, 1);
+}
+
+TEST_F(GradedTestVerdict, UnfinishedEarlierLabBlocksRatherThanFails) {
+  const nlohmann::json test = verdict("ReachesAnEarlierLab");
+  EXPECT_EQ(test["status"], "blocked");
+  EXPECT_EQ(test["earned"], 0);
+  const std::string message = test["message"];
+  EXPECT_NE(message.find("blocked by lab 2: not implemented: L2.3 merge"), std::string::npos);
+  EXPECT_EQ(run_.exit_code, 77);
+}
+
+TEST_F(GradedTestVerdict, ExceptionIsNamedWithItsStep) {
+  EXPECT_EQ(verdict("Throws")["message"], "uncaught exception in L5.3: index 9 of 4");
+  EXPECT_EQ(run_.exit_code, 1);
+}
+
+TEST_F(GradedTestVerdict, ThrownNumberIsAFailureToo) {
+  const nlohmann::json test = verdict("ThrowsANumber");
+  EXPECT_EQ(test["status"], "failed");
+  EXPECT_EQ(test["earned"], 0);
+}
+
+TEST_F(GradedTestVerdict, CrashLeavesTheTestThatRanLast) {
+  const nlohmann::json test = verdict("Passes:Lab5.Crashes");
+  EXPECT_EQ(test["status"], "passed");
+  EXPECT_EQ(results_["tests"].at(1)["test"], "Lab5.Crashes");
+  EXPECT_EQ(results_["tests"].at(1)["status"], "running");
+  EXPECT_EQ(results_["earned"], 6);
+  EXPECT_NE(run_.exit_code, 0);
+}
+
+TEST(GradedTestProgram, FilterThatMatchesNothingIsWrongUsage) {
+  EXPECT_EQ(run_fake_lab("--gtest_filter=Lab5.Nothing").exit_code, 2);
+}
+
+TEST(GradedTestProgram, UnknownOptionIsWrongUsage) {
+  EXPECT_EQ(run_fake_lab("--colour").exit_code, 2);
+}
+
+TEST(GradedTestProgram, PointsAndStepReachTheXmlReport) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "fake_lab.xml";
+  run_fake_lab("--gtest_filter=Lab5.Passes --gtest_output=xml:" + file.string());
+  std::ifstream stream(file);
+  const std::string report{std::istreambuf_iterator<char>(stream), {}};
+  std::filesystem::remove(file);
+  EXPECT_NE(report.find("name=\"points\" value=\"6\""), std::string::npos) << report;
+  EXPECT_NE(report.find("name=\"step\" value=\"L5.1\""), std::string::npos) << report;
+}
+
+TEST(GradedTestProgram, ManifestListsEveryTestInOrder) {
+  const nlohmann::json manifest = nlohmann::json::parse(run_fake_lab("--manifest").output);
+  EXPECT_EQ(manifest["lab"], 5);
+  EXPECT_EQ(manifest["points"]["visible"], 23);
+  ASSERT_EQ(manifest["tests"].size(), 7U);
+  EXPECT_EQ(manifest["tests"].at(0)["name"], "Passes");
+  EXPECT_EQ(manifest["tests"].at(0)["long"], false);
+  EXPECT_EQ(manifest["tests"].at(4)["name"], "Throws");
+  EXPECT_EQ(manifest["tests"].at(4)["long"], true);
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+# Tests of the seam and of the graded tests' runner.
+set(scripts "${CMAKE_CURRENT_LIST_DIR}")
+
+# One fake lab with tests of every ending, run as a program by tests_autograder.
+add_executable(fake_lab "${scripts}/fake_lab/fake_lab.cpp" $<TARGET_OBJECTS:cs550_graded_main>
+                        $<TARGET_OBJECTS:cs550_lab_table>)
+target_link_libraries(fake_lab PRIVATE cs550_test_support cs550_warnings)
+cs550_link_reference_labs(fake_lab)
+
+set(isolated_labs "")
+if(CS550_ISOLATE_LABS)
+  foreach(number IN LISTS CS550_LABS)
+    list(APPEND isolated_labs "${number}:${CS550_LAB${number}_TOPIC}")
+  endforeach()
+endif()
+list(JOIN isolated_labs "," isolated_labs)
+target_compile_definitions(tests_autograder PRIVATE
+  CS550_FAKE_LAB="$<TARGET_FILE:fake_lab>"
+  CS550_ISOLATED_LABS="${isolated_labs}"
+  CS550_HEADERS="${PROJECT_SOURCE_DIR}/framework/include/cs550"
+  CS550_SYMBOL_LISTS="${lab_folder}")
+add_dependencies(tests_autograder fake_lab)
+
+# What is not part of `all` is built by a test, so that a broken lab file fails here alone.
+function(cs550_test_builds number)
+  set(name starter.Lab${number}.builds)
+  add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --target ${ARGN})
+  set_tests_properties(${name} PROPERTIES FIXTURES_SETUP starter_lab${number} TIMEOUT 600
+                       RESOURCE_LOCK build_folder LABELS "starter;lab${number}")
+endfunction()
+
+function(cs550_test_starter number)
+  set(name starter.Lab${number}.fails_every_test)
+  add_test(NAME ${name}
+           COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:lab${number}_stub>"
+                   "-DRESULTS=${result_folder}/stub/Lab${number}.json"
+                   -P "${scripts}/check_starter.cmake"
+           WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED starter_lab${number} TIMEOUT 60
+                       LABELS "starter;lab${number}")
+endfunction()
+
+function(cs550_test_whose number variant)
+  set(name whose.Lab${number}.${variant})
+  add_test(NAME ${name}
+           COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:lab${number}_${variant}>"
+                   -DLAB=${number} -DVARIANT=${variant} -P "${scripts}/check_whose.cmake")
+  set_tests_properties(${name} PROPERTIES LABELS "autograder;lab${number}" TIMEOUT 60)
+  if(variant STREQUAL "student")
+    set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED starter_lab${number}
+                         LABELS "starter;lab${number}")
+  endif()
+endfunction()
+
+# The smallest lab stands for all.
+function(cs550_test_partial_copy without target)
+  add_test(NAME autograder.builds_without_${without}
+           COMMAND "${CMAKE_COMMAND}" "-DROOT=${PROJECT_SOURCE_DIR}"
+                   "-DCOPY=${PROJECT_BINARY_DIR}/without_${without}" -DWITHOUT=${without}
+                   -DTARGET=${target} "-DCXX=${CMAKE_CXX_COMPILER}" "-DGENERATOR=${CMAKE_GENERATOR}"
+                   "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
+                   -P "${scripts}/check_partial_copy.cmake")
+  set_tests_properties(autograder.builds_without_${without} PROPERTIES LABELS "autograder;long"
+                       TIMEOUT 900)
+endfunction()
+
+# In a students' copy the mix depends on what compiles: only the starter is tested there.
+foreach(number IN LISTS CS550_LABS)
+  set(unbuilt "")
+  if(TARGET lab${number}_stub)
+    list(APPEND unbuilt lab${number}_stub)
+    cs550_test_starter(${number})
+  endif()
+  if(CS550_ISOLATE_LABS AND TARGET lab${number}_reference)
+    foreach(variant student reference fast)
+      if(TARGET lab${number}_${variant})
+        cs550_test_whose(${number} ${variant})
+      endif()
+    endforeach()
+    if(TARGET lab${number}_student)
+      list(APPEND unbuilt lab${number}_student)
+    endif()
+  endif()
+  if(unbuilt)
+    cs550_test_builds(${number} ${unbuilt})
+  endif()
+endforeach()
+if(TARGET lab1_reference AND TARGET lab1_student)
+  cs550_test_partial_copy(labs lab1_reference)
+  cs550_test_partial_copy(solutions lab1_student)
+endif()
