@@ -32,8 +32,8 @@ ClipPolygon clip_polygon([[maybe_unused]] const ClipPolygon& polygon,
                          [[maybe_unused]] const Plane& plane,
                          [[maybe_unused]] ClipEdge plane_edge) {
   // L5.1, step 1: go round the polygon once; the corner after the last one is the first.
-  // L5.1, step 2: for each pair of neighbours, look the two sides up in the handout's table and emit
-  //               what it says. Which side is "front" here? What about a corner on the plane?
+  // L5.1, step 2: for each pair of neighbours, look the two sides up in the handout's table and
+  //               emit what it says. Which side is "front" here? And a corner on the plane?
   // L5.1, step 3: a new corner lies on one of the polygon's edges and on the plane: give it both
   //               names, in the order in which they are walked.
   // L5.1, step 4: where the outline passes through the plane exactly in a corner, that corner ends
@@ -82,8 +82,10 @@ StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
   // L5.5, step 1: what if there are not too many?
   // L5.5, step 2: one point must not be lost, whatever the others look like.
   // L5.5, step 3: which point makes the longest lever with it?
-  // L5.5, step 4: these two make a line. Find the point that spans the largest triangle with it,
-  //               once on each side. Is there one on each side?
+  // L5.5, step 4: these two make a line. On either side of it a third spans a triangle with them:
+  //               which one the largest? What if all points lie on one line?
+  // L5.5, step 5: a point outside the triangle sees one of its edges from outside. Which point adds
+  //               the most area, whichever the edge?
   // See README.md, L5.5.
   throw NotImplemented("L5.5");
 }

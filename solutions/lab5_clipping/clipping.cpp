@@ -139,30 +139,19 @@ Real closest_to_line(const Segment& a, const Segment& b) {
   return std::clamp((b.start - a.start).cross(b.along).dot(cross) / squared, Real(0), Real(1));
 }
 
-/// The farthest point on each side of a line, seen along the normal; no_index for an empty side.
-struct SidePoints {
-  Index left = no_index;
-  Index right = no_index;
-};
+/// Twice the area of a triangle of contact points: positive if it runs counter-clockwise about the
+/// normal.
+Real doubled_area(const ContactPoint& p, const ContactPoint& q, const ContactPoint& r,
+                  const Vec3& normal) {
+  return normal.dot((q.anchor_a - p.anchor_a).cross(r.anchor_a - p.anchor_a));
+}
 
-SidePoints farthest_on_each_side(std::span<const ContactPoint> points, const ContactPoint& from,
-                                 const ContactPoint& to, const Vec3& normal) {
-  const Vec3 left = normal.cross(to.anchor_a - from.anchor_a);
-  SidePoints best;
-  Real left_most = 0;
-  Real right_most = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Real side = left.dot(points[i].anchor_a - from.anchor_a);
-    if (side > left_most) {
-      left_most = side;
-      best.left = static_cast<Index>(i);
-    }
-    if (side < right_most) {
-      right_most = side;
-      best.right = static_cast<Index>(i);
-    }
-  }
-  return best;
+/// The point with the largest measure; the first of several equal ones.
+template <class Measure>
+const ContactPoint& largest(std::span<const ContactPoint> points, Measure measure) {
+  return *std::max_element(
+      points.begin(), points.end(),
+      [&](const ContactPoint& p, const ContactPoint& q) { return measure(p) < measure(q); });
 }
 
 Real deepest_separation(const Manifold& manifold) {
@@ -303,22 +292,34 @@ StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
     return kept;
   }
 
-  const ContactPoint& deepest = *std::min_element(
-      points.begin(), points.end(),
-      [](const ContactPoint& p, const ContactPoint& q) { return p.separation < q.separation; });
-  const auto distance = [&](const ContactPoint& p) {
-    return (p.anchor_a - deepest.anchor_a).cross(normal).squaredNorm();
-  };
-  const ContactPoint& farthest = *std::max_element(
-      points.begin(), points.end(),
-      [&](const ContactPoint& p, const ContactPoint& q) { return distance(p) < distance(q); });
-  const SidePoints side = farthest_on_each_side(points, deepest, farthest, normal);
-
-  // Counter-clockwise about the normal.
+  const ContactPoint& deepest =
+      largest(points, [](const ContactPoint& p) { return -p.separation; });
   kept.push_back(deepest);
-  if (side.right != no_index) kept.push_back(points[static_cast<std::size_t>(side.right)]);
-  if (distance(farthest) > 0) kept.push_back(farthest);
-  if (side.left != no_index) kept.push_back(points[static_cast<std::size_t>(side.left)]);
+
+  const auto distance = [&](const ContactPoint& p) {
+    return normal.cross(p.anchor_a - deepest.anchor_a).squaredNorm();
+  };
+  const ContactPoint& farthest = largest(points, distance);
+  if (distance(farthest) == 0) return kept;  // all points coincide
+  kept.push_back(farthest);
+
+  const auto triangle_area = [&](const ContactPoint& p) {
+    return std::abs(doubled_area(deepest, farthest, p, normal));
+  };
+  const ContactPoint& third = largest(points, triangle_area);
+  if (triangle_area(third) == 0) return kept;  // all points on one line
+  kept.push_back(third);
+
+  const bool counter_clockwise = doubled_area(deepest, farthest, third, normal) > 0;
+  const ContactPoint& second = counter_clockwise ? farthest : third;
+  const ContactPoint& last = counter_clockwise ? third : farthest;
+  const auto added_area = [&](const ContactPoint& p) {
+    return std::max({doubled_area(second, deepest, p, normal),
+                     doubled_area(last, second, p, normal),
+                     doubled_area(deepest, last, p, normal)});
+  };
+  const ContactPoint& fourth = largest(points, added_area);
+  if (added_area(fourth) > 0) kept.push_back(fourth);
   return kept;
 }
 

@@ -70,8 +70,9 @@ Manifold face_manifold(const PosedShape& a, const PosedShape& b, const Separatin
 Manifold edge_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis);
 
 /// **L5.5** Picks at most four points that support a body nearly as well as all of them: the deepest
-/// point, the one farthest from it, and the two that add the largest area on either side of that
-/// line. Fewer than five come back unchanged; points that coincide are kept once.
+/// point, the one farthest from it, the one that spans the largest triangle with these two, and the
+/// one that adds the largest area to that triangle. Fewer than five come back unchanged; of more,
+/// those that coincide with a chosen one or add no area are left out.
 /// @param points anchors in body frames
 /// @param normal of the manifold, in A's **body** frame, unit
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
