@@ -1,0 +1,87 @@
+#pragma once
+// What the tests of lab 3 share: shapes to climb, and heights in double precision to compare with.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "cs550/hill_climbing.hpp"
+#include "support/fixtures.hpp"
+#include "support/random.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+
+/// Convex meshes of 4 to 162 vertices: thin, flat, round, with large faces and with tiny ones.
+inline const std::vector<std::string>& convex_meshes() {
+  static const std::vector<std::string> names{
+      "cube",     "box_1x2x3", "slab",         "needle",     "regular_tetrahedron",
+      "sliver",   "prism6",    "prism32",      "pyramid4",   "dodecahedron",
+      "hull8",    "hull32",    "hull128",      "icosphere2", "triangulated_cube"};
+  return names;
+}
+
+inline HalfEdgeMesh scaled(HalfEdgeMesh mesh, Real factor) {
+  for (Vec3& vertex : mesh.vertices) vertex *= factor;
+  for (Face& face : mesh.faces) face.plane.offset *= factor;
+  return mesh;
+}
+
+inline double height(const Vec3& point, const Vec3& direction) {
+  return point.cast<double>().dot(direction.cast<double>());
+}
+
+inline double greatest_height(const HalfEdgeMesh& mesh, const Vec3& direction) {
+  double greatest = -HUGE_VAL;
+  for (const Vec3& vertex : mesh.vertices) {
+    greatest = std::max(greatest, height(vertex, direction));
+  }
+  return greatest;
+}
+
+inline double size_of(const HalfEdgeMesh& mesh) {
+  double size = 0;
+  for (const Vec3& vertex : mesh.vertices) size = std::max(size, double{vertex.norm()});
+  return size;
+}
+
+/// What float can tell apart, with room for the climb: where the neighbours are higher by less than
+/// a rounding (6e-8 of the size), a vertex some edges away is higher by some roundings.
+inline double height_tolerance(const HalfEdgeMesh& mesh, const Vec3& direction) {
+  return 2e-6 * size_of(mesh) * double{direction.norm()};
+}
+
+inline bool is_vertex(const HalfEdgeMesh& mesh, Index v) {
+  return v >= 0 && v < mesh.vertex_count();
+}
+
+inline std::vector<Index> neighbours(const HalfEdgeMesh& mesh, Index v) {
+  std::vector<Index> result;
+  for (const Index e : vertex_edges(mesh, v)) result.push_back(mesh.edge(e).vertex);
+  return result;
+}
+
+/// Directions in which a climb may go wrong: along face normals (plateaus), along edges and axes, and
+/// `random_count` at random.
+inline std::vector<Vec3> directions_for(const HalfEdgeMesh& mesh, Random& random,
+                                        int random_count) {
+  std::vector<Vec3> directions{Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(),
+                               -Vec3::UnitY(), Vec3::UnitZ(), -Vec3::UnitZ()};
+  const Index few = std::min(Index{6}, mesh.face_count());
+  for (Index f = 0; f < few; ++f) directions.push_back(mesh.face(f).plane.normal);
+  for (int i = 0; i < random_count; ++i) directions.push_back(random.unit_vector());
+  return directions;
+}
+
+/// Checks that the answer is a vertex as high as any. Returns whether it is.
+inline bool expect_highest(const Story& story, const HalfEdgeMesh& mesh, const Vec3& direction,
+                           Index vertex) {
+  Story here = story;
+  here.given("direction", direction).given("vertices", mesh.vertex_count());
+  if (!here.expect("the answer is a vertex of the mesh", is_vertex(mesh, vertex))) return false;
+  return here.expect_near("dot(vertex, direction)", height(mesh.vertex(vertex), direction),
+                          greatest_height(mesh, direction), height_tolerance(mesh, direction),
+                          "m");
+}
+
+}  // namespace cs550::test
