@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "cs550/mesh_io.hpp"
+#include "cs550/mesh_validation.hpp"
+#include "support/random.hpp"
+
+namespace cs550::test {
+namespace {
+
+/// What became of a cloud: a shape, or the sentence of whoever refused it.
+ShapeResult hull_shape(const std::vector<Vec3>& points) {
+  const SoupResult hull = convex_hull(points);
+  if (!hull.error.empty()) return {nullptr, hull.error};
+  return make_shape(hull.soup.vertices, hull.soup.triangles);
+}
+
+std::vector<Vec3> grid(int x_count, int y_count, int z_count) {
+  std::vector<Vec3> points;
+  for (int x = 0; x < x_count; ++x) {
+    for (int y = 0; y < y_count; ++y) {
+      for (int z = 0; z < z_count; ++z) {
+        points.emplace_back(static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z));
+      }
+    }
+  }
+  return points;
+}
+
+void expect_refused(const std::vector<Vec3>& points, const std::string& words) {
+  const SoupResult result = convex_hull(points);
+  EXPECT_TRUE(result.soup.vertices.empty());
+  EXPECT_NE(result.error.find(words), std::string::npos) << "'" << result.error << "'";
+}
+
+TEST(ConvexHull, OfACubeDropsWhatIsInsideAndKeepsTheOrder) {
+  std::vector<Vec3> points = {Vec3::Zero(), {0.2F, 0.1F, 0}};
+  const std::vector<Vec3> corners = box_soup(Vec3::Ones()).vertices;
+  points.insert(points.end(), corners.begin(), corners.end());
+  Random random(11);
+  for (int i = 0; i < 100; ++i) points.push_back(random.point_in_box(Vec3::Constant(0.9F)));
+  const SoupResult result = convex_hull(points);
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(result.soup.vertices, corners);
+  EXPECT_EQ(result.soup.triangles.size(), 12U);
+}
+
+TEST(ConvexHull, OfAGridHasEightCorners) {
+  const ShapeResult result = hull_shape(grid(4, 3, 5));
+  ASSERT_TRUE(result) << result.error;
+  EXPECT_EQ(result.shape->mesh.vertex_count(), 8);
+  EXPECT_EQ(result.shape->mesh.face_count(), 6);
+  EXPECT_NEAR(result.shape->volume, 3 * 2 * 4, 1e-5);
+}
+
+TEST(ConvexHull, OfTurnedGridsIsValidAlthoughTheirPointsAreNoLongerCollinear) {
+  Random random(12);
+  for (int i = 0; i < 200; ++i) {
+    const Quat q = random.orientation();
+    const Real size = std::pow(Real(10), random.real(-3, 3));
+    const Vec3 shift = random.point_in_box(Vec3::Constant(20));
+    std::vector<Vec3> points = grid(5, 4, 3);
+    for (Vec3& point : points) point = size * (q * point + shift);
+    const ShapeResult result = hull_shape(points);
+    ASSERT_TRUE(result) << "case " << i << ": " << result.error;
+    // Vertices are rounded to 2⁻²⁴ of about 30 m: 1e-5 on 2 m at most.
+    EXPECT_NEAR(result.shape->volume / (size * size * size), 4 * 3 * 2, 1e-3) << "case " << i;
+  }
+}
+
+TEST(ConvexHull, OfNoisyGridsIsValid) {
+  Random random(13);
+  for (int i = 0; i < 200; ++i) {
+    const Real noise = std::pow(Real(10), random.real(-8, -2));
+    std::vector<Vec3> points = grid(4, 4, 4);
+    for (Vec3& point : points) point += random.point_in_box(Vec3::Constant(noise));
+    const ShapeResult result = hull_shape(points);
+    ASSERT_TRUE(result) << "noise " << noise << ": " << result.error;
+    // Every face moves by the noise, or by a sliver's height of 1e-4 of its edges, at most.
+    EXPECT_NEAR(result.shape->volume, 27, 54 * (noise + 3e-4)) << "noise " << noise;
+  }
+}
+
+TEST(ConvexHull, OfRandomPointsOnASphereHasThemAll) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const std::vector<Vec3> points = random_sphere_points(100, seed);
+    EXPECT_EQ(convex_hull(points).soup.vertices, points) << "seed " << seed;
+  }
+}
+
+TEST(ConvexHull, HoldsAllPointsOfRandomClouds) {
+  Random random(14);
+  for (int i = 0; i < 50; ++i) {
+    std::vector<Vec3> points;
+    for (int k = 0; k < 60; ++k) points.push_back(random.point_in_box({1, 2, 3}));
+    const ShapeResult result = hull_shape(points);
+    ASSERT_TRUE(result) << result.error;
+    for (const Face& face : result.shape->mesh.faces) {
+      for (const Vec3& point : points) {
+        const Vec3 local = point + result.shape->source_origin;
+        EXPECT_LE(face.plane.distance(local), 6e-5F) << "merging may move a face by 1e-5 of 6 m";
+      }
+    }
+  }
+}
+
+TEST(ConvexHull, IsTheSameInEveryThread) {
+  const std::vector<Vec3> points = random_sphere_points(400, 15);
+  const TriangleSoup expected = convex_hull(points).soup;
+  std::vector<TriangleSoup> soups(4);
+  std::vector<std::thread> threads;
+  for (TriangleSoup& soup : soups) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 10; ++i) soup = convex_hull(points).soup;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const TriangleSoup& soup : soups) EXPECT_EQ(soup.triangles, expected.triangles);
+}
+
+TEST(ConvexHull, RefusesFewerThanFourPoints) {
+  expect_refused({}, "four");
+  expect_refused({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, "there are 3");
+}
+
+TEST(ConvexHull, RefusesPointsInAPlane) {
+  expect_refused(std::vector<Vec3>(10, Vec3(1, 2, 3)), "one plane");
+  expect_refused(grid(9, 1, 1), "one plane");
+  expect_refused(grid(3, 3, 1), "one plane");
+  // Turned and far away, rounding makes them a very flat solid.
+  const Quat q = rotation_exp({0.4F, 0.5F, 0.6F});
+  std::vector<Vec3> points = grid(5, 5, 1);
+  for (Vec3& point : points) point = q * point + Vec3(30, 20, 10);
+  expect_refused(points, "one plane");
+}
+
+TEST(ConvexHull, RefusesWhatIsNotFiniteByItsNumber) {
+  std::vector<Vec3> points = grid(2, 2, 2);
+  points[5].z() = NAN;
+  expect_refused(points, "point 5");
+  points[5].z() = 0;
+  points[3].x() = HUGE_VALF;
+  expect_refused(points, "point 3");
+}
+
+TEST(ConvexHull, OfScannedMeshesIsValid) {
+  for (const char* name : {"bunny", "teapot"}) {
+    const SoupResult scan = load_obj(std::string(CS550_ASSETS) + "/meshes/" + name + ".obj");
+    ASSERT_EQ(scan.error, "");
+    const ShapeResult result = hull_shape(scan.soup.vertices);
+    ASSERT_TRUE(result) << name << ": " << result.error;
+    EXPECT_FALSE(validate(result.shape->mesh)) << name;
+    EXPECT_GT(result.shape->mesh.face_count(), 100) << name;
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,100 @@
+#include "cs550/mesh_io.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "support/fixtures.hpp"
+
+namespace cs550::test {
+namespace {
+
+/// A file that lives as long as the test.
+class MeshFile : public testing::Test {
+ protected:
+  void write(const std::string& text) { std::ofstream(path) << text; }
+  ~MeshFile() override { std::filesystem::remove(path); }
+
+  void expect_named(const std::string& error, const std::string& words) {
+    EXPECT_NE(error.find(path.filename().string()), std::string::npos) << "'" << error << "'";
+    EXPECT_NE(error.find(words), std::string::npos) << "'" << error << "'";
+  }
+
+  // Tests of one binary may run at the same time.
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("cs550_mesh_io_test_" + std::to_string(getpid()));
+};
+
+using ObjFile = MeshFile;
+using JsonFile = MeshFile;
+
+TEST_F(ObjFile, OfAQuadPyramidIsRead) {
+  write(
+      "# a comment\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\n"
+      "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf -5 -1 -2\n");
+  const SoupResult result = load_obj(path);
+  EXPECT_EQ(result.error, "");
+  ASSERT_EQ(result.soup.vertices.size(), 5U);
+  EXPECT_EQ(result.soup.vertices[4], Vec3(0.5F, 0.5F, 1));
+  EXPECT_EQ(result.soup.triangles.size(), 6U) << "the quad is split";
+  EXPECT_EQ(make_shape(result.soup.vertices, result.soup.triangles).error, "");
+}
+
+TEST_F(ObjFile, ThatIsMissingIsNamed) { expect_named(load_obj(path).error, "open"); }
+
+TEST_F(ObjFile, WithoutFacesIsNamed) {
+  write("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  expect_named(load_obj(path).error, "no faces");
+  write("this is not a mesh\n");
+  expect_named(load_obj(path).error, "no faces");
+}
+
+TEST_F(ObjFile, ThatNamesMissingVerticesIsRefused) {
+  write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  const SoupResult result = load_obj(path);
+  if (result.error.empty()) {
+    const MeshIssue issue = build_half_edge_mesh(result.soup.vertices, result.soup.triangles).issue;
+    EXPECT_EQ(issue.error, MeshError::IndexOutOfRange) << describe(issue);
+  } else {
+    expect_named(result.error, "");
+  }
+}
+
+TEST_F(JsonFile, RoundTripKeepsEveryBit) {
+  for (const char* name : {"cube", "sliver", "prism32", "hull128", "bunny_hull"}) {
+    const HalfEdgeMesh& mesh = fixture_mesh(name);
+    write(to_json(mesh));
+    const MeshResult result = load_mesh_json(path);
+    ASSERT_EQ(result.error, "");
+    EXPECT_EQ(result.mesh.vertices, mesh.vertices) << name;
+    EXPECT_EQ(to_json(result.mesh), to_json(mesh)) << name;
+  }
+}
+
+TEST_F(JsonFile, ThatIsMissingIsNamed) { expect_named(load_mesh_json(path).error, "opened"); }
+
+TEST_F(JsonFile, ThatIsNoMeshIsNamed) {
+  write("{\"vertices\": [[0, 0");
+  expect_named(load_mesh_json(path).error, "JSON");
+  write("{\"vertices\": []}");
+  expect_named(load_mesh_json(path).error, "vertex_edge");
+  write("{\"vertices\": [[0, 1]]}");
+  expect_named(load_mesh_json(path).error, "JSON");
+}
+
+TEST_F(JsonFile, OfABrokenMeshIsNamedWithTheDefect) {
+  HalfEdgeMesh mesh = fixture_mesh("cube");
+  mesh.vertices[0] *= 2;
+  write(to_json(mesh));
+  expect_named(load_mesh_json(path).error, "away from its plane");
+}
+
+TEST_F(JsonFile, OfAMeshThatIsNotConvexIsTakenOnRequest) {
+  write(to_json(fixture_mesh("twin_peaks")));
+  expect_named(load_mesh_json(path).error, "not convex");
+  EXPECT_EQ(load_mesh_json(path, HUGE_VALF).error, "");
+}
+
+}  // namespace
+}  // namespace cs550::test
