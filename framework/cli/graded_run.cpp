@@ -81,6 +81,18 @@ Verdict ended_the_program(const GradedTest& test, const Ending& ending, const fs
           0};
 }
 
+std::vector<Verdict> in_order_of(const std::vector<GradedTest>& tests,
+                                 const std::vector<Verdict>& verdicts) {
+  std::vector<Verdict> ordered;
+  ordered.reserve(tests.size());
+  for (const GradedTest& test : tests) {
+    ordered.push_back(*std::find_if(verdicts.begin(), verdicts.end(), [&](const Verdict& verdict) {
+      return verdict.test.name == test.name;
+    }));
+  }
+  return ordered;
+}
+
 /// Notices when a file has not changed for too long: the graded program writes it at the start and
 /// at the end of each test.
 class Watch {
@@ -164,7 +176,7 @@ std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
   }
   fs::remove(results);
   fs::remove(output);
-  return verdicts;
+  return in_order_of(tests, verdicts);
 }
 
 }  // namespace cs550::cli

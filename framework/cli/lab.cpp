@@ -144,7 +144,7 @@ int run_lab(const LabOptions& options) {
     print(outcome);
     verdicts.insert(verdicts.end(), outcome.begin(), outcome.end());
   };
-  run_and_print(only(tests, false), seconds{10});
+  run_and_print(only(tests, false), seconds{5});
   const std::vector<GradedTest> long_tests = only(tests, true);
   if (!long_tests.empty()) {
     std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;

@@ -18,6 +18,7 @@ constexpr std::chrono::milliseconds glance{5};  ///< short beside the time of a 
 
 std::vector<char*> as_arguments(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   return arguments;
@@ -41,7 +42,7 @@ std::vector<char*> as_arguments(const std::vector<std::string>& command) {
 std::string Ending::in_words() const {
   if (stopped) return "no end in sight: stopped (an endless loop?)";
   if (signal != 0) return std::string("crashed: ") + strsignal(signal);
-  return "left the program with exit code " + std::to_string(exit_code);
+  return "the program ended in the middle of the test, with exit code " + std::to_string(exit_code);
 }
 
 Ending run(const std::vector<std::string>& command, const Surroundings& surroundings) {

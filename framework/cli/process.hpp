@@ -17,7 +17,7 @@ struct Ending {
   bool stopped = false;  ///< we stopped it: it had come to a standstill
 
   bool good() const { return exit_code == 0 && signal == 0; }
-  /// "exit code 3", "segmentation fault", "no end in sight": for people.
+  /// Why it did not come to its own end, for people: "crashed: Segmentation fault".
   std::string in_words() const;
 };
 
