@@ -1,0 +1,338 @@
+// Scene files: what is read is what stands there, and what is wrong is refused with its place.
+
+#include "cs550/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace cs550 {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that lives as long as the test.
+class TemporaryScene {
+ public:
+  explicit TemporaryScene(const std::string& text) {
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    file_ = fs::path(testing::TempDir()) / ("cs550_" + test + ".json");
+    std::ofstream(file_) << text;
+  }
+  ~TemporaryScene() { fs::remove(file_); }
+  TemporaryScene(const TemporaryScene&) = delete;
+  TemporaryScene& operator=(const TemporaryScene&) = delete;
+
+  const fs::path& file() const { return file_; }
+  SceneResult load() const { return load_scene(file_); }
+
+ private:
+  fs::path file_;
+};
+
+SceneResult load_text(const std::string& text) { return TemporaryScene(text).load(); }
+
+std::string with_body(const std::string& body) {
+  return R"({"schema": 1, "bodies": [)" + body + "]}";
+}
+
+/// The scene is refused, nothing of it is left, and the message has all of the parts.
+void expect_refused(const std::string& text, const std::vector<std::string>& parts) {
+  const TemporaryScene scene(text);
+  const SceneResult result = scene.load();
+  ASSERT_FALSE(result) << text;
+  EXPECT_TRUE(result.scene.bodies.empty()) << text;
+  EXPECT_NE(result.error.find(scene.file().string()), std::string::npos) << result.error;
+  for (const std::string& part : parts) {
+    EXPECT_NE(result.error.find(part), std::string::npos)
+        << "missing: " << part << "\nin: " << result.error;
+  }
+}
+
+constexpr const char* box = R"("shape": {"kind": "box", "half_extents": [0.5, 1, 2]})";
+
+TEST(Scene, ReadsEveryMemberOfABody) {
+  const SceneResult result = load_text(with_body(R"({
+      "name": "it", "kind": "kinematic", "mass": 12.5, "position": [1, 2, 3],
+      "orientation": {"axis": [0, 0, 2], "degrees": 90},
+      "linear_velocity": [4, 5, 6], "angular_velocity": [7, 8, 9],
+      "friction": 0.25, "restitution": 0.75, "filter": {"category": 2, "mask": 4294967293},)" +
+                                                 std::string(box) + "}"));
+  ASSERT_TRUE(result) << result.error;
+  const BodyDef& body = result.scene.bodies.at(0);
+  EXPECT_EQ(result.scene.body_names.at(0), "it");
+  EXPECT_EQ(body.kind, BodyKind::Kinematic);
+  EXPECT_EQ(body.mass, Real(12.5));
+  EXPECT_EQ(body.pose.position, Vec3(1, 2, 3));
+  EXPECT_LT((body.pose.rotate(Vec3::UnitX()) - Vec3::UnitY()).norm(), 1e-6F);
+  EXPECT_EQ(body.linear_velocity, Vec3(4, 5, 6));
+  EXPECT_EQ(body.angular_velocity, Vec3(7, 8, 9));
+  EXPECT_EQ(body.friction, Real(0.25));
+  EXPECT_EQ(body.restitution, Real(0.75));
+  EXPECT_EQ(body.filter.category, 2U);
+  EXPECT_EQ(body.filter.mask, 4294967293U);
+  EXPECT_NEAR(static_cast<double>(body.shape->volume), 8, 1e-5);
+}
+
+TEST(Scene, OrientationsSayTheSameInThreeWays) {
+  // 90° about x, then 90° about z: takes x to y and y to z.
+  const std::string same[] = {R"({"quaternion": [0.5, 0.5, 0.5, 0.5]})",
+                              R"({"axis": [1, 1, 1], "degrees": 120})",
+                              R"({"euler_degrees": [90, 0, 90]})"};
+  for (const std::string& orientation : same) {
+    const SceneResult result =
+        load_text(with_body(R"({"orientation": )" + orientation + ", " + box + "}"));
+    ASSERT_TRUE(result) << result.error;
+    const Pose& pose = result.scene.bodies[0].pose;
+    EXPECT_LT((pose.rotate(Vec3::UnitX()) - Vec3::UnitY()).norm(), 1e-6F) << orientation;
+    EXPECT_LT((pose.rotate(Vec3::UnitY()) - Vec3::UnitZ()).norm(), 1e-6F) << orientation;
+  }
+}
+
+TEST(Scene, ReadsEveryWorldSetting) {
+  const SceneResult result = load_text(R"({"schema": 1, "h": 0.01, "steps": 7, "world": {
+      "gravity": [0, 0, -1.6], "length_unit": 2, "substeps": 3, "iterations": 5,
+      "relax_iterations": 6, "solver": "naive", "contact_model": "baumgarte",
+      "rotation": "explicit", "warm_starting": false, "contact_hertz": 10,
+      "contact_damping_ratio": 2, "baumgarte": 0.1, "slop": 0.002, "max_push_speed": 4,
+      "restitution_threshold": 1.5, "restitution_iterations": 9, "check_stages": true,
+      "audit_momentum": true},
+      "max_penetration": 0.5, "bodies": [{)" +
+                                       std::string(box) + "}]}");
+  ASSERT_TRUE(result) << result.error;
+  const WorldSettings& settings = result.scene.settings;
+  EXPECT_EQ(result.scene.h, Real(0.01));
+  EXPECT_EQ(result.scene.steps, 7);
+  EXPECT_EQ(result.scene.max_penetration, Real(0.5));
+  EXPECT_EQ(settings.gravity, Vec3(0, 0, Real(-1.6)));
+  EXPECT_EQ(settings.length_unit, 2);
+  EXPECT_EQ(settings.substeps, 3);
+  EXPECT_EQ(settings.iterations, 5);
+  EXPECT_EQ(settings.relax_iterations, 6);
+  EXPECT_EQ(settings.solver, SolverKind::Naive);
+  EXPECT_EQ(settings.contact_model, ContactModel::Baumgarte);
+  EXPECT_EQ(settings.rotation, RotationMethod::Explicit);
+  EXPECT_FALSE(settings.warm_starting);
+  EXPECT_EQ(settings.contact_hertz, 10);
+  EXPECT_EQ(settings.contact_damping_ratio, 2);
+  EXPECT_EQ(settings.baumgarte, Real(0.1));
+  EXPECT_EQ(settings.slop, Real(0.002));
+  EXPECT_EQ(settings.max_push_speed, 4);
+  EXPECT_EQ(settings.restitution_threshold, Real(1.5));
+  EXPECT_EQ(settings.restitution_iterations, 9);
+  EXPECT_TRUE(settings.check_stages);
+  EXPECT_TRUE(settings.audit_momentum);
+}
+
+TEST(Scene, MakesEveryKindOfShape) {
+  // Volumes by hand; the area of a regular hexagon of radius 1 is 3·√3/2.
+  const double hexagon = 1.5 * std::sqrt(3.0);
+  const struct {
+    const char* shape;
+    int vertices;
+    double volume;
+  } cases[] = {
+      {R"({"kind": "box", "half_extents": [1, 2, 3]})", 8, 48},
+      {R"({"kind": "tetrahedron", "side": 2})", 4, 8.0 / 6},
+      {R"({"kind": "prism", "sides": 6, "radius": 1, "height": 3})", 12, 3 * hexagon},
+      {R"({"kind": "pyramid", "sides": 6, "radius": 1, "height": 3})", 7, hexagon},
+      {R"({"kind": "hull", "points": [[0,0,0],[3,0,0],[0,3,0],[0,0,3],[0.5,0.5,0.5]]})", 4, 4.5},
+      {R"({"kind": "mesh", "file": "unit_box.json", "scale": [1, 2, 3]})", 8, 48},
+  };
+  for (const auto& each : cases) {
+    const SceneResult result =
+        load_text(with_body(R"({"shape": )" + std::string(each.shape) + "}"));
+    ASSERT_TRUE(result) << result.error;
+    const ConvexShape& shape = *result.scene.bodies[0].shape;
+    EXPECT_EQ(shape.mesh.vertex_count(), each.vertices) << each.shape;
+    EXPECT_NEAR(static_cast<double>(shape.volume), each.volume, 1e-5 * each.volume) << each.shape;
+  }
+  const SceneResult round = load_text(with_body(
+      R"({"shape": {"kind": "icosphere", "radius": 2, "subdivisions": 1}},
+         {"shape": {"kind": "random_hull", "vertices": 30, "radius": 2, "seed": 4}},
+         {"shape": {"kind": "mesh", "file": "bunny.obj", "scale": [0.1, 0.1, 0.1]}})"));
+  ASSERT_TRUE(round) << round.error;
+  EXPECT_EQ(round.scene.bodies[0].shape->mesh.vertex_count(), 42);
+  EXPECT_EQ(round.scene.bodies[1].shape->mesh.vertex_count(), 30);
+  // The scanned bunny is 9.9 long in the units of its file.
+  EXPECT_NEAR(static_cast<double>(round.scene.bodies[2].shape->bounds.extent().x()), 0.99, 0.001);
+}
+
+TEST(Scene, BodiesShareANamedShape) {
+  const SceneResult result = load_text(R"({"schema": 1,
+      "shapes": {"brick": {"kind": "box", "half_extents": [1, 1, 1]}},
+      "bodies": [{"shape": "brick"}, {"shape": "brick"}]})");
+  ASSERT_TRUE(result) << result.error;
+  EXPECT_EQ(result.scene.bodies[0].shape, result.scene.bodies[1].shape);
+}
+
+std::vector<BodyDef> generated(const std::string& generator) {
+  const SceneResult result = load_text(R"({"schema": 1, "generators": [)" + generator + "]}");
+  EXPECT_TRUE(result) << result.error;
+  return result.scene.bodies;
+}
+
+constexpr const char* unit_box =
+    R"("body": {"name": "b", "position": [0, 0, 0.5], "shape": {"kind": "box", "half_extents": [0.5, 0.5, 0.5]}})";
+
+TEST(Scene, GeneratorsPlaceBodies) {
+  const std::string body = unit_box;
+  const auto at = [](const std::vector<BodyDef>& bodies, std::size_t i) {
+    return bodies.at(i).pose.position;
+  };
+  const auto grid =
+      generated(R"({"kind": "grid", "count": [3, 2, 2], "spacing": [2, 3, 4], )" + body + "}");
+  ASSERT_EQ(grid.size(), 12U);
+  EXPECT_EQ(at(grid, 0), Vec3(-2, -1.5F, 0.5F));
+  EXPECT_EQ(at(grid, 11), Vec3(2, 1.5F, 4.5F));
+
+  const auto stack = generated(R"({"kind": "stack", "count": 4, "gap": 0.5, )" + body + "}");
+  ASSERT_EQ(stack.size(), 4U);
+  EXPECT_EQ(at(stack, 3), Vec3(0, 0, 5));
+
+  const auto wall = generated(R"({"kind": "wall", "columns": 3, "rows": 2, )" + body + "}");
+  ASSERT_EQ(wall.size(), 6U);
+  EXPECT_EQ(at(wall, 0), Vec3(-0.75F, 0, 0.5F));
+  EXPECT_EQ(at(wall, 3), Vec3(-1.25F, 0, 1.5F)) << "the second row is half a brick aside";
+
+  const auto pyramid = generated(R"({"kind": "pyramid", "rows": 20, )" + body + "}");
+  ASSERT_EQ(pyramid.size(), 210U);
+  EXPECT_EQ(at(pyramid, 209), Vec3(0, 0, 19.5F));
+
+  const auto line =
+      generated(R"({"kind": "line", "count": 3, "spacing": 2, "turn_degrees": 90, )" + body + "}");
+  ASSERT_EQ(line.size(), 3U);
+  EXPECT_LT((at(line, 1) - Vec3(2, 0, 0.5F)).norm(), 1e-6F);
+  EXPECT_LT((at(line, 2) - Vec3(2, 2, 0.5F)).norm(), 1e-6F);
+}
+
+TEST(Scene, DropsAreRandomAndRepeatable) {
+  const auto drop = [](int seed) {
+    return generated(R"({"kind": "drop", "count": 30, "columns": [4, 4], "spacing": [2, 2, 2],
+                        "vertices": [16, 32], "body": {}, "seed": )" +
+                     std::to_string(seed) + "}");
+  };
+  const auto first = drop(1);
+  const auto again = drop(1);
+  const auto other = drop(2);
+  ASSERT_EQ(first.size(), 30U);
+  int equal_to_other = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_GE(first[i].shape->mesh.vertex_count(), 16);
+    EXPECT_LE(first[i].shape->mesh.vertex_count(), 32);
+    EXPECT_EQ(first[i].shape->mesh.vertices, again[i].shape->mesh.vertices);
+    EXPECT_EQ(first[i].pose.orientation.coeffs(), again[i].pose.orientation.coeffs());
+    equal_to_other +=
+        first[i].pose.orientation.coeffs() == other[i].pose.orientation.coeffs() ? 1 : 0;
+  }
+  EXPECT_EQ(equal_to_other, 0);
+}
+
+TEST(Scene, RefusesWithPlaceExpectationAndExample) {
+  const std::string shape = box;
+  expect_refused(with_body(R"({"shape": {"kind": "bax", "half_extents": [1, 1, 1]}})"),
+                 {"/bodies/0/shape/kind", "\"box\"", "did you mean", "found \"bax\"",
+                  "for example \"kind\": "});
+  expect_refused(with_body("{" + shape + "}, {" + shape + R"(, "friction": -1})"),
+                 {"/bodies/1/friction", "0 or more", "-1", "for example \"friction\": 0.6"});
+  expect_refused(with_body("{" + shape + R"(, "restitution": 1.5})"),
+                 {"/bodies/0/restitution", "0 to 1"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 0})"), {"/bodies/0/mass", "positive"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 1, "density": 1})"), {"/bodies/0/density"});
+  expect_refused(with_body("{" + shape + R"(, "position": [1, 2]})"),
+                 {"/bodies/0/position", "three", "[1,2]", "[0.0, 0.0, 0.0]"});
+  expect_refused(with_body("{" + shape + R"(, "position": [1, "2", 3]})"), {"/bodies/0/position"});
+  expect_refused(with_body(R"({"position": [0, 0, 0]})"),
+                 {"/bodies/0", "\"shape\" is missing", "\"half_extents\""});
+  expect_refused(with_body(R"({"shape": {"kind": "box", "half_extents": [1, 0, 1]}})"),
+                 {"/bodies/0/shape/half_extents", "positive"});
+  expect_refused(with_body(R"({"shape": "brick"})"), {"/bodies/0/shape", "shapes"});
+  expect_refused(with_body("{" + shape + R"(, "orientation": {"quaternion": [1, 1, 1, 1]}})"),
+                 {"/bodies/0/orientation/quaternion", "unit"});
+  expect_refused(with_body("{" + shape + R"(, "orientation": {"degrees": 4}})"),
+                 {"/bodies/0/orientation", "\"axis\""});
+  expect_refused(R"({"schema": 1, "world": {"substeps": 0}})", {"/world/substeps", "from 1"});
+  expect_refused(R"({"schema": 1, "world": {"solver": "fast"}})",
+                 {"/world/solver", "naive", "constraint"});
+  expect_refused(R"({"schema": 2, "bodies": []})", {"/schema", "found 2"});
+  expect_refused(R"({"bodies": []})", {"\"schema\" is missing"});
+  expect_refused(R"({"schema": 1})", {"at least one body"});
+  expect_refused(R"({"schema": 1, "bodies": {}})", {"/bodies", "list"});
+  expect_refused(R"({"schema": 1, "generators": [{"kind": "wall", "rows": 3}]})",
+                 {"/generators/0", "\"body\" is missing"});
+}
+
+TEST(Scene, RefusesUnknownKeysAndNamesTheNearest) {
+  const std::string shape = box;
+  expect_refused(with_body("{" + shape + R"(, "densty": 3})"),
+                 {"/bodies/0/densty", "did you mean \"density\"?"});
+  expect_refused(with_body(R"({"shape": {"kind": "box", "half_extents": [1, 1, 1], "radius": 2}})"),
+                 {"/bodies/0/shape/radius"});
+  expect_refused(with_body(R"({"shape": {"kind": "box", "half_extent": [1, 1, 1]}})"),
+                 {"\"half_extents\" is missing", "did you mean \"half_extent\"?"});
+  expect_refused(R"({"schema": 1, "world": {"gravitiy": [0, 0, 0]}})", {"/world", "\"gravity\""});
+  expect_refused(R"({"schema": 1, "body": []})", {"/body", "\"bodies\""});
+}
+
+TEST(Scene, RefusesFilesThatAreNoSceneAtAll) {
+  expect_refused("{\"schema\": 1,\n \"bodies\": [}", {"not JSON", "line 2"});
+  expect_refused("", {"not JSON"});
+  expect_refused("[]", {"object"});
+  EXPECT_NE(load_scene("no/such/file.json").error.find("no/such/file.json"), std::string::npos);
+  EXPECT_FALSE(load_scene(testing::TempDir())) << "a folder";
+}
+
+TEST(Scene, RefusesShapesThatAreNone) {
+  expect_refused(
+      with_body(R"({"shape": {"kind": "hull", "points": [[0,0,0],[1,0,0],[0,1,0],[1,1,0]]}})"),
+      {"/bodies/0/shape"});
+  expect_refused(with_body(R"({"shape": {"kind": "mesh", "file": "hare.obj"}})"),
+                 {"/bodies/0/shape/file", "hare.obj", "meshes"});
+}
+
+TEST(Scene, FindsScenesByNameAndPath) {
+  EXPECT_EQ(find_scene("stack10").scene.name, "stack10");
+  const TemporaryScene scene(with_body("{" + std::string(box) + "}"));
+  EXPECT_TRUE(find_scene(scene.file().string()));
+
+  const SceneResult none = find_scene("stack11");
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error.find("did you mean \"stack10\"?"), std::string::npos) << none.error;
+  for (const std::string& name : shipped_scenes()) {
+    EXPECT_NE(none.error.find(name), std::string::npos) << none.error;
+  }
+}
+
+TEST(Scene, AssetsFolderCanBeChosenWhenTheProgramRuns) {
+  setenv("CS550_ASSETS", testing::TempDir().c_str(), 1);
+  const std::vector<std::string> elsewhere = shipped_scenes();
+  unsetenv("CS550_ASSETS");
+  EXPECT_TRUE(elsewhere.empty());
+  EXPECT_FALSE(shipped_scenes().empty());
+}
+
+TEST(Scene, ShipsTheScenesOfTheCourse) {
+  const std::vector<std::string> expected = {
+      "bounce",  "box_pile",      "bunny_and_teapot", "dominoes", "free_spin", "hull_pile",
+      "incline", "newton_cradle", "pyramid20",        "stack10",  "wall"};
+  EXPECT_EQ(shipped_scenes(), expected);
+  for (const std::string& name : expected) {
+    const SceneResult result = find_scene(name);
+    ASSERT_TRUE(result) << result.error;
+    EXPECT_NE(result.scene.title, name);
+    EXPECT_FALSE(result.scene.description.empty()) << name;
+    EXPECT_EQ(result.scene.bodies.size(), result.scene.body_names.size()) << name;
+    EXPECT_TRUE(result.scene.max_penetration > 0 || name == "free_spin") << name;
+    EXPECT_EQ(make_world(result.scene).body_count(), static_cast<int>(result.scene.bodies.size()));
+  }
+}
+
+TEST(Scene, CountsOfTheBigScenes) {
+  EXPECT_EQ(find_scene("wall").scene.bodies.size(), 212U) << "floor, bunny, 210 bricks";
+  EXPECT_EQ(find_scene("pyramid20").scene.bodies.size(), 211U) << "floor, 210 boxes";
+  EXPECT_EQ(find_scene("hull_pile").scene.bodies.size(), 517U) << "pit of 5, 512 hulls";
+}
+
+}  // namespace
+}  // namespace cs550
