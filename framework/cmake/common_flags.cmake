@@ -5,10 +5,11 @@ target_include_directories(cs550_contract INTERFACE "${PROJECT_SOURCE_DIR}/frame
 target_link_libraries(cs550_contract INTERFACE Eigen3::Eigen)
 target_compile_definitions(cs550_contract INTERFACE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MPL2_ONLY)
 # A compiler cache may hand the compiler relative names.
-file(RELATIVE_PATH way_to_root "${PROJECT_BINARY_DIR}" "${PROJECT_SOURCE_DIR}")
+cmake_path(RELATIVE_PATH PROJECT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_BINARY_DIR}"
+           OUTPUT_VARIABLE way_to_root)
 target_compile_options(cs550_contract INTERFACE -ffp-contract=off
                        "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/="
-                       "-ffile-prefix-map=${way_to_root}=")
+                       "-ffile-prefix-map=${way_to_root}/=")
 
 # Our own code.
 add_library(cs550_warnings INTERFACE)

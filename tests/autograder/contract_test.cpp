@@ -22,41 +22,41 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// The functions whose comment names a step of the lab.
 struct Header {
   Names declared;
-  Names inline_steps;  ///< functions that a lab is to write, yet have a body here
+  Names inline_steps;  ///< they have a body here
 };
 
-/// The text at namespace scope: comments and preprocessor lines removed, `@` left where a comment
-/// names a step of a lab, and of the bodies of types and functions only `{}` left.
-std::string namespace_scope(std::string text) {
+/// The statements at namespace scope, without comments, preprocessor lines and the bodies of types
+/// and functions. A statement that had a body ends in `{`; `@` stands where a comment named a step.
+std::vector<std::string> statements(std::string text) {
   text = std::regex_replace(text, std::regex(R"(//[^\n]*\*\*L\d\.\d[^\n]*)"), "@");
   text = std::regex_replace(text, std::regex("//[^\n]*|#[^\n]*"), "");
   text = std::regex_replace(text, std::regex(R"(namespace\s+\w+\s*\{)"), "");
-  std::string outside;
-  int depth = 0;
+  std::vector<std::string> found(1);
+  int braces = 0;
+  int parentheses = 0;
   for (const char c : text) {
-    if (c == '{' && depth++ == 0) {
-      outside += "{}";
-    } else if (c == '}') {
-      --depth;
-    } else if (depth == 0) {
-      outside += c;
+    parentheses += (c == '(') - (c == ')');
+    if (braces == 0 && c != '}') {
+      found.back() += c;
+    }
+    braces = std::max(0, braces + (c == '{') - (c == '}'));
+    if (braces == 0 && parentheses == 0 && (c == ';' || c == '}')) {
+      found.emplace_back();
     }
   }
-  return outside;
+  return found;
 }
 
 Header parse(const std::string& header) {
-  const std::string text = namespace_scope(header);
-  // A name, its parameters with at most one nested pair of parentheses, then `;` or a body.
-  const std::regex function(R"((@?)[^;@}]*?\b(\w+)\s*\(([^()]|\([^()]*\))*\)\s*(;|\{\}))");
+  const std::regex step(R"([^]*@[^=(]*\b(\w+)\s*\([^]*)");
   Header found;
-  for (std::sregex_iterator match(text.begin(), text.end(), function), end; match != end; ++match) {
-    if ((*match)[4] == ";") {
-      found.declared.push_back((*match)[2]);
-    } else if ((*match)[1] == "@") {
-      found.inline_steps.push_back((*match)[2]);
+  for (const std::string& statement : statements(header)) {
+    std::smatch name;
+    if (std::regex_match(statement, name, step)) {
+      (statement.back() == '{' ? found.inline_steps : found.declared).push_back(name[1]);
     }
   }
   std::sort(found.declared.begin(), found.declared.end());
@@ -81,14 +81,18 @@ TEST(HeaderReader, TellsDeclarationsFromInlineFunctions) {
   const Header header = parse(R"(#pragma once
 namespace cs550 {
 struct Point { int x = 0; int sum() const { return x; } };
+/// Given, defined elsewhere.
+const char* describe(int a);
 /// **L1.1** Not a function(); a comment.
+/// It has (L1.3) more.
 int walk(const Point& p, std::function<int(int)> f = nullptr,
          Point start = {});
 /// Given.
 inline int given(int a) { return a; }
 /// **L1.2** Logic that no lab could replace.
 inline int shortcut(int a) { return a; }
-constexpr int limit = 3;
+/// **L1.2** has no more than
+constexpr int limit = int(3);
 }  // namespace cs550
 )");
   EXPECT_EQ(header.declared, Names{"walk"});
