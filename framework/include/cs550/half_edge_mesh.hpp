@@ -166,13 +166,14 @@ Plane face_plane(const HalfEdgeMesh& mesh, Index face);
 inline constexpr Real coplanar_tolerance = Real(1e-5);
 
 /// **L2.6** (one shared edge) and **L2.7** (chains of shared edges) Merges coplanar neighbours into
-/// polygons. Two faces are merged only if every vertex of the *merged* face lies within
-/// tolerance·size of that face's Newell plane (nearly coplanar is not transitive) and its outline
-/// stays convex. A chain of shared edges goes as a whole, with its inner vertices; a vertex that is
-/// left with two edges on a straight line goes too. Unused vertices are removed and the rest keep
-/// their order. The result does not depend on the order of the triangles, and merging it again
-/// changes nothing. Matters before lab 5: a triangular reference face clips away half of a box's
-/// contact polygon.
+/// polygons. Faces are merged only if every vertex of the *merged* face lies within tolerance·size
+/// of that face's Newell plane (nearly coplanar is not transitive), its outline stays convex, and no
+/// other vertex comes out in front of it. Where two faces leave a dent, the coplanar faces in the
+/// dent join them: a flat face becomes one polygon however it was cut. A chain of shared edges goes
+/// as a whole, with its inner vertices; a vertex that is left with two edges on a straight line goes
+/// too. Unused vertices are removed and the rest keep their order. The result does not depend on
+/// the order of the triangles, and merging it again changes nothing. Matters before lab 5: a
+/// triangular reference face clips away half of a box's contact polygon.
 /// @param tolerance relative to the largest extent of the mesh's bounds
 HalfEdgeMesh merge_coplanar_faces(const HalfEdgeMesh& mesh, Real tolerance = coplanar_tolerance);
 
