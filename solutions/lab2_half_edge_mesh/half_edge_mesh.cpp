@@ -343,9 +343,8 @@ class CoplanarMerger {
       const std::vector<Vec3> polygon = corners(merged.outline);
       const Plane plane = newell_plane(polygon);
       const bool looks_one_way =
-          std::all_of(merged.faces.begin(), merged.faces.end(), [&](Index f) {
-            return mesh_.face(f).plane.normal.dot(plane.normal) > 0;
-          });
+          std::all_of(merged.faces.begin(), merged.faces.end(),
+                      [&](Index f) { return mesh_.face(f).plane.normal.dot(plane.normal) > 0; });
       if (!looks_one_way || !is_flat(polygon, plane)) return std::nullopt;
       seam = edge_at_dent(merged, plane.normal);
     }
@@ -454,9 +453,8 @@ class CoplanarMerger {
   /// The half-edge of a face from its lowest vertex: where a loop starts, whatever its history.
   static Index lowest_edge(const HalfEdgeMesh& mesh, Index face) {
     const Outline outline = outline_of(mesh, face);
-    return *std::min_element(outline.begin(), outline.end(), [&](Index a, Index b) {
-      return mesh.origin(a) < mesh.origin(b);
-    });
+    return *std::min_element(outline.begin(), outline.end(),
+                             [&](Index a, Index b) { return mesh.origin(a) < mesh.origin(b); });
   }
 
   HalfEdgeMesh mesh_;  ///< keeps all vertices: the removed ones bound the error

@@ -1,0 +1,140 @@
+// L2.2: the edges between the triangles, and the twins that they become.
+#include <cs550/graded_test.hpp>
+
+#include "lab2_half_edge_mesh/mesh_checks.hpp"
+
+namespace cs550::test {
+namespace {
+
+MeshIssue issue_of(const TriangleSoup& soup) {
+  return build_half_edge_mesh(soup.vertices, soup.triangles).issue;
+}
+
+bool expect_error(Story& story, const MeshIssue& issue, MeshError expected) {
+  return story.expect_equal("the fault", describe({.error = issue.error}),
+                            describe({.error = expected}));
+}
+
+bool has_side(const Triangle& triangle, Index a, Index b) {
+  return std::count(triangle.begin(), triangle.end(), a) == 1 &&
+         std::count(triangle.begin(), triangle.end(), b) == 1;
+}
+
+/// Whether the edge of an issue is a side of both of its triangles.
+bool expect_shared_edge(Story& story, const TriangleSoup& soup, const MeshIssue& issue) {
+  const Index count = static_cast<Index>(soup.triangles.size());
+  for (const Index t : {issue.triangle, issue.other_triangle}) {
+    const bool exists = t >= 0 && t < count;
+    if (!story.expect("the issue names triangles of the list", exists)) return false;
+    const Triangle& triangle = soup.triangles[static_cast<std::size_t>(t)];
+    if (!story.expect("the edge that the issue names is a side of the triangle that it names",
+                      has_side(triangle, issue.edge[0], issue.edge[1]))) {
+      return false;
+    }
+  }
+  return story.expect("the two triangles of the issue differ",
+                      issue.triangle != issue.other_triangle);
+}
+
+GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
+  Story story("An edge with one triangle only is open, wherever the hole is");
+  story.likely("every edge needs a second side: what has none left over is open")
+      .likely(
+          "the number of half-edges must not be taken for granted: three a triangle may be odd");
+  const TriangleSoup whole = cut_from_corners(box(Vec3(1, 2, 3)));
+  for (std::size_t removed = 0; removed < whole.triangles.size(); ++removed) {
+    TriangleSoup soup = whole;
+    const Triangle gone = soup.triangles[removed];
+    soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(removed));
+    Story here = story;
+    here.given("a box of twelve triangles, without number", removed);
+    const MeshIssue issue = issue_of(soup);
+    if (!expect_error(here, issue, MeshError::OpenEdge)) return;
+    here.expect("the edge lies at the hole", has_side(gone, issue.edge[0], issue.edge[1]));
+    const bool exists =
+        issue.triangle >= 0 && issue.triangle < static_cast<Index>(soup.triangles.size());
+    if (!here.expect("the issue names a triangle of the list", exists)) return;
+    here.expect("the edge is a side of the triangle",
+                has_side(soup.triangles[static_cast<std::size_t>(issue.triangle)], issue.edge[0],
+                         issue.edge[1]));
+  }
+}
+
+GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 3, "L2.2") {
+  Story story("At an edge meet two triangles, which run along it in opposite directions");
+  TriangleSoup fins = cut_from_corners(box(Vec3::Ones()));
+  fins.vertices.push_back({3, 0, 0});
+  fins.triangles.push_back({1, 5, 8});  // a fin at the edge 1–5: open at its other sides, too
+  Story crowded = story;
+  crowded.given("a box with a fin at the edge 1–5")
+      .likely("all edges are looked at for three triangles before any is looked at for a hole");
+  const MeshIssue fin = issue_of(fins);
+  if (expect_error(crowded, fin, MeshError::NonManifoldEdge)) {
+    crowded.expect("the edge is 1–5",
+                   std::minmax({fin.edge[0], fin.edge[1]}) == std::minmax({Index(1), Index(5)}));
+    expect_shared_edge(crowded, fins, fin);
+  }
+
+  const TriangleSoup whole = cut_from_corners(dodecahedron());
+  for (std::size_t reversed = 0; reversed < whole.triangles.size(); ++reversed) {
+    TriangleSoup soup = whole;
+    std::swap(soup.triangles[reversed][0], soup.triangles[reversed][1]);
+    Story here = story;
+    here.given("a dodecahedron of 36 triangles, reversed the one of number", reversed)
+        .likely(
+            "the two sides of an edge must be (a, b) and (b, a): the same pair, in any order, is "
+            "not enough");
+    const MeshIssue issue = issue_of(soup);
+    if (!expect_error(here, issue, MeshError::InconsistentWinding)) return;
+    if (!expect_shared_edge(here, soup, issue)) return;
+    const Index t = static_cast<Index>(reversed);
+    here.expect("one of the two is the reversed triangle",
+                issue.triangle == t || issue.other_triangle == t);
+  }
+
+  // Both faults at once: the crowded edge comes first, by the order of the header.
+  std::swap(fins.triangles[0][0], fins.triangles[0][1]);
+  crowded.given("triangle 0 reversed as well");
+  expect_error(crowded, issue_of(fins), MeshError::NonManifoldEdge);
+  fins.triangles.pop_back();
+  fins.vertices.pop_back();
+  fins.triangles.pop_back();
+  Story both = story;
+  both.given("a box without its last triangle, and triangle 0 reversed")
+      .likely("all edges are looked at for their winding before any is looked at for a hole");
+  expect_error(both, issue_of(fins), MeshError::InconsistentWinding);
+}
+
+GRADED_TEST(Lab2, TwinsAreNeighboursAndRunOpposite, 2, "L2.2") {
+  Story story("Half-edges 2k and 2k + 1 are twins, and each runs where the other came from");
+  story.likely("twins get neighbouring places when their sides are sorted by their two vertices");
+  for (const TriangleSoup& soup : {cut_from_corners(box(Vec3::Ones())),
+                                   cut_from_centres(dodecahedron()), icosphere_soup(2, 1)}) {
+    Story here = story;
+    here.given("triangles", soup.triangles.size());
+    const std::optional<HalfEdgeMesh> mesh = build_or_tell(soup, here);
+    if (!mesh) return;
+    if (!here.expect_equal("half-edges, three for each triangle", mesh->edges.size(),
+                           3 * soup.triangles.size())) {
+      return;
+    }
+    std::set<std::pair<Index, Index>> seen;
+    for (Index e = 0; e < mesh->edge_count(); ++e) {
+      here.given("half-edge", e);
+      if (!here.expect_equal("its twin", mesh->edge(e).twin, e ^ 1)) return;
+      const bool is_new = seen.insert({mesh->origin(e), mesh->edge(e).vertex}).second;
+      if (!here.expect("no other half-edge runs from the same vertex to the same vertex", is_new)) {
+        return;
+      }
+    }
+    for (const Triangle& triangle : soup.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::pair side(triangle[i], triangle[(i + 1) % 3]);
+        if (!story.expect("every side of a triangle is a half-edge", seen.count(side) == 1)) return;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,88 @@
+// L2.3: the loops around faces and vertices.
+#include <cs550/graded_test.hpp>
+
+#include "lab2_half_edge_mesh/mesh_checks.hpp"
+
+namespace cs550::test {
+namespace {
+
+std::vector<TriangleSoup> sound_soups() {
+  return {tetrahedron_soup(1), cut_from_corners(box(Vec3(1, 2, 3))),
+          cut_from_corners(dodecahedron()), prism_soup(7, 1, 2), icosphere_soup(2, 1)};
+}
+
+GRADED_TEST(Lab2, FaceLoopsFollowTheTriangles, 3, "L2.3") {
+  Story story(
+      "Face f is triangle f: its half-edges run from vertex to vertex as the triangle does");
+  story.likely("next of the third half-edge is the first: count modulo three")
+      .likely("prev is the inverse of next")
+      .likely("sorting the sides changes their places: remember to which corner each belongs");
+  for (const TriangleSoup& soup : sound_soups()) {
+    Story here = story;
+    here.given("triangles", soup.triangles.size());
+    const std::optional<HalfEdgeMesh> mesh = build_or_tell(soup, here);
+    if (!mesh) return;
+    for (Index f = 0; f < mesh->face_count(); ++f) {
+      const Triangle& triangle = at(soup.triangles, f);
+      here.given("face", f);
+      Index e = mesh->face(f).edge;
+      const auto first = std::find(triangle.begin(), triangle.end(), mesh->origin(e));
+      if (!here.expect("the face's half-edge leaves a corner of its triangle",
+                       first != triangle.end())) {
+        return;
+      }
+      const auto start = static_cast<std::size_t>(first - triangle.begin());
+      for (std::size_t i = 0; i < 3; ++i) {
+        const HalfEdge& edge = mesh->edge(e);
+        if (!here.expect_equal("where the half-edge points to", edge.vertex,
+                               triangle[(start + i + 1) % 3]) ||
+            !here.expect_equal("the face of the half-edge", edge.face, f) ||
+            !here.expect_equal("prev of next", mesh->edge(edge.next).prev, e)) {
+          return;
+        }
+        e = edge.next;
+      }
+      if (!here.expect_equal("the half-edge after three times next", e, mesh->face(f).edge)) return;
+    }
+  }
+}
+
+GRADED_TEST(Lab2, EveryVertexLeadsToItsNeighbours, 3, "L2.3") {
+  Story story("From a vertex, twin and next lead to every neighbour once");
+  story.likely("vertex_edge holds a half-edge that leaves the vertex, not one that points to it");
+  for (const TriangleSoup& soup : sound_soups()) {
+    const std::optional<HalfEdgeMesh> mesh = build_or_tell(soup, story);
+    if (!mesh) return;
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      std::set<Index> expected;
+      for (const Triangle& triangle : soup.triangles) {
+        if (std::count(triangle.begin(), triangle.end(), v) == 0) continue;
+        for (const Index other : triangle) {
+          if (other != v) expected.insert(other);
+        }
+      }
+      Story here = story;
+      here.given("triangles", soup.triangles.size()).given("vertex", v);
+      if (!here.expect_equal("where its half-edge comes from",
+                             mesh->origin(mesh->vertex_edge[static_cast<std::size_t>(v)]), v)) {
+        return;
+      }
+      std::set<Index> got;
+      std::size_t steps = 0;
+      for (const Index e : vertex_edges(*mesh, v)) {
+        got.insert(mesh->edge(e).vertex);
+        if (++steps > expected.size()) break;
+      }
+      if (!here.expect_equal("half-edges that leave it", steps, expected.size()) ||
+          !here.expect("they point to its neighbours", got == expected)) {
+        return;
+      }
+    }
+    Story here = story;
+    here.given("triangles", soup.triangles.size());
+    if (!expect_valid(here, *mesh)) return;
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

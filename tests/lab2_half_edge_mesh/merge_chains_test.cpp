@@ -1,0 +1,155 @@
+// L2.7: chains of shared edges, and what merging must not do.
+#include <cs550/graded_test.hpp>
+
+#include "lab2_half_edge_mesh/mesh_checks.hpp"
+
+namespace cs550::test {
+namespace {
+
+GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 3, "L2.7") {
+  Story story("A flat face becomes one polygon, however it was cut into triangles");
+  story
+      .likely(
+          "two faces that share a chain of edges lose all of it, and its inner vertices; an edge "
+          "taken alone leaves vertices of degree one or two")
+      .likely("where two faces leave a dent, the faces in the dent join them")
+      .likely(
+          "a vertex in the middle of a straight edge is left with two edges: it goes, from the "
+          "loops of both faces");
+  struct Case {
+    const char* name;
+    TriangleSoup soup;
+    Index vertices, edges, faces;
+  };
+  const TriangleSoup cut_box = cut_from_corners(box(Vec3(1, 2, 3)));
+  const std::vector<Case> cases = {
+      {"dodecahedron, pentagons cut from a corner", cut_from_corners(dodecahedron()), 20, 30, 12},
+      {"box, faces cut around their centres", cut_from_centres(box(Vec3::Ones())), 8, 12, 6},
+      {"dodecahedron, pentagons cut around their centres", cut_from_centres(dodecahedron()), 20, 30,
+       12},
+      {"box, each triangle split into four", split_at_middles(cut_box), 8, 12, 6},
+      {"box, each triangle split into sixteen", split_at_middles(split_at_middles(cut_box)), 8, 12,
+       6},
+      {"tetrahedron, each triangle split into four", split_at_middles(tetrahedron_soup(1)), 4, 6,
+       4}};
+  for (const Case& each : cases) {
+    Story here = story;
+    here.given(each.name).given("triangles", each.soup.triangles.size());
+    const std::optional<HalfEdgeMesh> built = build_or_tell(each.soup, here);
+    if (!built) return;
+    const HalfEdgeMesh mesh = merge_coplanar_faces(*built);
+    if (!expect_counts(here, mesh, each.vertices, each.edges, each.faces)) return;
+    if (!expect_valid(here, mesh)) return;
+    here.expect_near("volume", volume(mesh), volume(*built), 1e-5 * volume(*built), "m³");
+    // The corners of the solids come first in their lists, and keep their order.
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      here.expect_near("vertex " + std::to_string(v), mesh.vertex(v), at(each.soup.vertices, v), 0,
+                       "m");
+    }
+  }
+}
+
+GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
+  Story story("Nearly coplanar is not transitive: a cylinder of many sides does not become flat");
+  story
+      .likely(
+          "compare the vertices with the plane of the merged face, not the normals of neighbours: "
+          "each turns by little from the last, and all of them by 360°")
+      .likely("the plane must be that of the face as it would be after merging");
+  struct Case {
+    int sides;
+    Real tolerance;
+  };
+  // Two neighbouring sides bend by 2π/n and stay within the tolerance, about three do not: a face
+  // takes at most four, with some reserve.
+  for (const auto& [sides, tolerance] : {Case{1000, coplanar_tolerance}, Case{100, Real(1e-3)}}) {
+    Story here = story;
+    here.given("cylinder of radius and half height 1 m, sides", sides)
+        .given("tolerance", tolerance);
+    const std::optional<HalfEdgeMesh> built = build_or_tell(prism_soup(sides, 1, 1), here);
+    if (!built) return;
+    const HalfEdgeMesh mesh = merge_coplanar_faces(*built, tolerance);
+    here.expect_at_least("faces", mesh.face_count(), sides / 4 + 2);
+    here.expect_at_most("faces", mesh.face_count(), sides + 2);
+    // The area of a circle's m-gon is below the circle's by (2π/m)²/6 of it.
+    const double coarsest = 2 * M_PI / (sides / 4);
+    here.expect_near("volume over π·r²·2h", volume(mesh) / (2 * M_PI), 1, coarsest * coarsest / 6);
+    // In double, from the rounded vertices: a tenth of the slack is reserve for float.
+    here.expect_at_most("distance of a corner from its face's plane, over the size",
+                        worst_distance_from_planes(mesh) / 2, 1.1 * double(tolerance));
+    if (!expect_valid(here, mesh, 5 * tolerance + Real(1e-4))) return;
+  }
+}
+
+GRADED_TEST(Lab2, OrderAndRepetitionChangeNothing, 2, "L2.7") {
+  Story story(
+      "Merging gives the same faces for every order of the triangles, and none when repeated");
+  story
+      .likely(
+          "which edge is tried first decides where nearly coplanar faces end: sort the edges by "
+          "what they are (how flat, where), not by their number")
+      .likely("one pass over the edges may leave two faces that could still be merged");
+  const std::vector<std::pair<TriangleSoup, Real>> cases = {
+      {cut_from_centres(dodecahedron()), coplanar_tolerance},
+      {prism_soup(250, 1, 1), Real(1.6e-4)},
+      {icosphere_soup(3, 1), Real(4e-3)}};
+  for (const auto& [soup, tolerance] : cases) {
+    Story here = story;
+    here.given("triangles", soup.triangles.size()).given("tolerance", tolerance);
+    const std::optional<HalfEdgeMesh> built = build_or_tell(soup, here);
+    if (!built) return;
+    const HalfEdgeMesh mesh = merge_coplanar_faces(*built, tolerance);
+    if (!here.expect_at_most("faces", mesh.face_count(), built->face_count() - 1)) return;
+
+    const HalfEdgeMesh again = merge_coplanar_faces(mesh, tolerance);
+    Story repeated = here;
+    repeated.when("merged, and merged again");
+    if (!repeated.expect_equal("faces", again.face_count(), mesh.face_count()) ||
+        !repeated.expect("they are the same", faces_as_seen(again) == faces_as_seen(mesh))) {
+      return;
+    }
+    for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+      Random random(seed);
+      Story reordered = here;
+      reordered.seed(seed).when("the triangles shuffled, connected and merged");
+      const std::optional<HalfEdgeMesh> other = build_or_tell(shuffled(soup, random), reordered);
+      if (!other) return;
+      const HalfEdgeMesh result = merge_coplanar_faces(*other, tolerance);
+      if (!reordered.expect_equal("faces", result.face_count(), mesh.face_count()) ||
+          !reordered.expect("they are the same", faces_as_seen(result) == faces_as_seen(mesh))) {
+        return;
+      }
+    }
+  }
+}
+
+GRADED_TEST(Lab2, HullsOfScatteredPointsStaySound, 2, "L2.7") {
+  Story story("Slivers and near misses are merged or left, but the mesh stays closed and convex");
+  story.likely("a merge that leaves two corners to a neighbour must not happen")
+      .likely("a merged plane must not tip so far that other vertices come out in front of it");
+  int merged_faces = 0;
+  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    // Points on a coarse grid have many coplanar neighbours; noise makes them nearly so.
+    const Real noise = seed % 2 == 0 ? Real(1e-6) : Real(3e-5);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 60; ++i) {
+      Vec3 point;
+      for (int axis = 0; axis < 3; ++axis) point[axis] = Real(random.integer(-3, 3)) / 3;
+      points.push_back(point + noise * random.unit_vector());
+    }
+    const SoupResult hull = convex_hull(points);
+    Story here = story;
+    here.seed(seed).given("hull of 60 points on a grid of seven, moved by up to", noise, "m");
+    const std::optional<HalfEdgeMesh> built = build_or_tell(hull.soup, here);
+    if (!built) return;
+    const HalfEdgeMesh mesh = merge_coplanar_faces(*built);
+    merged_faces += built->face_count() - mesh.face_count();
+    if (!expect_valid(here, mesh)) return;
+    here.expect_near("volume", volume(mesh), volume(*built), 1e-4 * volume(*built), "m³");
+  }
+  story.expect_at_least("faces saved in all forty hulls", merged_faces, 1);
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,96 @@
+// L2.6: two coplanar faces become one.
+#include <cs550/graded_test.hpp>
+
+#include "lab2_half_edge_mesh/mesh_checks.hpp"
+
+namespace cs550::test {
+namespace {
+
+GRADED_TEST(Lab2, BoxesAndPrismsMergeToTheirPolygons, 4, "L2.6") {
+  Story story("A prism over an n-gon has n + 2 faces, 3n edges and 2n vertices after merging");
+  story.when("merge_coplanar_faces(build_half_edge_mesh(…))")
+      .likely(
+          "the loop without the edge: prev of the one half-edge leads on to next of its twin, and "
+          "the other way round")
+      .likely("all half-edges of the second face must learn the name of the first")
+      .likely("when edges are removed all indices move: next, prev, twin, face, vertex_edge, edge");
+  for (const int n : {3, 4, 5, 6, 12, 60}) {
+    const Real radius = 2;
+    const Real half_height = Real(0.5);
+    Story here = story;
+    here.given("prism over a regular n-gon, n", n).given("triangles", 4 * n - 4);
+    const std::optional<HalfEdgeMesh> built =
+        build_or_tell(prism_soup(n, radius, half_height), here);
+    if (!built) return;
+    const HalfEdgeMesh mesh = merge_coplanar_faces(*built);
+    if (!expect_counts(here, mesh, 2 * n, 3 * n, n + 2)) return;
+    if (!expect_valid(here, mesh)) return;
+
+    // The area of a regular n-gon in a circle of radius r is ½·n·r²·sin(2π/n).
+    const double cap = 0.5 * n * radius * radius * std::sin(2 * M_PI / n);
+    const double side = 2 * half_height * 2 * radius * std::sin(M_PI / n);
+    Index caps = 0;
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      const Plane& plane = mesh.face(f).plane;
+      const bool is_cap = std::abs(plane.normal.z()) > Real(0.5);
+      caps += is_cap ? 1 : 0;
+      here.given("face", f);
+      here.expect_equal("corners", loop_of(mesh, f).size(),
+                        is_cap ? static_cast<std::size_t>(n) : std::size_t(4));
+      here.expect_near("area", area_vector(corners(mesh, f)).norm(), is_cap ? cap : side,
+                       1e-5 * (is_cap ? cap : side), "m²");
+      here.expect_near("offset of the plane", plane.offset,
+                       is_cap ? double(half_height) : radius * std::cos(M_PI / n), 1e-5, "m");
+    }
+    here.expect_equal("caps", caps, 2);
+  }
+
+  const std::optional<HalfEdgeMesh> sphere = build_or_tell(icosphere_soup(2, 1), story);
+  if (!sphere) return;
+  Story untouched("Where nothing is coplanar, nothing changes");
+  untouched.given("icosphere of 320 triangles")
+      .likely("edges are up to 18° sharp here: how is a face told from a coplanar one?");
+  untouched.expect("the faces are those from before",
+                   faces_as_seen(merge_coplanar_faces(*sphere)) == faces_as_seen(*sphere));
+}
+
+/// A box with a ridge of height h along the middle of its top: a roof so low that it may be flat.
+TriangleSoup roofed_box(Real height) {
+  Solid solid = box(Vec3::Ones());
+  solid.vertices.insert(solid.vertices.end(), {{0, -1, 1 + height}, {0, 1, 1 + height}});
+  solid.polygons = {{3, 2, 1, 0}, {4, 8, 9, 7},    {8, 5, 6, 9}, {8, 4, 0, 1, 5},
+                    {1, 2, 6, 5}, {9, 6, 2, 3, 7}, {3, 0, 4, 7}};
+  return cut_from_corners(solid);
+}
+
+GRADED_TEST(Lab2, ToleranceIsRelativeToTheSizeOfTheMesh, 3, "L2.6") {
+  Random random(26);
+  Story story("A low ridge on a box is merged or kept by its height over the size of the box");
+  story.seed(random.seed())
+      .likely("the tolerance is relative: multiply it by the largest extent, in metres")
+      .likely("it bounds a distance, not an angle: equal normals within 1e-5 are another question");
+  // The top's six corners and ridge ends lie at −h/3 and +2h/3 from their common plane, the ridge
+  // ends h above the plane of the four corners: below half the slack, and above twice it, all agree.
+  for (const Real tolerance : {coplanar_tolerance, Real(1e-3)}) {
+    for (const Real scale : {Real(1e-3), Real(1), Real(1e3)}) {
+      for (const bool is_kept : {false, true}) {
+        const Real height = (is_kept ? 2 : Real(0.5)) * tolerance * 2;
+        const TriangleSoup soup =
+            placed(roofed_box(height), scale, random.orientation(), Vec3::Zero());
+        Story here = story;
+        here.given("box of side", 2 * scale, "m")
+            .given("tolerance", tolerance)
+            .given("height of the ridge over the side", height / 2);
+        const std::optional<HalfEdgeMesh> built = build_or_tell(soup, here);
+        if (!built) return;
+        const HalfEdgeMesh mesh = merge_coplanar_faces(*built, tolerance);
+        const bool as_expected =
+            is_kept ? expect_counts(here, mesh, 10, 15, 7) : expect_counts(here, mesh, 8, 12, 6);
+        if (!as_expected || !expect_valid(here, mesh, 2 * tolerance + Real(1e-4))) return;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

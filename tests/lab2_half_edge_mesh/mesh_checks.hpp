@@ -1,0 +1,153 @@
+#pragma once
+/// @file mesh_checks.hpp
+/// What the tests of lab 2 ask of a mesh, worked out without the functions under test.
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cs550/mesh_validation.hpp"
+#include "lab2_half_edge_mesh/solids.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+
+using Vec3d = Eigen::Vector3d;
+
+inline const Triangle& at(const std::vector<Triangle>& triangles, Index t) {
+  return triangles[static_cast<std::size_t>(t)];
+}
+
+/// The mesh of a sound list of triangles; the story tells if it was refused.
+inline std::optional<HalfEdgeMesh> build_or_tell(const TriangleSoup& soup, const Story& story) {
+  Story here = story;
+  here.likely("build_half_edge_mesh() refuses triangles in which nothing is wrong");
+  MeshBuild build = build_half_edge_mesh(soup.vertices, soup.triangles);
+  const std::string verdict =
+      build.issue ? describe(build.issue) : "nothing is wrong with the triangles";
+  if (!here.expect_equal("what build_half_edge_mesh() says", verdict,
+                         std::string("nothing is wrong with the triangles"))) {
+    return std::nullopt;
+  }
+  if (!here.expect_equal("faces, one for each triangle", build.mesh.faces.size(),
+                         soup.triangles.size())) {
+    return std::nullopt;
+  }
+  return std::move(build.mesh);
+}
+
+/// Whether the given validate() finds nothing to object to.
+inline bool expect_valid(Story& story, const HalfEdgeMesh& mesh, Real tolerance = Real(1e-4)) {
+  const std::optional<MeshDefect> defect = validate(mesh, tolerance);
+  return story.expect_equal("what validate() says", defect ? defect->sentence : "sound",
+                            std::string("sound"));
+}
+
+/// Vertices, edges and faces.
+inline bool expect_counts(Story& story, const HalfEdgeMesh& mesh, Index vertices, Index edges,
+                          Index faces) {
+  const bool has_faces = story.expect_equal("faces", mesh.face_count(), faces);
+  const bool has_vertices = story.expect_equal("vertices", mesh.vertex_count(), vertices);
+  return story.expect_equal("half-edges, two for each edge", mesh.edge_count(), 2 * edges) &&
+         has_faces && has_vertices;
+}
+
+/// The vertices of a face, counter-clockwise. Stops after as many as the mesh has half-edges, so
+/// that a loop which never closes is a failure and not the end of the test run.
+inline std::vector<Index> loop_of(const HalfEdgeMesh& mesh, Index face) {
+  std::vector<Index> loop;
+  const Index first = mesh.face(face).edge;
+  Index e = first;
+  do {
+    loop.push_back(mesh.origin(e));
+    e = mesh.edge(e).next;
+  } while (e != first && loop.size() <= mesh.edges.size());
+  return loop;
+}
+
+using Point = std::array<Real, 3>;
+
+/// Every face as the ring of its corners' coordinates: what a mesh looks like, without numbering.
+inline std::multiset<std::vector<Point>> faces_as_seen(const HalfEdgeMesh& mesh) {
+  std::multiset<std::vector<Point>> faces;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    std::vector<Point> ring;
+    for (const Index v : loop_of(mesh, f)) {
+      const Vec3& vertex = mesh.vertex(v);
+      ring.push_back({vertex.x(), vertex.y(), vertex.z()});
+    }
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    faces.insert(ring);
+  }
+  return faces;
+}
+
+/// The area vector of a polygon (m²), half the sum of p_i × p_(i+1): along the normal, as long as
+/// the area.
+inline Vec3d area_vector(const std::vector<Vec3>& polygon) {
+  const Vec3d base = polygon.front().cast<double>();
+  Vec3d sum = Vec3d::Zero();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3d a = polygon[i].cast<double>() - base;
+    const Vec3d b = polygon[(i + 1) % polygon.size()].cast<double>() - base;
+    sum += 0.5 * a.cross(b);
+  }
+  return sum;
+}
+
+inline Vec3d centroid(const std::vector<Vec3>& points) {
+  Vec3d sum = Vec3d::Zero();
+  for (const Vec3& point : points) sum += point.cast<double>();
+  return sum / static_cast<double>(points.size());
+}
+
+inline std::vector<Vec3> corners(const HalfEdgeMesh& mesh, Index face) {
+  std::vector<Vec3> points;
+  for (const Index v : loop_of(mesh, face)) points.push_back(mesh.vertex(v));
+  return points;
+}
+
+/// How far the vertices of the faces are from planes through them, at worst (m), in double.
+inline double worst_distance_from_planes(const HalfEdgeMesh& mesh) {
+  double worst = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const std::vector<Vec3> points = corners(mesh, f);
+    const Vec3d normal = area_vector(points).normalized();
+    const Vec3d middle = centroid(points);
+    for (const Vec3& point : points) {
+      worst = std::max(worst, std::abs(normal.dot(point.cast<double>() - middle)));
+    }
+  }
+  return worst;
+}
+
+/// The volume (m³) by the divergence theorem: a third of the sum of centroid·area over the faces.
+inline double volume(const HalfEdgeMesh& mesh) {
+  const Vec3d base = mesh.vertex(0).cast<double>();
+  double sum = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const std::vector<Vec3> points = corners(mesh, f);
+    sum += area_vector(points).dot(points.front().cast<double>() - base) / 3;
+  }
+  return sum;
+}
+
+/// A polygon as a mesh of two faces, its front and its back: enough to ask for a plane.
+inline HalfEdgeMesh two_sided(const std::vector<Vec3>& polygon) {
+  const Index n = static_cast<Index>(polygon.size());
+  HalfEdgeMesh mesh;
+  mesh.vertices = polygon;
+  for (Index i = 0; i < n; ++i) {
+    const Index after = (i + 1) % n;
+    const Index before = (i + n - 1) % n;
+    mesh.vertex_edge.push_back(2 * i);
+    mesh.edges.push_back({after, 2 * after, 2 * before, 2 * i + 1, 0});
+    mesh.edges.push_back({i, 2 * before + 1, 2 * after + 1, 2 * i, 1});
+  }
+  mesh.faces = {{0, {}}, {1, {}}};
+  return mesh;
+}
+
+}  // namespace cs550::test

@@ -1,0 +1,127 @@
+// L2.1: what can be wrong with the triangles themselves, and the elements that show it.
+#include <cs550/graded_test.hpp>
+#include <limits>
+
+#include "lab2_half_edge_mesh/mesh_checks.hpp"
+
+namespace cs550::test {
+namespace {
+
+MeshIssue issue_of(const TriangleSoup& soup) {
+  return build_half_edge_mesh(soup.vertices, soup.triangles).issue;
+}
+
+bool expect_error(Story& story, const MeshIssue& issue, MeshError expected) {
+  return story.expect_equal("the fault", describe({.error = issue.error}),
+                            describe({.error = expected}));
+}
+
+TriangleSoup unit_box() { return cut_from_corners(box(Vec3::Ones())); }
+
+GRADED_TEST(Lab2, MissingAndInfiniteVerticesAreNamed, 2, "L2.1") {
+  Story story("Triangles that cannot be used are refused, and the message says which they are");
+  story.given("a box of twelve triangles, with one fault")
+      .likely("the order of the checks: what a later check reads must have been checked before");
+
+  Story empty = story;
+  empty.given("no triangles at all");
+  expect_error(empty, issue_of({unit_box().vertices, {}}), MeshError::NoTriangles);
+
+  for (const Real bad :
+       {std::numeric_limits<Real>::quiet_NaN(), -std::numeric_limits<Real>::infinity()}) {
+    TriangleSoup soup = unit_box();
+    soup.vertices[5].y() = bad;
+    Story here = story;
+    here.given("y of vertex 5", bad).likely("NaN compares false with everything: use isfinite");
+    const MeshIssue issue = issue_of(soup);
+    expect_error(here, issue, MeshError::NonFiniteVertex);
+    here.expect_equal("the vertex", issue.vertex, 5);
+  }
+
+  for (const Index missing : {-1, 8}) {
+    TriangleSoup soup = unit_box();
+    soup.triangles[7][1] = missing;
+    Story here = story;
+    here.given("vertices", "0 to 7")
+        .given("an index in triangle 7", missing)
+        .likely("an index must be at least 0 and less than the number of vertices");
+    const MeshIssue issue = issue_of(soup);
+    expect_error(here, issue, MeshError::IndexOutOfRange);
+    here.expect_equal("the triangle", issue.triangle, 7);
+    here.expect_equal("the vertex", issue.vertex, missing);
+  }
+}
+
+GRADED_TEST(Lab2, DegenerateTrianglesAreTheSameAtEveryScale, 3, "L2.1") {
+  Story story(
+      "A triangle has no area when twice its area is below 1e-7 of its longest edge squared");
+  story.likely("an area in m² cannot be compared with a fixed number: divide by an edge squared")
+      .likely("the longest of the three edges counts, whichever corner comes first");
+
+  TriangleSoup twice = unit_box();
+  twice.triangles[3] = {4, 6, 4};
+  Story repeated = story;
+  repeated.given("triangle 3", "4, 6, 4");
+  expect_error(repeated, issue_of(twice), MeshError::DegenerateTriangle);
+  repeated.expect_equal("the triangle", issue_of(twice).triangle, 3);
+
+  // A tetrahedron with an edge of length s; the corners of triangle 0 stand h off that edge.
+  const auto needle = [](Real size, Real height, std::size_t first_corner) {
+    TriangleSoup soup{{{0, 0, 0}, {size, 0, 0}, {size / 2, height, 0}, {size / 2, 0, size}},
+                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+    Triangle& triangle = soup.triangles[0];
+    std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(first_corner),
+                triangle.end());
+    return soup;
+  };
+  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+    for (const std::size_t first_corner : {0u, 1u, 2u}) {
+      Story here = story;
+      here.given("longest edge", size, "m").given("first corner", first_corner);
+      Story flat = here;
+      flat.given("height over it", Real(0.5e-7) * size, "m");
+      const MeshIssue issue = issue_of(needle(size, Real(0.5e-7) * size, first_corner));
+      if (!expect_error(flat, issue, MeshError::DegenerateTriangle)) return;
+      flat.expect_equal("the triangle", issue.triangle, 0);
+
+      Story thin = here;
+      thin.given("height over it", Real(2e-7) * size, "m");
+      if (!expect_error(thin, issue_of(needle(size, Real(2e-7) * size, first_corner)),
+                        MeshError::None)) {
+        return;
+      }
+    }
+  }
+}
+
+GRADED_TEST(Lab2, DuplicatesAndIsolatedVerticesAreNamed, 2, "L2.1") {
+  Story story("Two triangles with the same vertices, and a vertex without a triangle, are refused");
+
+  for (const bool is_reversed : {false, true}) {
+    TriangleSoup soup = unit_box();
+    const auto [a, b, c] = soup.triangles[1];
+    soup.triangles.push_back(is_reversed ? Triangle{c, b, a} : Triangle{b, c, a});
+    Story here = story;
+    here.given("a box of twelve triangles")
+        .given(is_reversed ? "triangle 12 is triangle 1 reversed"
+                           : "triangle 12 is triangle 1, begun at another corner")
+        .likely("compare the three vertices in sorted order: where a triangle begins is no matter");
+    const MeshIssue issue = issue_of(soup);
+    if (!expect_error(here, issue, MeshError::DuplicateTriangle)) return;
+    here.expect_equal("the one triangle", std::min(issue.triangle, issue.other_triangle), 1);
+    here.expect_equal("the other triangle", std::max(issue.triangle, issue.other_triangle), 12);
+  }
+
+  TriangleSoup soup = unit_box();
+  soup.vertices.insert(soup.vertices.begin() + 2, Vec3::Zero());
+  for (Triangle& triangle : soup.triangles) {
+    for (Index& v : triangle) v += v >= 2 ? 1 : 0;
+  }
+  story.given("a box of nine vertices, of which the triangles do not use number 2");
+  const MeshIssue issue = issue_of(soup);
+  expect_error(story, issue, MeshError::IsolatedVertex);
+  story.expect_equal("the vertex", issue.vertex, 2);
+}
+
+}  // namespace
+}  // namespace cs550::test
