@@ -59,7 +59,12 @@ class HullRun {
     exit_code_ = qh_new_qhull(&state_, 3, static_cast<int>(points.size()), coordinates_.data(),
                               False, triangulated, nullptr, messages_.get());
   }
-  ~HullRun() { qh_freeqhull(&state_, qh_ALL); }
+  ~HullRun() {
+    int blocks_left = 0;
+    int bytes_left = 0;
+    qh_freeqhull(&state_, !qh_ALL);
+    qh_memfreeshort(&state_, &blocks_left, &bytes_left);
+  }
   HullRun(const HullRun&) = delete;
   HullRun& operator=(const HullRun&) = delete;
 

@@ -35,8 +35,9 @@ HalfEdgeMesh mesh_from(const Json& json) {
 SoupResult load_obj(const std::filesystem::path& file) {
   tinyobj::ObjReader reader;
   if (!reader.ParseFromFile(file.string())) {
-    const std::string reason = reader.Error().empty() ? "cannot be read" : reader.Error();
-    return {{}, file.string() + ": " + reason};
+    std::string reason = reader.Error();
+    reason.resize(reason.find_last_not_of('\n') + 1);
+    return {{}, file.string() + ": " + (reason.empty() ? "cannot be read" : reason)};
   }
   TriangleSoup soup;
   const std::vector<Real>& coordinates = reader.GetAttrib().vertices;

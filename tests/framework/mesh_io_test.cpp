@@ -53,12 +53,13 @@ TEST_F(ObjFile, WithoutFacesIsNamed) {
 TEST_F(ObjFile, ThatNamesMissingVerticesIsRefused) {
   write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   const SoupResult result = load_obj(path);
-  if (result.error.empty()) {
-    const MeshIssue issue = build_half_edge_mesh(result.soup.vertices, result.soup.triangles).issue;
-    EXPECT_EQ(issue.error, MeshError::IndexOutOfRange) << describe(issue);
-  } else {
-    expect_named(result.error, "");
-  }
+  const MeshIssue issue = build_half_edge_mesh(result.soup.vertices, result.soup.triangles).issue;
+  EXPECT_EQ(issue.error, MeshError::IndexOutOfRange) << describe(issue);
+}
+
+TEST_F(ObjFile, WithAVertexNumberedZeroIsNamedWithTheLine) {
+  write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 0 2\n");
+  expect_named(load_obj(path).error, "line 4");
 }
 
 TEST_F(JsonFile, RoundTripKeepsEveryBit) {
