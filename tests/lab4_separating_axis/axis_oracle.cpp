@@ -1,0 +1,173 @@
+#include "lab4_separating_axis/axis_oracle.hpp"
+
+#include <algorithm>
+
+#include "support/fixtures.hpp"
+
+namespace cs550::test {
+
+ExactBody::ExactBody(const PosedShape& body, const Vec3& viewer) {
+  const HalfEdgeMesh& mesh = body.mesh();
+  const Eigen::Matrix3d rotation =
+      body.pose.orientation.cast<double>().normalized().toRotationMatrix();
+  const Vec3d position = body.pose.position.cast<double>() - viewer.cast<double>();
+  for (const Vec3& v : mesh.vertices) {
+    vertices.push_back(rotation * v.cast<double>() + position);
+    size = std::max(size, double{v.norm()});
+  }
+  for (const Face& face : mesh.faces) {
+    normals.push_back(rotation * face.plane.normal.cast<double>().normalized());
+  }
+  for (Index e = 0; e < mesh.edge_count(); e += 2) {
+    edges.push_back(rotation * mesh.edge_vector(e).cast<double>().normalized());
+  }
+}
+
+double separation_along(const ExactBody& a, const ExactBody& b, const Vec3d& axis) {
+  double end_of_a = -HUGE_VAL;
+  double begin_of_b = HUGE_VAL;
+  for (const Vec3d& v : a.vertices) end_of_a = std::max(end_of_a, axis.dot(v));
+  for (const Vec3d& v : b.vertices) begin_of_b = std::min(begin_of_b, axis.dot(v));
+  return begin_of_b - end_of_a;
+}
+
+BestSeparations best_separations(const ExactBody& a, const ExactBody& b) {
+  BestSeparations best;
+  for (const Vec3d& n : a.normals) best.face_a = std::max(best.face_a, separation_along(a, b, n));
+  for (const Vec3d& n : b.normals) best.face_b = std::max(best.face_b, separation_along(a, b, -n));
+  for (const Vec3d& edge_a : a.edges) {
+    for (const Vec3d& edge_b : b.edges) {
+      const Vec3d cross = edge_a.cross(edge_b);
+      if (cross.norm() < 1e-9) continue;
+      const Vec3d n = cross.normalized();
+      best.edges = std::max({best.edges, separation_along(a, b, n), separation_along(a, b, -n)});
+    }
+  }
+  return best;
+}
+
+ShapePtr scaled_shape(const std::string& name, Real factor) {
+  HalfEdgeMesh mesh = fixture_mesh(name);
+  for (Vec3& vertex : mesh.vertices) vertex *= factor;
+  for (Face& face : mesh.faces) face.plane.offset *= factor;
+  return make_shape(mesh).shape;
+}
+
+std::vector<ShapePtr> small_shapes(Real factor) {
+  std::vector<ShapePtr> shapes;
+  for (const char* name : {"cube", "box_1x2x3", "regular_tetrahedron", "corner_tetrahedron",
+                           "prism3", "prism6", "pyramid4", "hull8", "hull16"}) {
+    shapes.push_back(scaled_shape(name, factor));
+  }
+  return shapes;
+}
+
+TestPair random_pair(Random& random, const std::vector<ShapePtr>& shapes, const Vec3& place) {
+  const int last = static_cast<int>(shapes.size()) - 1;
+  const ShapePtr& shape_a = shapes[static_cast<std::size_t>(random.integer(0, last))];
+  const ShapePtr& shape_b = shapes[static_cast<std::size_t>(random.integer(0, last))];
+  const Real reach = shape_a->radius + shape_b->radius;
+  const Vec3 way = random.real(Real(0.35), Real(0.95)) * reach * random.unit_vector();
+  const Quat turn_a = random.orientation();
+  const Quat turn_b = random.orientation();
+  return {{shape_a.get(), {place, turn_a}}, {shape_b.get(), {place + way, turn_b}}, "random"};
+}
+
+Story about(Story story, const TestPair& pair) {
+  const auto describe = [&](const std::string& name, const PosedShape& body) {
+    const Quat& q = body.pose.orientation;
+    story.given(name + " has " + std::to_string(body.mesh().vertex_count()) + " vertices")
+        .given("radius of " + name, body.shape->radius, "m")
+        .given("position of " + name, body.pose.position, "m")
+        .given("orientation of " + name + ", (x, y, z)", Vec3(q.vec()))
+        .given("orientation of " + name + ", w", q.w());
+  };
+  story.given("pair: " + pair.names);
+  describe("A", pair.a);
+  describe("B", pair.b);
+  return story;
+}
+
+namespace {
+
+/// That the feature, its query, the axis and the separation tell the same tale.
+bool expect_query_behind_it(Story& here, const TestPair& pair, const SeparatingAxis& answer,
+                            double tolerance) {
+  Real of_query = 0;
+  Vec3 axis = Vec3::Zero();
+  const auto in_range = [](Index i, Index count) { return i >= 0 && i < count; };
+  switch (answer.feature) {
+    case AxisFeature::None:
+      return here.expect("the answer has a feature (not None)", false);
+    case AxisFeature::FaceA:
+      if (!here.expect("face_a names a face of A",
+                       in_range(answer.face_a.face, pair.a.mesh().face_count()))) {
+        return false;
+      }
+      of_query = answer.face_a.separation;
+      axis = pair.a.plane(answer.face_a.face).normal;
+      break;
+    case AxisFeature::FaceB:
+      if (!here.expect("face_b names a face of B",
+                       in_range(answer.face_b.face, pair.b.mesh().face_count()))) {
+        return false;
+      }
+      of_query = answer.face_b.separation;
+      axis = -pair.b.plane(answer.face_b.face).normal;
+      break;
+    case AxisFeature::Edges:
+      if (!here.expect("edges name half-edges of A and B",
+                       in_range(answer.edges.edge_a, pair.a.mesh().edge_count()) &&
+                           in_range(answer.edges.edge_b, pair.b.mesh().edge_count()))) {
+        return false;
+      }
+      of_query = answer.edges.separation;
+      axis = answer.edges.axis;
+      break;
+  }
+  return here.expect_near("axis against that of its feature", answer.axis, axis, 1e-5) &&
+         here.expect_near("separation against that of its query", answer.separation, of_query,
+                          tolerance, "m");
+}
+
+}  // namespace
+
+bool expect_best_axis(const Story& story, const TestPair& pair, const SeparatingAxis& answer,
+                      Real margin, double tolerance) {
+  Story here = about(story, pair);
+  const double allowed = tolerance * double{pair.larger_radius()};
+  const double tie = 1.01 * double{tie_tolerance} * double{pair.smaller_radius()};
+
+  if (!expect_query_behind_it(here, pair, answer, allowed)) return false;
+  if (!here.expect_near("length of the axis", double{answer.axis.norm()}, 1, 1e-5)) return false;
+
+  const ExactBody a = pair.exact_a();
+  const ExactBody b = pair.exact_b();
+  const double along = separation_along(a, b, answer.axis.cast<double>().normalized());
+  // The axis is rounded, too: where it is the cross product of edges that enclose a small angle, by
+  // more than its last digit.
+  if (!here.expect_near("separation along the axis, A to B", answer.separation, along,
+                        allowed, "m")) {
+    return false;
+  }
+  if (answer.separation > margin) return true;
+
+  const BestSeparations best = best_separations(a, b);
+  here.given("largest separation over faces of A", best.face_a, "m")
+      .given("over faces of B", best.face_b, "m")
+      .given("over cross products of edges", best.edges, "m");
+  if (best.largest() <= 0) {
+    return here.expect_near("separation against brute force", answer.separation, best.largest(),
+                            allowed + tie, "m");
+  }
+  // Apart, corner against corner, some cross product may separate more than any Minkowski face does:
+  // but the faces set a floor, and whatever separates must be seen to.
+  return here.expect_at_least("separation against the faces", answer.separation,
+                              best.faces() - allowed - tie, "m") &&
+         here.expect_at_most("separation against brute force", answer.separation,
+                             best.largest() + allowed, "m") &&
+         (best.largest() < allowed ||
+          here.expect("bodies that are apart are seen to be", answer.separation > 0));
+}
+
+}  // namespace cs550::test

@@ -1,0 +1,63 @@
+#pragma once
+// Pairs that touch edge over edge: the lower body has an edge along x as its ridge, the upper one an
+// edge across it as its keel. Their separation along z is the distance of the centres less the height
+// of both.
+
+#include <string>
+#include <vector>
+
+#include "lab4_separating_axis/axis_oracle.hpp"
+
+namespace cs550::test {
+
+struct CrossedShape {
+  std::string fixture;
+  Vec3 along;   ///< the direction of its ridge, body frame
+  Vec3 upward;  ///< from its centroid to the middle of that edge, body frame (m)
+};
+
+/// A cube over one of its edges, and n-gon prisms: 32 edges of each face 32 of the other.
+inline const std::vector<CrossedShape>& crossed_shapes() {
+  static const std::vector<CrossedShape> shapes{
+      {"cube", Vec3::UnitX(), Vec3(0, Real(0.5), Real(0.5))},
+      {"prism3", Vec3::UnitZ(), Vec3(1, 0, 0)},
+      {"prism6", Vec3::UnitZ(), Vec3(1, 0, 0)},
+      {"prism32", Vec3::UnitZ(), Vec3(1, 0, 0)},
+  };
+  return shapes;
+}
+
+struct CrossedPair {
+  TestPair pair;
+  ShapePtr shape;  ///< keeps the shape of both alive
+  double separation = 0;
+};
+
+/// The orientation that turns the ridge to a direction of the horizontal plane and its middle to ±z.
+inline Quat stand(const CrossedShape& shape, const Vec3& along, const Vec3& up) {
+  const auto frame = [](const Vec3& x, const Vec3& z) {
+    Mat3 columns;
+    columns << x, z.cross(x), z;
+    return columns;
+  };
+  return Quat(Mat3(frame(along, up) * frame(shape.along, shape.upward.normalized()).transpose()))
+      .normalized();
+}
+
+/// @param overlap_share by how much they overlap, as a share of the height of both
+/// @param yaw between ridge and keel (rad)
+inline CrossedPair cross(const CrossedShape& kind, Real size, Real overlap_share,
+                         Real yaw = pi / 2) {
+  CrossedPair crossed;
+  crossed.shape = scaled_shape(kind.fixture, size);
+  const Real heights = 2 * size * kind.upward.norm();
+  const Vec3 place(0, 0, heights * (1 - overlap_share));
+  const Vec3 keel(std::cos(yaw), std::sin(yaw), 0);
+  crossed.pair = {{crossed.shape.get(), {Vec3::Zero(), stand(kind, Vec3::UnitX(), Vec3::UnitZ())}},
+                  {crossed.shape.get(), {place, stand(kind, keel, -Vec3::UnitZ())}},
+                  kind.fixture + " crossed edge over edge"};
+  crossed.separation = double{place.z()} - double{heights};
+  return crossed;
+}
+
+}  // namespace cs550::test

@@ -1,0 +1,170 @@
+// L4.3: cross products of edges as axes.
+#include <cs550/graded_test.hpp>
+
+#include "lab4_separating_axis/axis_oracle.hpp"
+#include "lab4_separating_axis/crossed_shapes.hpp"
+#include "lab4_separating_axis/gauss_map.hpp"
+#include "support/fixtures.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_causes(Story story) {
+  return story.likely("the arcs of B on the Gauss map are those of its *negated* normals")
+      .likely("the axis points out of A: turn it until n·(sum of the normals beside A's edge) > 0")
+      .likely("the separation is signed, n·(p_B - p_A): a distance is never negative")
+      .likely("both edges, and the normals beside them, must be in one frame")
+      .likely("the axis is wanted in the world and of unit length");
+}
+
+/// The best separation over all pairs of edges whose arcs cross; `clear` leaves out those that cross so
+/// close to an end, or at such a small angle, that float may not see it.
+struct ExactEdges {
+  double clear = -HUGE_VAL;
+  double any = -HUGE_VAL;
+};
+
+ExactEdges exact_edges(const TestPair& pair) {
+  struct Edge {
+    Vec3d point, along, left, right;
+  };
+  const auto edges_of = [&](const PosedShape& body) {
+    const HalfEdgeMesh& mesh = body.mesh();
+    const ExactBody exact(body, pair.a.pose.position);
+    std::vector<Edge> edges;
+    for (Index e = 0; e < mesh.edge_count(); e += 2) {
+      const auto normal = [&](Index half) {
+        return exact.normals[static_cast<std::size_t>(mesh.edge(half).face)];
+      };
+      const auto origin = static_cast<std::size_t>(mesh.origin(e));
+      edges.push_back({exact.vertices[origin], exact.edges[static_cast<std::size_t>(e / 2)],
+                       normal(e), normal(e + 1)});
+    }
+    return edges;
+  };
+  ExactEdges best;
+  const std::vector<Edge> edges_b = edges_of(pair.b);
+  for (const Edge& a : edges_of(pair.a)) {
+    for (const Edge& b : edges_b) {
+      const Crossing crossing = crossing_by_lengths(a.left, a.right, -b.left, -b.right);
+      const Vec3d cross = a.along.cross(b.along);
+      if (crossing == Crossing::No || cross.norm() < 1e-6) continue;
+      const double outward = cross.dot(a.left + a.right) > 0 ? 1 : -1;
+      const double separation = (outward * cross.normalized()).dot(b.point - a.point);
+      best.any = std::max(best.any, separation);
+      const bool clear = crossing == Crossing::Yes && cross.norm() > 2 * double{parallel_sine};
+      if (clear) best.clear = std::max(best.clear, separation);
+    }
+  }
+  return best;
+}
+
+/// Checks that an answer is an axis of these two edges that separates by as much as it says.
+bool expect_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answer) {
+  const auto is_half_edge = [](const PosedShape& body, Index e) {
+    return e >= 0 && e < body.mesh().edge_count();
+  };
+  if (!here.expect("half-edges of A and of B", is_half_edge(pair.a, answer.edge_a) &&
+                                                   is_half_edge(pair.b, answer.edge_b))) {
+    return false;
+  }
+  const ExactBody a = pair.exact_a();
+  const ExactBody b = pair.exact_b();
+  const Vec3d axis = answer.axis.cast<double>();
+  const Vec3d along_a = a.edges[static_cast<std::size_t>(answer.edge_a / 2)];
+  const Vec3d along_b = b.edges[static_cast<std::size_t>(answer.edge_b / 2)];
+  const double sine = along_a.cross(along_b).norm();
+  const double tolerance = rounding * double{pair.larger_radius()};
+  return here.expect_near("length of the axis", axis.norm(), 1, 1e-5) &&
+         here.expect_at_least("sine between the edges", sine, 0.999 * double{parallel_sine}) &&
+         // The cross product of unit vectors is rounded by 1e-7, which the sine magnifies.
+         here.expect_near("axis along A's edge", axis.dot(along_a), 0, 1e-6 / sine) &&
+         here.expect_near("axis along B's edge", axis.dot(along_b), 0, 1e-6 / sine) &&
+         here.expect_near("separation along the axis, A to B", answer.separation,
+                          separation_along(a, b, axis.normalized()), tolerance / sine, "m");
+}
+
+GRADED_TEST(Lab4, EdgeQueryMatchesBruteForceOverAllPairs, 5, "L4.3") {
+  Random random(43);
+  Story story = with_causes(
+      Story("Of all pairs of edges whose arcs cross the answer has the largest separation"));
+  story.seed(random.seed()).when("query_edge_directions(A, B)");
+  const std::vector<ShapePtr> shapes = small_shapes();
+  int overlapping = 0;
+  for (int i = 0; i < 200; ++i) {
+    const TestPair pair = random_pair(random, shapes);
+    const EdgeQuery answer = query_edge_directions(pair.a, pair.b);
+    const ExactEdges exact = exact_edges(pair);
+    Story here = about(story, pair);
+    if (!here.expect("some arcs cross", static_cast<bool>(answer))) return;
+    if (!expect_edge_axis(here, pair, answer)) return;
+    const double tolerance = rounding * double{pair.larger_radius()};
+    if (!here.expect_at_least("separation against brute force", answer.separation,
+                              exact.clear - tolerance, "m") ||
+        !here.expect_at_most("separation against brute force", answer.separation,
+                             exact.any + tolerance, "m")) {
+      return;
+    }
+    if (exact.any < 0) ++overlapping;
+  }
+  story.expect_at_least("pairs with negative separation, so that both signs occur", overlapping,
+                        40);
+  story.expect_at_least("pairs with positive separation", 200 - overlapping, 40);
+}
+
+GRADED_TEST(Lab4, ParallelEdgesAreSkipped, 3, "L4.3") {
+  Random random(44);
+  Story story("Edges count as parallel by the sine between them, whatever their lengths");
+  story.seed(random.seed()).when("query_edge_directions() of boxes that are nearly aligned");
+  story.likely("compare |e_A x e_B| with parallel_sine·|e_A|·|e_B|, not with a constant")
+      .likely("a cross product of nearly nothing, normalised, is an axis of rounding errors");
+  const Quat rolled(Eigen::AngleAxis<Real>(pi / 4, Vec3::UnitX()));
+  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+    const ShapePtr box = scaled_shape("box_1x2x3", size);
+    for (int i = 0; i < 100; ++i) {
+      // All three directions of edges of each box are met: half of the pairs enclose less than the
+      // limit, the others more.
+      const Real angle = i % 2 == 0 ? Real(4e-4) : Real(4e-3);
+      const Quat turn = rotation_exp(angle * random.unit_vector()) * rolled;
+      const Vec3 place = size * Vec3(0, 0, Real(2.5));
+      const TestPair pair{{box.get(), {Vec3::Zero(), Quat::Identity()}},
+                          {box.get(), {place, turn}},
+                          "a box above a box, rolled by 45 degrees and a little"};
+      Story here = about(story, pair);
+      here.given("size", size, "m").given("a little", angle, "rad");
+      const EdgeQuery answer = query_edge_directions(pair.a, pair.b);
+      if (answer && !expect_edge_axis(here, pair, answer)) return;
+      const ExactEdges exact = exact_edges(pair);
+      if (exact.clear > -HUGE_VAL &&
+          !here.expect("an answer where arcs cross", static_cast<bool>(answer))) {
+        return;
+      }
+    }
+  }
+}
+
+GRADED_TEST(Lab4, CrossedEdgesAtAnySize, 4, "L4.3") {
+  Story story = with_causes(Story("Two bodies that cross edge over edge separate by their "
+                                  "distance less both heights, along the vertical"));
+  story.likely("a tolerance in metres that fits a box of 1 m is wrong for one of 12 mm");
+  for (const Real size : {Real(1e-3), Real(0.012), Real(1), Real(1e3)}) {
+    for (const CrossedShape& shape : crossed_shapes()) {
+      for (const Real overlap_share : {Real(0.05), Real(-0.05)}) {
+        const CrossedPair crossed = cross(shape, size, overlap_share);
+        const EdgeQuery answer = query_edge_directions(crossed.pair.a, crossed.pair.b);
+        Story here = about(story, crossed.pair);
+        here.given("size", size, "m");
+        if (!here.expect("some arcs cross", static_cast<bool>(answer))) return;
+        const double tolerance = rounding * double{size};
+        if (!here.expect_near("separation", answer.separation, crossed.separation, tolerance,
+                              "m") ||
+            !here.expect_near("axis", answer.axis, Vec3::UnitZ(), 1e-5)) {
+          return;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,95 @@
+// L4.2: face normals as axes.
+#include <cs550/graded_test.hpp>
+
+#include "lab4_separating_axis/axis_oracle.hpp"
+#include "support/fixtures.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_causes(Story story) {
+  return story.likely("B's vertex is the deepest behind the face: the support in direction -n")
+      .likely("B's vertices are in B's frame: bring the direction there, or the vertices here")
+      .likely("the distance of the vertex from the face's plane, with its sign")
+      .likely("the *largest* of these distances is the answer, even if all are negative");
+}
+
+GRADED_TEST(Lab4, FaceQueryMatchesBruteForce, 4, "L4.2") {
+  Random random(42);
+  Story story = with_causes(
+      Story("The best face has the largest, over faces, of the smallest distance of B's vertices"));
+  story.seed(random.seed()).when("query_face_directions(A, B)");
+  const std::vector<ShapePtr> shapes = small_shapes();
+  int apart = 0;
+  for (int i = 0; i < 300; ++i) {
+    const TestPair pair = random_pair(random, shapes);
+    const FaceQuery answer = query_face_directions(pair.a, pair.b);
+    Story here = about(story, pair);
+    if (!here.expect("the answer names a face of A",
+                     answer.face >= 0 && answer.face < pair.a.mesh().face_count()) ||
+        !here.expect("and a vertex of B",
+                     answer.vertex >= 0 && answer.vertex < pair.b.mesh().vertex_count())) {
+      return;
+    }
+    const double tolerance = rounding * double{pair.larger_radius()};
+    const double best = best_separations(pair.exact_a(), pair.exact_b()).face_a;
+    if (!here.expect_near("separation", answer.separation, best, tolerance, "m")) return;
+    const Real distance = pair.a.plane(answer.face).distance(pair.b.vertex(answer.vertex));
+    if (!here.expect_near("distance of that vertex from that face", distance, best, tolerance,
+                          "m")) {
+      return;
+    }
+    if (best > 0) ++apart;
+  }
+  story.expect_at_least("pairs that a face separates, so that both signs occur", apart, 30);
+  story.expect_at_least("pairs that no face separates", 300 - apart, 30);
+}
+
+GRADED_TEST(Lab4, FaceQueryOfBoxesIsKnown, 3, "L4.2") {
+  Story story = with_causes(Story("Boxes whose separations can be read off a sketch"));
+  story.given("A: a cube of 1 m at the origin").given("B: a box of 1 x 2 x 3 m, not turned");
+  story.likely("for B's faces swap the arguments: no sign changes inside");
+  const ShapePtr cube = fixture_shape("cube");
+  const ShapePtr box = fixture_shape("box_1x2x3");
+  const struct {
+    Vec3 position;
+    double separation;
+    Vec3 normal;
+  } cases[] = {
+      {{0, 0, Real(1.75)}, -0.25, Vec3::UnitZ()}, {{0, 0, Real(2.25)}, 0.25, Vec3::UnitZ()},
+      {{Real(-0.75), 0, 0}, -0.25, -Vec3::UnitX()}, {{0, 3, 1}, 1.5, Vec3::UnitY()},
+  };
+  for (const auto& expected : cases) {
+    const PosedShape a{cube.get(), {Vec3::Zero(), Quat::Identity()}};
+    const PosedShape b{box.get(), {expected.position, Quat::Identity()}};
+    Story here = story;
+    here.given("position of B", expected.position, "m");
+    const FaceQuery of_a = query_face_directions(a, b);
+    const FaceQuery of_b = query_face_directions(b, a);
+    if (!here.expect("both answers name a face", of_a && of_b)) return;
+    if (!here.expect_near("separation, faces of A", of_a.separation, expected.separation, 1e-6,
+                          "m") ||
+        !here.expect_near("separation, faces of B", of_b.separation, expected.separation, 1e-6,
+                          "m") ||
+        !here.expect_near("normal of the best face of A", a.plane(of_a.face).normal,
+                          expected.normal, 1e-6) ||
+        !here.expect_near("normal of the best face of B", b.plane(of_b.face).normal,
+                          -expected.normal, 1e-6)) {
+      return;
+    }
+  }
+}
+
+GRADED_TEST(Lab4, FirstOfEqualFacesWins, 1, "L4.2") {
+  Story story("Of equally good faces the first one wins");
+  story.likely("only a strictly larger separation takes over: > and not >=");
+  story.given("two cubes of 1 m in the same place: every face has separation -1 m");
+  const ShapePtr cube = fixture_shape("cube");
+  const PosedShape body{cube.get(), {Vec3::Zero(), Quat::Identity()}};
+  const FaceQuery answer = query_face_directions(body, body);
+  story.expect_equal("best face", answer.face, Index{0});
+  story.expect_near("separation", answer.separation, -1, 1e-6, "m");
+}
+
+}  // namespace
+}  // namespace cs550::test

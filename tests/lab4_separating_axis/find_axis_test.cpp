@@ -1,0 +1,189 @@
+// L4.4: the best axis of all.
+#include <cs550/graded_test.hpp>
+
+#include "lab4_separating_axis/axis_oracle.hpp"
+#include "lab4_separating_axis/crossed_shapes.hpp"
+#include "support/fixtures.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_causes(Story story) {
+  return story.likely("the answer is the *largest* separation of faces of A, faces of B and edges")
+      .likely("the axis points from A to B: a face of B gives its negated normal")
+      .likely("axis and separation belong to the feature that is named");
+}
+
+/// How many pairs of each kind a test has met: a bound is worth something only if all kinds occur.
+struct Census {
+  int separated = 0;
+  int within_margin = 0;
+  int penetrating = 0;
+  int edges_win = 0;
+
+  void count(const SeparatingAxis& answer, Real margin) {
+    if (answer.separation > margin) {
+      ++separated;
+      return;
+    }
+    ++(answer.separation > 0 ? within_margin : penetrating);
+    if (answer.feature == AxisFeature::Edges) ++edges_win;
+  }
+  void expect_variety(Story& story, int pairs) const {
+    story.expect_at_least("pairs separated by more than the margin", separated, pairs / 8);
+    story.expect_at_least("pairs apart by less than the margin", within_margin, pairs / 20);
+    story.expect_at_least("pairs that penetrate", penetrating, pairs / 4);
+    story.expect_at_least("pairs where edges are best", edges_win, pairs / 10);
+  }
+};
+
+GRADED_TEST(Lab4, AxisMatchesBruteForce, 5, "L4.4", Long) {
+  Random random(45);
+  Story story = with_causes(Story("No face normal and no cross product of edges separates more"));
+  story.seed(random.seed()).when("find_separating_axis() without a hint");
+  constexpr int pairs = 4096;
+  Census census;
+  const std::vector<ShapePtr> shapes = small_shapes();
+  for (int i = 0; i < pairs; ++i) {
+    const TestPair pair = random_pair(random, shapes);
+    const Real margin = Real(0.1) * pair.smaller_radius();
+    const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, {}, margin);
+    Story here = story;
+    here.given("pair number", i).given("margin", margin, "m");
+    if (!expect_best_axis(here, pair, answer, margin, rounding)) return;
+    census.count(answer, margin);
+  }
+  census.expect_variety(story, pairs);
+}
+
+GRADED_TEST(Lab4, AxisAtAnySizeAndFarFromTheOrigin, 2, "L4.4") {
+  Random random(46);
+  Story story = with_causes(Story("Neither the unit of length nor the place changes the axis"));
+  story.seed(random.seed()).when("find_separating_axis() without a hint");
+  story.likely("tolerances are relative: sines, and shares of the smaller radius");
+  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+    const std::vector<ShapePtr> shapes = small_shapes(size);
+    for (const Real distance : {Real(0), Real(1000) * size}) {
+      for (int i = 0; i < 40; ++i) {
+        const TestPair pair = random_pair(random, shapes, distance * random.unit_vector());
+        const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, {}, HUGE_VALF);
+        Story here = story;
+        here.given("size", size, "m").given("distance from the origin", distance, "m");
+        // Coordinates of 1000 sizes are rounded to 6e-5 sizes: room for who works in the world frame.
+        const double tolerance = distance > 0 ? 5e-4 : rounding;
+        if (!expect_best_axis(here, pair, answer, HUGE_VALF, tolerance)) return;
+      }
+    }
+  }
+}
+
+GRADED_TEST(Lab4, SwappedBodiesTurnTheAxisRound, 1, "L4.4") {
+  Random random(47);
+  Story story = with_causes(Story("Swapping A and B keeps the separation and turns the axis round"));
+  story.seed(random.seed()).when("find_separating_axis(A, B) and find_separating_axis(B, A)");
+  const std::vector<ShapePtr> shapes = small_shapes();
+  for (int i = 0; i < 100; ++i) {
+    const TestPair pair = random_pair(random, shapes);
+    const SeparatingAxis one = find_separating_axis(pair.a, pair.b, {}, HUGE_VALF);
+    const SeparatingAxis other = find_separating_axis(pair.b, pair.a, {}, HUGE_VALF);
+    const double tie = double{tie_tolerance} * double{pair.smaller_radius()};
+    const double tolerance = tie + rounding * double{pair.larger_radius()};
+    Story here = about(story, pair);
+    if (!here.expect_near("separation after the swap", other.separation, one.separation, tolerance,
+                          "m")) {
+      return;
+    }
+  }
+  for (const CrossedShape& shape : crossed_shapes()) {
+    const CrossedPair crossed = cross(shape, 1, Real(0.05));
+    const TestPair swapped = crossed.pair.swapped();
+    const SeparatingAxis answer = find_separating_axis(swapped.a, swapped.b, {}, HUGE_VALF);
+    Story here = about(story, swapped);
+    if (!here.expect_near("axis", answer.axis, -Vec3::UnitZ(), 1e-5)) return;
+  }
+}
+
+GRADED_TEST(Lab4, TheMarginEndsTheSearch, 3, "L4.4") {
+  Story story("A separation beyond the margin is an early out, the hint's own feature first");
+  story.given("two cubes of 1 m, B at (2, 3, 0) m: x separates by 1 m, y by 2 m");
+  story.likely("evaluate the face or the edges of the hint at today's poses before all others")
+      .likely("stop when separation > margin, not when it is > 0")
+      .likely("a margin of HUGE_VALF never stops: then the largest separation is wanted");
+  const ShapePtr cube = fixture_shape("cube");
+  const PosedShape a{cube.get(), {Vec3::Zero(), Quat::Identity()}};
+  const PosedShape b{cube.get(), {Vec3(2, 3, 0), Quat::Identity()}};
+  const TestPair pair{a, b, "two cubes"};
+  const auto face_towards = [&](const Vec3& normal) {
+    Index face = 0;
+    while (cube->mesh.face(face).plane.normal.dot(normal) < Real(0.99)) ++face;
+    return face;
+  };
+
+  SeparatingAxis hint_a;
+  hint_a.feature = AxisFeature::FaceA;
+  hint_a.face_a = {face_towards(Vec3::UnitX()), 0, 1};
+  SeparatingAxis hint_b;
+  hint_b.feature = AxisFeature::FaceB;
+  hint_b.face_b = {face_towards(-Vec3::UnitX()), 0, 1};
+  for (const SeparatingAxis& hint : {hint_a, hint_b}) {
+    Story here = story;
+    here.given(hint.feature == AxisFeature::FaceA ? "hint: A's face towards +x"
+                                                  : "hint: B's face towards -x");
+    const SeparatingAxis early = find_separating_axis(a, b, hint, Real(0.5));
+    Story stops = here;
+    stops.given("margin 0.5 m");
+    if (!stops.expect("the answer has the feature of the hint", early.feature == hint.feature) ||
+        !stops.expect_near("separation", early.separation, 1, 1e-6, "m") ||
+        !stops.expect_near("axis", early.axis, Vec3::UnitX(), 1e-6)) {
+      return;
+    }
+    const SeparatingAxis full = find_separating_axis(a, b, hint, HUGE_VALF);
+    Story goes_on = here;
+    goes_on.given("margin: none");
+    if (!goes_on.expect_near("separation", full.separation, 2, 1e-6, "m")) return;
+  }
+  const SeparatingAxis unhinted = find_separating_axis(a, b, {}, Real(0.5));
+  story.expect("without a hint: an axis beyond the margin", unhinted.separation > Real(0.5));
+  expect_best_axis(story, pair, unhinted, Real(0.5), rounding);
+  const SeparatingAxis wide = find_separating_axis(a, b, hint_a, Real(1.5));
+  story.expect_near("with a margin of 1.5 m, which x does not pass: separation", wide.separation, 2,
+                    1e-6, "m");
+}
+
+GRADED_TEST(Lab4, AStaleHintIsNotBelieved, 2, "L4.4") {
+  Story story("A hint says where to look first, not what is there");
+  story.likely("measure the hinted face again: the bodies have moved")
+      .likely("hinted edges count only while their arcs still cross")
+      .likely("what the hint's separation was does not matter");
+  const CrossedPair crossed = cross(crossed_shapes()[0], 1, Real(0.05));
+  const PosedShape& a = crossed.pair.a;
+  const PosedShape& b = crossed.pair.b;
+  const HalfEdgeMesh& mesh = a.mesh();
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    SeparatingAxis hint;
+    hint.feature = face % 2 == 0 ? AxisFeature::FaceA : AxisFeature::FaceB;
+    hint.axis = Vec3::UnitX();
+    hint.separation = 5;
+    hint.face_a = hint.face_b = {face, 0, 5};
+    const SeparatingAxis answer = find_separating_axis(a, b, hint, Real(0.01));
+    Story here = about(story, crossed.pair);
+    here.given("hint: a face that separated by 5 m, number", face);
+    if (!expect_best_axis(here, crossed.pair, answer, Real(0.01), rounding)) return;
+  }
+  for (Index e_a = 0; e_a < mesh.edge_count(); e_a += 2) {
+    for (Index e_b = 0; e_b < mesh.edge_count(); e_b += 2) {
+      SeparatingAxis hint;
+      hint.feature = AxisFeature::Edges;
+      hint.axis = Vec3::UnitX();
+      hint.separation = 5;
+      hint.edges = {e_a, e_b, Vec3::UnitX(), 5};
+      const SeparatingAxis answer = find_separating_axis(a, b, hint, Real(0.01));
+      Story here = about(story, crossed.pair);
+      here.given("hint: half-edge of A", e_a).given("and of B", e_b);
+      if (!expect_best_axis(here, crossed.pair, answer, Real(0.01), rounding)) return;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

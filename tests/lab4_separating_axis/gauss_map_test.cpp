@@ -1,0 +1,85 @@
+// L4.1: whether two arcs of the unit sphere cross.
+#include <cs550/graded_test.hpp>
+
+#include "cs550/separating_axis.hpp"
+#include "lab4_separating_axis/gauss_map.hpp"
+#include "support/random.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_causes(Story story) {
+  return story.likely("the ends of each arc must lie on both sides of the other arc's plane")
+      .likely("two great circles meet twice: the arcs must lie in the same hemisphere")
+      .likely("with edge directions in place of the cross products, take both with the same sign");
+}
+
+/// A second point of the sphere, less than a half circle away.
+Vec3 arc_end(Random& random, const Vec3& begin) {
+  const Vec3 sideways = any_perpendicular(begin);
+  const Real turn = random.real(-pi, pi);
+  const Vec3 away = std::cos(turn) * sideways + std::sin(turn) * begin.cross(sideways);
+  const Real length = random.real(Real(0.05), Real(2.6));
+  return std::cos(length) * begin + std::sin(length) * away;
+}
+
+GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
+  Random random(41);
+  Story story = with_causes(Story("Two arcs make a Minkowski face if and only if they cross"));
+  story.seed(random.seed()).when("is_minkowski_face(a, b, c, d)");
+  int crossing = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 a = random.unit_vector();
+    const Vec3 b = arc_end(random, a);
+    const Vec3 c = random.unit_vector();
+    const Vec3 d = arc_end(random, c);
+    const Crossing expected = crossing_by_lengths(a.cast<double>(), b.cast<double>(),
+                                                  c.cast<double>(), d.cast<double>());
+    if (expected == Crossing::TooCloseToTell) continue;
+    if (expected == Crossing::Yes) ++crossing;
+    Story here = story;
+    here.given("a", a).given("b", b).given("c", c).given("d", d);
+    const bool got = is_minkowski_face(a, b, c, d);
+    if (!here.expect_equal("the arcs cross", got, expected == Crossing::Yes)) return;
+  }
+  story.expect_at_least("pairs that cross, so that both answers are asked for", crossing, 300);
+}
+
+GRADED_TEST(Lab4, ArcsThatTouchOrLieOppositeDoNotCross, 3, "L4.1") {
+  Story story = with_causes(
+      Story("Arcs that only touch, and arcs on opposite sides of the sphere, do not cross"));
+  story.likely("strictly on both sides: < 0 and not <= 0");
+  const Vec3 x = Vec3::UnitX();
+  const Vec3 y = Vec3::UnitY();
+  const Vec3 z = Vec3::UnitZ();
+  const Vec3 up = Vec3(0, 1, 1).normalized();
+  const Vec3 down = Vec3(0, 1, -1).normalized();
+  const Vec3 left = Vec3(1, 1, 0).normalized();
+  const Vec3 right = Vec3(-1, 1, 0).normalized();
+  const struct {
+    const char* what;
+    Vec3 a, b, c, d;
+    bool crosses;
+  } cases[] = {
+      {"a cross about +y", left, right, up, down, true},
+      {"a cross about +y, one arc the other way round", left, right, down, up, true},
+      {"the second arc about -y instead", left, right, -up, -down, false},
+      {"the first arc about -y instead", -left, -right, up, down, false},
+      {"a common end", x, y, y, z, false},
+      {"the same arc twice", x, y, x, y, false},
+      {"one ends on the other", x, y, left, Vec3(1, 1, 1).normalized(), false},
+      {"two pieces of one circle that overlap", x, right, left, y, false},
+      {"far apart", x, left, -x, up, false},
+  };
+  for (const auto& arcs : cases) {
+    Story here = story;
+    here.given(arcs.what).given("a", arcs.a).given("b", arcs.b);
+    here.given("c", arcs.c).given("d", arcs.d);
+    const bool got = is_minkowski_face(arcs.a, arcs.b, arcs.c, arcs.d);
+    if (!here.expect_equal("the arcs cross", got, arcs.crosses)) return;
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,11 @@
+#pragma once
+// Whether two bodies overlap, by libccd: Gilbert, Johnson & Keerthi (1988), which knows only support
+// points and shares nothing with the separating axis test.
+
+#include "lab4_separating_axis/axis_oracle.hpp"
+
+namespace cs550::test {
+
+bool gjk_overlap(const ExactBody& a, const ExactBody& b);
+
+}  // namespace cs550::test

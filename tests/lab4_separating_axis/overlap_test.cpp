@@ -1,0 +1,66 @@
+// L4.5: yes or no.
+#include <cs550/graded_test.hpp>
+
+#include "lab4_separating_axis/gjk.hpp"
+#include "support/fixtures.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_causes(Story story) {
+  return story.likely("bodies overlap if *no* axis separates: every kind of axis must be asked")
+      .likely("touching counts: a separation of exactly 0 is no separation");
+}
+
+/// Whether the pair is so close to touching that one more rounding may decide; GJK has a tolerance
+/// of its own.
+bool nearly_touching(const ExactBody& a, const ExactBody& b) {
+  return std::abs(best_separations(a, b).largest()) < 1e-4 * std::max(a.size, b.size);
+}
+
+GRADED_TEST(Lab4, OverlapAgreesWithGjk, 3, "L4.5", Long) {
+  Random random(48);
+  Story story = with_causes(Story("The bodies overlap if and only if GJK, in libccd, says so"));
+  story.seed(random.seed()).when("overlap(A, B)");
+  constexpr int pairs = 4096;
+  int overlapping = 0;
+  const std::vector<ShapePtr> shapes = small_shapes();
+  for (int i = 0; i < pairs; ++i) {
+    const TestPair pair = random_pair(random, shapes);
+    const ExactBody a = pair.exact_a();
+    const ExactBody b = pair.exact_b();
+    const bool expected = gjk_overlap(a, b);
+    const bool got = overlap(pair.a, pair.b);
+    if (got != expected && nearly_touching(a, b)) continue;
+    Story here = about(story, pair);
+    here.given("pair number", i);
+    if (!here.expect_equal("they overlap", got, expected)) return;
+    if (got) ++overlapping;
+  }
+  story.expect_at_least("pairs that overlap", overlapping, pairs / 4);
+  story.expect_at_least("pairs that do not", pairs - overlapping, pairs / 4);
+}
+
+GRADED_TEST(Lab4, CubesThatTouchOverlap, 1, "L4.5") {
+  Story story = with_causes(Story("Cubes overlap up to the moment when they just touch"));
+  const ShapePtr cube = fixture_shape("cube");
+  const struct {
+    Vec3 position;
+    bool overlaps;
+  } cases[] = {
+      {{0, 0, 0}, true},        {{Real(0.5), Real(0.5), Real(0.5)}, true},
+      {{1, 0, 0}, true},        {{1, 1, 1}, true},
+      {{Real(1.01), 0, 0}, false}, {{0, 0, Real(-1.01)}, false},
+      {{0, -3, 0}, false},
+  };
+  for (const auto& expected : cases) {
+    const PosedShape a{cube.get(), {Vec3::Zero(), Quat::Identity()}};
+    const PosedShape b{cube.get(), {expected.position, Quat::Identity()}};
+    Story here = story;
+    here.given("two cubes of 1 m, B at", expected.position, "m");
+    if (!here.expect_equal("they overlap", overlap(a, b), expected.overlaps)) return;
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,100 @@
+// L4.4: which feature wins when several are equally good, and that none wins when it is not.
+#include <cs550/graded_test.hpp>
+
+#include "lab4_separating_axis/axis_oracle.hpp"
+#include "lab4_separating_axis/crossed_shapes.hpp"
+
+namespace cs550::test {
+namespace {
+
+/// Two cubes, edge over edge, pushed so deep into each other that a face of each and the edges have
+/// the same separation: z − √2 = −½ − ½√2 times the size.
+constexpr Real tie_height = Real(0.20710678);
+constexpr double tie_separation = -1.2071068;
+
+CrossedPair deep_cubes(Real size) {
+  CrossedPair crossed = cross(crossed_shapes()[0], size, 0);
+  crossed.pair.b.pose.position = Vec3(0, 0, tie_height * size);
+  return crossed;
+}
+
+SeparatingAxis hint_of_kind(AxisFeature kind, const TestPair& pair) {
+  SeparatingAxis hint;
+  hint.feature = kind;
+  hint.face_a = query_face_directions(pair.a, pair.b);
+  hint.face_b = query_face_directions(pair.b, pair.a);
+  hint.edges = query_edge_directions(pair.a, pair.b);
+  return hint;
+}
+
+std::string name_of(AxisFeature feature) {
+  const char* names[] = {"None", "FaceA", "FaceB", "Edges"};
+  return names[static_cast<int>(feature)];
+}
+
+GRADED_TEST(Lab4, TiesKeepTheKindOfTheHint, 3, "L4.4") {
+  Story story("On a tie last step's kind of feature stays; without one A's face comes first");
+  story.given("two crossed cubes, so deep that a face of A, a face of B and the edges tie");
+  story.likely("a tie is a difference below tie_tolerance times the smaller radius: relative")
+      .likely("compare every kind with the largest separation, not each with the one before");
+  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+    const CrossedPair crossed = deep_cubes(size);
+    const TestPair& pair = crossed.pair;
+    for (const AxisFeature kind :
+         {AxisFeature::None, AxisFeature::FaceA, AxisFeature::FaceB, AxisFeature::Edges}) {
+      const SeparatingAxis hint = hint_of_kind(kind, pair);
+      const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, hint, 0);
+      const AxisFeature expected = kind == AxisFeature::None ? AxisFeature::FaceA : kind;
+      Story here = about(story, pair);
+      here.given("size", size, "m").given("hint", name_of(kind));
+      if (!here.expect_near("separation", answer.separation, tie_separation * double{size},
+                            2e-4 * double{size}, "m") ||
+          !here.expect_equal("feature", name_of(answer.feature), name_of(expected))) {
+        return;
+      }
+    }
+  }
+}
+
+/// The kind that is better than the two others by 1 % of the smaller radius; None if there is none.
+AxisFeature clearly_best(const TestPair& pair) {
+  const BestSeparations best = best_separations(pair.exact_a(), pair.exact_b());
+  const double clear = 0.01 * double{pair.smaller_radius()};
+  if (best.face_a > std::max(best.face_b, best.edges) + clear) return AxisFeature::FaceA;
+  if (best.face_b > std::max(best.face_a, best.edges) + clear) return AxisFeature::FaceB;
+  if (best.edges > best.faces() + clear) return AxisFeature::Edges;
+  return AxisFeature::None;
+}
+
+GRADED_TEST(Lab4, AHintDoesNotWinAgainstABetterAxis, 2, "L4.4") {
+  Random random(49);
+  Story story("However deep the bodies are, the largest separation wins unless it is a tie");
+  story.seed(random.seed()).given("pairs whose best axis is better by 1 % of the smaller radius");
+  story.likely("separations are negative here: a tolerance as a factor turns the wrong way")
+      .likely("the tolerance is a share of the radius, not of the depth, and not in metres");
+  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+    const std::vector<ShapePtr> shapes = small_shapes(size);
+    int seen[4] = {0, 0, 0, 0};
+    for (int i = 0; i < 150; ++i) {
+      TestPair pair = random_pair(random, shapes);
+      pair.b.pose.position *= Real(0.5);  // deep
+      const AxisFeature best = clearly_best(pair);
+      if (best == AxisFeature::None) continue;
+      ++seen[static_cast<int>(best)];
+      for (const AxisFeature kind :
+           {AxisFeature::None, AxisFeature::FaceA, AxisFeature::FaceB, AxisFeature::Edges}) {
+        const SeparatingAxis hint = hint_of_kind(kind, pair);
+        const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, hint, HUGE_VALF);
+        Story here = about(story, pair);
+        here.given("size", size, "m").given("hint", name_of(kind));
+        if (!here.expect_equal("feature", name_of(answer.feature), name_of(best))) return;
+      }
+    }
+    for (int kind = 1; kind < 4; ++kind) {
+      story.expect_at_least("pairs in which each kind is the best", seen[kind], 10);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test
