@@ -1,0 +1,159 @@
+// L5.6: which manifold is built.
+#include <cs550/graded_test.hpp>
+
+#include "lab5_clipping/overlapping_pairs.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_choice_causes(Story story) {
+  return story
+      .likely(
+          "an edge's separation is compared with the *face query's*, not with what clipping left")
+      .likely("the preference makes it harder for the edges: edges > face + preference")
+      .likely("a preference as a factor of the depth grows with it; it is a share of the radius")
+      .likely(
+          "clipping lost the deepest point: fall back to the edges, then to the deepest vertex");
+}
+
+GRADED_TEST(Lab5, OverlappingBodiesReportTheirDepth, 3, "L5.6") {
+  Random random(61);
+  Story story = with_choice_causes(
+      Story("Bodies that overlap always touch, as deep as their separating axis says"));
+  story.seed(random.seed()).when("build_manifold() with margin 0");
+  std::vector<ShapePtr> shapes;
+  for (const char* name : {"cube", "box_1x2x3", "prism6", "corner_tetrahedron", "sliver", "needle",
+                           "dodecahedron", "hull8", "hull16"}) {
+    shapes.push_back(fixture_shape(name));
+  }
+  ReferenceCount seen{};
+  for (int i = 0; i < 3000; ++i) {
+    const OverlappingPair pair(random, shapes, Vec3::Zero());
+    if (!expect_depth(story, pair.a.body, pair.b.body, pair.axis, seen)) return;
+  }
+  for (const AxisFeature kind : {AxisFeature::FaceA, AxisFeature::FaceB, AxisFeature::Edges}) {
+    story.expect_at_least("manifolds of each kind (faces of A, of B, edges)",
+                          seen[static_cast<std::size_t>(kind)], 300);
+  }
+}
+
+GRADED_TEST(Lab5, EdgesAreComparedWithTheFaceQuery, 2, "L5.6") {
+  Story story = with_choice_causes(Story(
+      "Edges that separate best win, though clipping leaves a point that is hardly deep at all"));
+  struct Case {
+    Vec3 position;
+    Vec3 axis;
+    Real degrees;
+  };
+  const Case cases[] = {
+      {Vec3(Real(0.66), Real(1.49), Real(1.57)), Vec3(Real(-0.44), Real(0.94), Real(0.47)), 63},
+      {Vec3(Real(-1.69), Real(0.76), Real(-1.17)), Vec3(Real(0.26), Real(-0.9), Real(-0.5)), 151},
+      {Vec3(Real(1.4), Real(0.04), Real(0.04)), Vec3(Real(-0.77), Real(0.34), Real(0.22)), 161},
+      {Vec3(Real(0.3), Real(-1.17), Real(-1.2)), Vec3(Real(0.34), Real(-0.76), Real(-0.11)), 168}};
+  for (const Case& one : cases) {
+    const Placed a(fixture_shape("cube"), Pose{});
+    const Placed b(fixture_shape("box_1x2x3"), {one.position, turned(one.degrees, one.axis)});
+    const SeparatingAxis axis = find_separating_axis(a.body, b.body, {}, 0);
+    Story here = story;
+    here.given("a box of 1 m × 2 m × 3 m, 10 to 40 cm deep in a cube of 1 m, at", one.position,
+               "m");
+    ReferenceCount seen{};
+    if (!expect_depth(here, a.body, b.body, axis, seen)) return;
+    here.expect_equal("manifolds made by edges", seen[static_cast<std::size_t>(AxisFeature::Edges)],
+                      1);
+  }
+}
+
+GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
+  Story story = with_choice_causes(Story(
+      "Edges replace a face only if they are better by edge_preference × the smaller radius"));
+  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+    for (const Real depth : {Real(0.001), Real(0.1), Real(0.4)}) {
+      const Placed a(scaled_shape("slab", size), Pose{});
+      const Placed b(scaled_shape("cube", size),
+                     {size * Vec3(0, 0, Real(0.55) - depth), Quat::Identity()});
+      const Index top = face_towards(a.shape->mesh, Vec3::UnitZ());
+      const Index bottom = face_towards(b.shape->mesh, -Vec3::UnitZ());
+      SeparatingAxis axis = face_axis(a.body, b.body, AxisFeature::FaceA, top);
+      axis.face_b = face_axis(a.body, b.body, AxisFeature::FaceB, bottom).face_b;
+      axis.edges = {0, 9, Vec3::UnitZ(), 0};  // of z × z: never asked for their geometry's sake
+      const Real preference = edge_preference * b.shape->radius;
+
+      const auto built_with = [&](Real advantage, AxisFeature feature) {
+        SeparatingAxis changed = axis;
+        changed.edges.separation = axis.face_a.separation + advantage;
+        changed.feature = feature;
+        return build_manifold(a.body, b.body, changed, size).reference;
+      };
+      Story here = story;
+      here.given("a cube flat on a slab")
+          .given("side", size, "m")
+          .given("depth", depth * size, "m");
+      here.expect("edges better by half the preference: A's face wins",
+                  built_with(Real(0.5) * preference, AxisFeature::Edges) == AxisFeature::FaceA);
+      here.expect("edges better by twice the preference: edges win",
+                  built_with(2 * preference, AxisFeature::Edges) == AxisFeature::Edges);
+      here.expect("B's face, equal to A's: it wins if axis.feature says so",
+                  built_with(0, AxisFeature::FaceB) == AxisFeature::FaceB);
+    }
+  }
+}
+
+GRADED_TEST(Lab5, SwappedBodiesMirrorTheManifold, 2, "L5.6") {
+  Random random(62);
+  Story story = with_choice_causes(Story("Which body is called A changes no contact point"));
+  story.seed(random.seed()).likely("the normal points A → B: swapped bodies turn it round");
+  const std::vector<ShapePtr> shapes = {fixture_shape("cube"), fixture_shape("box_1x2x3"),
+                                        fixture_shape("regular_tetrahedron"),
+                                        fixture_shape("hull8")};
+  int compared = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const OverlappingPair pair(random, shapes, Vec3::Zero());
+    const PosedShape& a = pair.a.body;
+    const PosedShape& b = pair.b.body;
+    const Real smaller = std::min(a.shape->radius, b.shape->radius);
+    const Real between_faces = pair.axis.face_a.separation - pair.axis.face_b.separation;
+    if (std::abs(between_faces) < Real(0.01) * smaller) continue;  // a tie may go either way
+    const Manifold manifold = build_manifold(a, b, pair.axis, 0);
+    const Manifold mirrored = build_manifold(b, a, find_separating_axis(b, a, {}, 0), 0);
+    std::vector<Vec3> places;
+    for (const ContactPoint& point : manifold.points) {
+      places.push_back(middle(a, b, point).cast<Real>());
+    }
+    Story here = story;
+    here.given("the points as A and B").when("the arguments are swapped");
+    if (!here.expect_near("normal", mirrored.normal, -manifold.normal, 1e-4) ||
+        !here.expect_near("deepest separation", deepest_separation(mirrored),
+                          deepest_separation(manifold), 1e-5 * smaller, "m") ||
+        !expect_points(here, b, a, mirrored, places, Real(1e-4) * smaller)) {
+      return;
+    }
+    ++compared;
+  }
+  story.expect_at_least("pairs compared", compared, 500);
+}
+
+GRADED_TEST(Lab5, SeparatedBodiesTouchUpToTheMargin, 1, "L5.6") {
+  Story story = with_choice_causes(
+      Story("Bodies apart have contact points up to the margin, and none beyond it"));
+  story.likely("a separation above the margin gives an empty manifold");
+  const Placed a(fixture_shape("slab"), Pose{});
+  const Placed b(fixture_shape("cube"), {Vec3(0, 0, Real(0.6)), Quat::Identity()});
+  const Index top = face_towards(a.shape->mesh, Vec3::UnitZ());
+  const SeparatingAxis axis = face_axis(a.body, b.body, AxisFeature::FaceA, top);
+  story.given("a cube 5 cm above a slab");
+
+  Story within = story;
+  within.when("the margin is 10 cm");
+  const Manifold manifold = build_manifold(a.body, b.body, axis, Real(0.1));
+  within.expect_equal("points", manifold.points.size(), 4);
+  within.expect_near("separation", deepest_separation(manifold), 0.05, 1e-6, "m");
+  within.expect_near("normal", manifold.normal, Vec3::UnitZ(), 1e-6);
+
+  Story beyond = story;
+  beyond.when("the margin is 2 cm");
+  beyond.expect_equal("points", build_manifold(a.body, b.body, axis, Real(0.02)).points.size(), 0);
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,73 @@
+#pragma once
+/// @file contacts.hpp
+/// Bodies, polygons and axes made by hand for the tests of lab 5, and what a manifold must be, worked
+/// out in double precision and without the code under test.
+
+#include <string>
+#include <vector>
+
+#include "cs550/clipping.hpp"
+#include "support/fixtures.hpp"
+#include "support/random.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+
+using Point = Eigen::Vector3d;
+
+/// A fixture, `scale` times as large.
+ShapePtr scaled_shape(const std::string& fixture, Real scale);
+
+/// A shape at a pose, and its owner.
+struct Placed {
+  ShapePtr shape;
+  PosedShape body;
+
+  Placed(ShapePtr of, const Pose& pose) : shape(std::move(of)), body{shape.get(), pose} {}
+};
+
+/// A turn about an axis. @param degrees right-handed
+Quat turned(Real degrees, const Vec3& axis);
+
+/// `inner`, given in the frame of `outer`, in the frame that `outer` is given in.
+Pose composed(const Pose& outer, const Pose& inner);
+
+/// The face of a mesh that looks the most in a body direction.
+Index face_towards(const HalfEdgeMesh& mesh, const Vec3& direction);
+/// The vertex at a place in the body frame.
+Index vertex_at(const HalfEdgeMesh& mesh, const Vec3& place);
+/// The half-edge from one vertex to another.
+Index edge_between(const HalfEdgeMesh& mesh, Index from, Index to);
+
+/// The axis of a face of A (FaceA) or of B (FaceB), with its query filled in by brute force.
+SeparatingAxis face_axis(const PosedShape& a, const PosedShape& b, AxisFeature feature, Index face);
+/// The axis of two edges, oriented by the middles of the bodies.
+SeparatingAxis edge_axis(const PosedShape& a, const PosedShape& b, Index edge_a, Index edge_b);
+
+Point in_world(const PosedShape& body, const Vec3& point);
+/// Where a contact point is on A, on B, and half-way.
+Point on_a(const PosedShape& a, const ContactPoint& point);
+Point on_b(const PosedShape& b, const ContactPoint& point);
+Point middle(const PosedShape& a, const PosedShape& b, const ContactPoint& point);
+
+/// How far outside a body a world point is: the largest distance from its faces.
+double outside(const PosedShape& body, const Point& point);
+/// min n·(vertices of B) − max n·(vertices of A): how far apart the bodies are along n.
+double separation_along(const PosedShape& a, const PosedShape& b, const Vec3& n);
+
+Real deepest_separation(const Manifold& manifold);
+
+/// The area of the convex polygon of these points, in any order, seen along a normal.
+double area_of(const std::vector<Point>& points, const Point& normal);
+
+/// Checks that the middles of the points are these places, in any order and each once.
+bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
+                   const std::vector<Vec3>& expected, Real tolerance, SourceLine at = {});
+
+/// Checks what holds for every manifold: unit normal and tangent at right angles, separation =
+/// n·(point on B − point on A), both anchors on (or in) their bodies.
+/// @param size of the pair (m), to which rounding is relative
+bool expect_sound(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
+                  Real size, SourceLine at = {});
+
+}  // namespace cs550::test

@@ -1,0 +1,70 @@
+#pragma once
+/// @file overlapping_pairs.hpp
+/// Random pairs of fixtures that overlap, and what build_manifold() owes them. The axes are those of
+/// find_separating_axis(), which has lab 4's tests.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "lab5_clipping/contacts.hpp"
+
+namespace cs550::test {
+
+/// How far the depth of a manifold may be from the largest separation over all axes: the faces are
+/// preferred by edge_preference, and may be given up only beyond it. Rounding comes on top.
+inline Real depth_tolerance(const PosedShape& a, const PosedShape& b) {
+  return edge_preference * std::min(a.shape->radius, b.shape->radius) +
+         Real(3e-6) * (a.shape->radius + b.shape->radius);
+}
+
+/// Draws two bodies until they overlap by less than 0.4 of the smaller radius.
+/// @param origin where the first body is
+struct OverlappingPair {
+  Placed a;
+  Placed b;
+  SeparatingAxis axis;
+
+  OverlappingPair(Random& random, const std::vector<ShapePtr>& shapes, const Vec3& origin)
+      : a(pick(random, shapes), Pose{}), b(pick(random, shapes), Pose{}) {
+    const Real smaller = std::min(a.shape->radius, b.shape->radius);
+    do {
+      const Real distance = random.real(0, a.shape->radius + b.shape->radius);
+      a.body.pose = {origin, random.orientation()};
+      b.body.pose = {origin + distance * random.unit_vector(), random.orientation()};
+      axis = find_separating_axis(a.body, b.body, {}, 0);
+    } while (axis.separation > 0 || axis.separation < Real(-0.4) * smaller);
+  }
+
+ private:
+  static ShapePtr pick(Random& random, const std::vector<ShapePtr>& shapes) {
+    return shapes[static_cast<std::size_t>(random.integer(0, static_cast<int>(shapes.size()) - 1))];
+  }
+};
+
+/// How many manifolds of each kind were seen.
+using ReferenceCount = std::array<int, 4>;
+
+/// Checks one pair: a manifold that is sound and reports the depth of the axis.
+inline bool expect_depth(Story story, const PosedShape& a, const PosedShape& b,
+                         const SeparatingAxis& axis, ReferenceCount& seen, SourceLine at = {}) {
+  const Manifold manifold = build_manifold(a, b, axis, 0);
+  ++seen[static_cast<std::size_t>(manifold.reference)];
+  story.given("separation of A's best face", axis.face_a.separation, "m")
+      .given("separation of B's best face", axis.face_b.separation, "m");
+  if (axis.edges) story.given("separation of the best edges", axis.edges.separation, "m");
+  if (!story.expect_at_least("points of the manifold", manifold.points.size(), 1, "", at)) {
+    return false;
+  }
+  const double tolerance = static_cast<double>(depth_tolerance(a, b));
+  const Real size = a.shape->radius + b.shape->radius;
+  return story.expect_near("deepest point, against the largest separation of all axes",
+                           static_cast<double>(deepest_separation(manifold)),
+                           static_cast<double>(axis.separation), tolerance, "m", at) &&
+         story.expect_near("how far apart the bodies are along the manifold's normal",
+                           separation_along(a, b, manifold.normal),
+                           static_cast<double>(axis.separation), tolerance, "m", at) &&
+         expect_sound(story, a, b, manifold, size, at);
+}
+
+}  // namespace cs550::test

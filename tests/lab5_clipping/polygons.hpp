@@ -1,0 +1,70 @@
+#pragma once
+/// @file polygons.hpp
+/// Polygons made by hand for the tests of clip_polygon().
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cs550/clipping.hpp"
+#include "support/random.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+
+/// A polygon whose edge from corner i to corner i + 1 is called incident edge i.
+inline ClipPolygon polygon_of(const std::vector<Vec3>& corners) {
+  ClipPolygon polygon;
+  const Index count = static_cast<Index>(corners.size());
+  for (Index i = 0; i < count; ++i) {
+    polygon.push_back({corners[static_cast<std::size_t>(i)],
+                       {ClipEdge::Source::Incident, (i + count - 1) % count},
+                       {ClipEdge::Source::Incident, i}});
+  }
+  return polygon;
+}
+
+/// The square from (0, 0) to (1, 1) in the plane z = 0.
+inline ClipPolygon unit_square() {
+  return polygon_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)});
+}
+
+inline std::string show(const ClipPolygon& polygon) {
+  std::ostringstream text;
+  text << polygon.size() << " corners";
+  for (int i = 0; i < polygon.size(); ++i) {
+    text << (i == 0 ? ": " : ", ") << Story::show(polygon[i].point);
+  }
+  return text.str();
+}
+
+/// The same polygon, beginning with another corner.
+inline ClipPolygon rotated(const ClipPolygon& polygon, int first) {
+  ClipPolygon result;
+  for (int i = 0; i < polygon.size(); ++i) {
+    result.push_back(polygon[(first + i) % polygon.size()]);
+  }
+  return result;
+}
+
+inline bool same_corners(const ClipPolygon& p, const ClipPolygon& q, Real tolerance) {
+  for (int i = 0; i < p.size(); ++i) {
+    if (!((p[i].point - q[i].point).norm() <= tolerance)) return false;
+  }
+  return p.size() == q.size();
+}
+
+/// Checks the corners, in this order round the polygon; it may begin with any of them.
+inline bool expect_corners(Story& story, const ClipPolygon& got, const std::vector<Vec3>& expected,
+                           Real tolerance = 0, SourceLine at = {}) {
+  const ClipPolygon wanted = polygon_of(expected);
+  for (int first = 0; first < std::max(1, got.size()); ++first) {
+    if (got.size() == wanted.size() && same_corners(rotated(got, first), wanted, tolerance)) {
+      return true;
+    }
+  }
+  story.expect_equal("corners, counter-clockwise", show(got), show(wanted), at);
+  return false;
+}
+
+}  // namespace cs550::test

@@ -1,0 +1,103 @@
+// L5.5: four points in place of many.
+#include <cs550/graded_test.hpp>
+
+#include "lab5_clipping/reduction.hpp"
+
+namespace cs550::test {
+namespace {
+
+Story with_reduction_causes(Story story) {
+  return story.likely("the first point kept is the deepest: the one of *smallest* separation")
+      .likely("the second is the farthest from the deepest, not from the first of the list")
+      .likely("the third may lie on either side of their line: compare |area|")
+      .likely("the fourth adds area outside of the triangle, beyond any of its three edges")
+      .likely("anchor_a is in A's body frame, and so is the normal");
+}
+
+GRADED_TEST(Lab5, ReductionKeepsTheDeepestPoint, 1, "L5.5") {
+  Random random(58);
+  Story story = with_reduction_causes(Story("The deepest point is never given up"));
+  story.seed(random.seed()).given("a random ring of 5 to 14 points");
+  for (int i = 0; i < 500; ++i) {
+    const ContactRing ring(random, 1);
+    const auto kept = reduce_manifold(ring.points, ring.normal);
+    bool found = false;
+    for (const ContactPoint& point : kept) found |= point.feature == ring.deepest().feature;
+    if (!story.expect("the deepest point is kept", found)) return;
+  }
+}
+
+GRADED_TEST(Lab5, ReductionKeepsTheArea, 2, "L5.5") {
+  Random random(59);
+  Story story = with_reduction_causes(Story(
+      "Four points support nearly as large an area as the best four, the deepest among them"));
+  story.seed(random.seed()).given("random rings of 5 to 14 points");
+  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+    if (!expect_good_reductions(story, random, size, 100)) return;
+  }
+}
+
+GRADED_TEST(Lab5, FewOrCoincidingPointsAreKeptOnce, 1, "L5.5") {
+  Random random(60);
+  Story story = with_reduction_causes(Story("No point is invented, none is kept twice"));
+  const ContactRing ring(random, 1);
+  for (std::size_t count = 0; count <= 4; ++count) {
+    const auto kept = reduce_manifold({ring.points.data(), count}, ring.normal);
+    Story here = story;
+    here.given("points", count).when("reduced: there are not too many");
+    if (!here.expect_equal("points kept", kept.size(), static_cast<int>(count))) return;
+    for (int i = 0; i < kept.size(); ++i) {
+      here.expect("the same points in the same order",
+                  kept[i].feature == ring.points[static_cast<std::size_t>(i)].feature);
+    }
+  }
+
+  const auto doubled = [&](std::size_t places) {
+    std::vector<ContactPoint> points;
+    for (std::size_t i = 0; i < 6; ++i) points.push_back(ring.points[i % places]);
+    return reduce_manifold(points, ring.normal).size();
+  };
+  Story coinciding = story;
+  coinciding.given("six points at one, two or three places").when("reduced");
+  coinciding.expect_equal("points kept of one place", doubled(1), 1);
+  coinciding.expect_equal("points kept of two places", doubled(2), 2);
+  coinciding.expect_equal("points kept of three places", doubled(3), 3);
+
+  std::vector<ContactPoint> in_line(6);
+  for (std::size_t i = 0; i < in_line.size(); ++i) {
+    in_line[i].anchor_a = Vec3(static_cast<Real>(i), 0, 0);
+  }
+  Story line = story;
+  line.given("six points on one line").when("reduced");
+  line.expect_equal("points kept", reduce_manifold(in_line, Vec3::UnitZ()).size(), 2);
+}
+
+GRADED_TEST(Lab5, TurnedBoxKeepsFourPointsOfTheOctagon, 2, "L5.5") {
+  Story story = with_reduction_causes(Story(
+      "A box on a box, turned by 45°, touches it in an octagon: four of its corners are kept"));
+  story.given("a cube of 1 m on another one, turned by 45° about the vertical, 1 cm deep");
+  const ShapePtr cube = fixture_shape("cube");
+  const Placed a(cube, Pose{});
+  const Placed b(cube, {Vec3(0, 0, Real(0.99)), turned(45, Vec3::UnitZ())});
+  const Index top = face_towards(cube->mesh, Vec3::UnitZ());
+  const Manifold manifold =
+      face_manifold(a.body, b.body, face_axis(a.body, b.body, AxisFeature::FaceA, top), 0);
+
+  // The sides of the two squares cross at (±0.5, ±s) and (±s, ±0.5).
+  const double s = std::sqrt(0.5) - 0.5;
+  story.expect_equal("points", manifold.points.size(), 4);
+  std::vector<Point> points;
+  for (const ContactPoint& point : manifold.points) {
+    const Point place = on_b(b.body, point);
+    const double large = std::max(std::abs(place.x()), std::abs(place.y()));
+    const double small = std::min(std::abs(place.x()), std::abs(place.y()));
+    story.expect_near("larger coordinate of a corner", large, 0.5, 3e-4, "m");
+    story.expect_near("smaller coordinate of a corner", small, s, 3e-4, "m");
+    points.push_back(place);
+  }
+  // The octagon has 0.828 m², the best four of its corners 0.586 m² (a square).
+  story.expect_at_least("area", area_of(points, Point::UnitZ()), least_share * 0.586, "m²");
+}
+
+}  // namespace
+}  // namespace cs550::test
