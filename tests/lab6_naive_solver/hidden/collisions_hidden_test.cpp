@@ -27,7 +27,7 @@ GRADED_TEST(Lab6, EffectiveMassOfNeedlesAndPlates, 3, "L6.1") {
   }
 }
 
-GRADED_TEST(Lab6, SpinningBodyStrikesAWall, 3, "L6.3") {
+GRADED_TEST(Lab6, SpinningBodyStrikesAWall, 3, "L6.4") {
   Random random(602);
   for (const Real size : {Real(0.05), Real(1), Real(20)}) {
     Collision at = random_collision(random, size, Real(0.3));
