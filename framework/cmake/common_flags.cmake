@@ -32,17 +32,22 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(cs550_isolable INTERFACE -fno-gnu-unique)
 endif()
 
-# cs550_precompile(target group header...): only where files are edited and rebuilt all day. The
-# targets of a group have the same flags and share what the first of them compiled.
-function(cs550_precompile target group)
-  if(NOT CS550_PCH)
-    return()
+# Precompiled headers, only for what is edited and rebuilt all day.
+#   cs550_precompiled_headers(name LIBRARIES library... HEADERS header...)   compiles them once
+#   cs550_precompile(target name)       uses them; the target has the same libraries, thus flags
+# Their owner compiles nothing else, so that no student's mistake stands between them and another lab.
+function(cs550_precompiled_headers name)
+  cmake_parse_arguments(PARSE_ARGV 1 argument "" "" "LIBRARIES;HEADERS")
+  if(CS550_PCH)
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/${name}.cpp" CONTENT "")
+    add_library(${name} OBJECT EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/${name}.cpp")
+    target_link_libraries(${name} PRIVATE ${argument_LIBRARIES})
+    target_precompile_headers(${name} PRIVATE ${argument_HEADERS})
   endif()
-  get_property(owner GLOBAL PROPERTY cs550_precompiled_${group})
-  if(owner)
-    target_precompile_headers(${target} REUSE_FROM ${owner})
-  else()
-    set_property(GLOBAL PROPERTY cs550_precompiled_${group} ${target})
-    target_precompile_headers(${target} PRIVATE ${ARGN})
+endfunction()
+
+function(cs550_precompile target name)
+  if(CS550_PCH)
+    target_precompile_headers(${target} REUSE_FROM ${name})
   endif()
 endfunction()

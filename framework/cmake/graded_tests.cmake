@@ -25,6 +25,10 @@ target_compile_definitions(cs550_test_support ${scope}
 target_link_libraries(cs550_test_support ${scope} cs550_engine cs550_drawing cs550_autograder
                       GTest::gtest PkgConfig::ccd cereal::cereal)
 
+cs550_precompiled_headers(precompiled_for_tests
+  LIBRARIES cs550_test_support cs550_warnings
+  HEADERS <cs550/math.hpp> <cs550/graded_test.hpp>)
+
 function(cs550_add_graded_lab number)
   set(folder "${PROJECT_SOURCE_DIR}/tests/${CS550_LAB${number}_NAME}")
   file(GLOB visible CONFIGURE_DEPENDS "${folder}/*.cpp")
@@ -37,7 +41,7 @@ function(cs550_add_graded_lab number)
   # Compiled once, linked with every variant.
   add_library(lab${number}_tests OBJECT EXCLUDE_FROM_ALL ${visible} ${hidden})
   target_link_libraries(lab${number}_tests PRIVATE cs550_test_support cs550_warnings)
-  cs550_precompile(lab${number}_tests graded_tests <cs550/math.hpp> <cs550/graded_test.hpp>)
+  cs550_precompile(lab${number}_tests precompiled_for_tests)
 
   cs550_read_manifest(${number})
   foreach(variant IN LISTS CS550_GRADED_VARIANTS)

@@ -16,6 +16,10 @@ include(isolation_tools)
 set(isolation_scripts "${CMAKE_CURRENT_LIST_DIR}")
 set(lab_folder "${PROJECT_BINARY_DIR}/labs")
 
+cs550_precompiled_headers(precompiled_for_labs
+  LIBRARIES cs550_contract cs550_isolable cs550_student_warnings
+  HEADERS <cs550/math.hpp> <vector>)
+
 macro(cs550_lab number topic)
   cs550_find_lab(${number} ${topic})
   if(CS550_LAB${number}_VARIANTS)
@@ -88,7 +92,7 @@ function(cs550_compile_lab number variant)
   target_link_libraries(${target} PRIVATE cs550_contract cs550_isolable)
   if(variant MATCHES "^(student|assembled)$")
     target_link_libraries(${target} PRIVATE cs550_student_warnings)
-    cs550_precompile(${target} student <cs550/math.hpp> <vector>)
+    cs550_precompile(${target} precompiled_for_labs)
   else()
     target_link_libraries(${target} PRIVATE cs550_warnings)
     target_compile_options(${target} PRIVATE -Wmissing-declarations)
@@ -128,6 +132,7 @@ function(cs550_list_contract_symbols number)
     COMMENT "Listing the functions of lab ${number}"
     VERBATIM)
   add_custom_target(lab${number}_symbols DEPENDS "${lab_folder}/lab${number}.symbols")
+  add_dependencies(lab${number}_symbols ${authority})
 endfunction()
 
 function(cs550_isolate_lab number variant)
@@ -152,7 +157,8 @@ function(cs550_isolate_lab number variant)
     VERBATIM)
   # One owner of the rule, whatever the number of executables that link the file.
   add_custom_target(lab${number}_${variant}_object DEPENDS "${output}")
-  add_dependencies(lab${number}_${variant}_object lab${number}_symbols)
+  add_dependencies(lab${number}_${variant}_object lab${number}_symbols
+                   lab${number}_${variant}_code)
   if(has_fallback)
     add_dependencies(lab${number}_${variant}_object lab${number}_stub_object)
   endif()
