@@ -14,6 +14,10 @@ namespace {
 /// Twice the area of a triangle, over the square of its longest edge, below which it has no area.
 constexpr Real least_relative_area = Real(1e-7);
 
+/// Dents are measured along the longer edge, which magnifies the error of a short one: so much more
+/// than the distance of a vertex from a plane is let pass.
+constexpr Real dent_slack = 4;
+
 Index count_of(std::size_t size) { return static_cast<Index>(size); }
 
 // ---------------------------------------------------------------- L2.1 the triangles themselves
@@ -293,10 +297,13 @@ class CoplanarMerger {
     });
   }
 
-  /// Whether b lies on the inner side of the line from a to c, its neighbours in a polygon.
+  /// Whether a polygon turns inward at b, between its neighbours a and c: the longer of the two edges
+  /// ends well outside the line of the shorter.
   bool is_dent(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) const {
-    const Vec3 chord = c - a;
-    return normal.dot(chord.cross(b - a)) > slack_ * chord.norm();
+    const Vec3 in = b - a;
+    const Vec3 out = c - b;
+    const Real shorter = std::min(in.norm(), out.norm());
+    return normal.dot(out.cross(in)) > dent_slack * slack_ * shorter;
   }
 
   /// Whether a polygon may be a face: flat, convex, and with all other vertices behind it.
