@@ -36,6 +36,10 @@ if(TARGET tests_autograder)
   include("${PROJECT_SOURCE_DIR}/tests/autograder/tests.cmake")
 endif()
 
+if(EXISTS "${PROJECT_SOURCE_DIR}/tests/fixtures/CMakeLists.txt")
+  add_subdirectory("${PROJECT_SOURCE_DIR}/tests/fixtures" "${PROJECT_BINARY_DIR}/fixtures")
+endif()
+
 file(GLOB benchmark_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/benchmarks/*.cpp")
 if(benchmark_sources AND benchmark_FOUND)
   add_executable(benchmarks EXCLUDE_FROM_ALL ${benchmark_sources})
