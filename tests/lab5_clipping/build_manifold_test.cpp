@@ -12,6 +12,7 @@ Story with_choice_causes(Story story) {
           "an edge's separation is compared with the *face query's*, not with what clipping left")
       .likely("the preference makes it harder for the edges: edges > face + preference")
       .likely("a preference as a factor of the depth grows with it; it is a share of the radius")
+      .likely("of two faces the one of larger separation is the reference face")
       .likely(
           "clipping lost the deepest point: fall back to the edges, then to the deepest vertex");
 }
