@@ -1,0 +1,78 @@
+// A warm step does not touch the heap. Every allocation of this program passes through here.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "cs550/scene.hpp"
+#include "engine/test_bodies.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace cs550 {
+namespace {
+
+using namespace test;
+
+long allocations_of_a_step(World& world) {
+  const long before = allocations;
+  world.step(step_length);
+  return allocations - before;
+}
+
+TEST(Allocation, TheCounterCounts) {
+  const long before = allocations;
+  const auto something = std::make_unique<int>(1);
+  EXPECT_GT(allocations, before);
+}
+
+TEST(Allocation, NoneInAStepWhileThePairsStayTheSame) {
+  World world = falling_hulls(30, 31);
+  long with_constant_pairs = 0;
+  int steps_with_constant_pairs = 0;
+  int pairs_before = 0;
+  for (int step = 0; step < 400; ++step) {
+    const long count = allocations_of_a_step(world);
+    if (world.stats().pairs == pairs_before && step > 200) {
+      with_constant_pairs += count;
+      ++steps_with_constant_pairs;
+    }
+    pairs_before = world.stats().pairs;
+  }
+  ASSERT_GT(steps_with_constant_pairs, 50);
+  ASSERT_GT(world.stats().contacts, 30);
+  EXPECT_EQ(with_constant_pairs, 0);
+}
+
+TEST(Allocation, NoneInFreeFlight) {
+  World world;
+  world.add_body(body_at(box_shape(Vec3::Ones()), Vec3::Zero()));
+  run(world, 2);
+  for (int step = 0; step < 100; ++step) EXPECT_EQ(allocations_of_a_step(world), 0);
+}
+
+TEST(Allocation, GrowthIsGeometric) {
+  // Of n pairs that come one by one, doubling needs about log2(n) allocations in each array; one
+  // per pair would be hundreds.
+  World world = falling_hulls(60, 32);
+  run(world, 1);
+  long total = 0;
+  for (int step = 0; step < 300; ++step) total += allocations_of_a_step(world);
+  EXPECT_GT(world.stats().pairs, 100);
+  EXPECT_LT(total, 150);
+}
+
+}  // namespace
+}  // namespace cs550

@@ -1,0 +1,108 @@
+// Every shipped scene through the assembled engine.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "cs550/diagnostics.hpp"
+#include "cs550/scene.hpp"
+
+namespace cs550 {
+namespace {
+
+/// What a run of a scene shows.
+struct Run {
+  std::vector<double>
+      energy;        ///< the integrator's invariant, before the first step and after each (J)
+  Real deepest = 0;  ///< penetration at any time (m)
+  Real deepest_at_rest = 0;  ///< penetration in the last second (m)
+  double momentum_error = 0;
+  std::uint64_t hash = 0;
+};
+
+Run run_scene(const Scene& scene, int steps) {
+  Run run;
+  World world = make_world(scene);
+  world.settings().audit_momentum = true;
+  world.settings().check_stages = true;
+  const Real substep = scene.h / static_cast<Real>(scene.settings.substeps);
+  run.energy.push_back(energy(world, substep).invariant);
+  for (int step = 0; step < steps; ++step) {
+    world.step(scene.h);
+    EXPECT_TRUE(world.problems().empty()) << world.problems()[0].message;
+    const Real depth = -world.stats().deepest_separation;
+    run.deepest = std::max(run.deepest, depth);
+    if (static_cast<Real>(steps - step) * scene.h <= 1) {
+      run.deepest_at_rest = std::max(run.deepest_at_rest, depth);
+    }
+    run.energy.push_back(energy(world, substep).invariant);
+    if (!std::isfinite(run.energy.back())) break;
+  }
+  run.momentum_error = world.momentum_error();
+  run.hash = world.state_hash();
+  return run;
+}
+
+/// The largest relative growth over any second, and when it began.
+void expect_no_growth(const Run& run, const Scene& scene) {
+  const auto second = static_cast<std::size_t>(std::lround(1 / scene.h));
+  double worst = 0;
+  std::size_t when = 0;
+  for (std::size_t i = 0; i + second < run.energy.size(); ++i) {
+    const double growth = run.energy[i + second] / run.energy[i] - 1;
+    if (growth > worst) {
+      worst = growth;
+      when = i;
+    }
+  }
+  EXPECT_LE(worst, 1e-3) << "in the second after step " << when;
+}
+
+void expect_sound(const std::string& name) {
+  const SceneResult found = find_scene(name);
+  ASSERT_TRUE(found) << found.error;
+  const Run run = run_scene(found.scene, found.scene.steps);
+  ASSERT_TRUE(std::isfinite(run.energy.back()));
+  expect_no_growth(run, found.scene);
+  if (name != "free_spin") {
+    ASSERT_GT(found.scene.max_penetration, 0) << "the scene states no bound";
+    EXPECT_GT(run.deepest, 0) << "nothing touched";
+    EXPECT_LE(run.deepest, found.scene.max_penetration);
+  }
+  // What float leaves of some thousand rows and steps.
+  EXPECT_LT(run.momentum_error, 1e-4);
+
+  // Long enough for bodies to meet in every scene.
+  const int steps = std::min(found.scene.steps, 90);
+  EXPECT_EQ(run_scene(found.scene, steps).hash, run_scene(found.scene, steps).hash)
+      << "the same scene twice";
+  if (name == "hull_pile" || name == "box_pile") {
+    // What soft contacts give way under the weight of a pile: a tenth of the smallest body.
+    EXPECT_LT(run.deepest_at_rest, Real(0.03)) << "bodies stay deep in each other";
+  }
+}
+
+TEST(ShippedScenes, FreeSpin) { expect_sound("free_spin"); }
+TEST(ShippedScenes, Incline) { expect_sound("incline"); }
+TEST(ShippedScenes, Bounce) { expect_sound("bounce"); }
+TEST(ShippedScenes, NewtonCradle) { expect_sound("newton_cradle"); }
+TEST(ShippedScenes, Stack10) { expect_sound("stack10"); }
+TEST(ShippedScenes, Dominoes) { expect_sound("dominoes"); }
+TEST(ShippedScenes, BunnyAndTeapot) { expect_sound("bunny_and_teapot"); }
+TEST(ShippedScenes, WallLong) { expect_sound("wall"); }
+TEST(ShippedScenes, Pyramid20Long) { expect_sound("pyramid20"); }
+TEST(ShippedScenes, HullPileLong) { expect_sound("hull_pile"); }
+TEST(ShippedScenes, BoxPileLong) { expect_sound("box_pile"); }
+
+TEST(ShippedScenes, EverySceneHasATestAbove) {
+  const std::set<std::string> tested = {
+      "free_spin",        "incline", "bounce",    "newton_cradle", "stack10", "dominoes",
+      "bunny_and_teapot", "wall",    "pyramid20", "hull_pile",     "box_pile"};
+  for (const std::string& name : shipped_scenes()) EXPECT_EQ(tested.count(name), 1U) << name;
+}
+
+}  // namespace
+}  // namespace cs550

@@ -1,0 +1,236 @@
+// The world as a container: who may touch whom, who lives, what is remembered, what a copy does.
+
+#include "cs550/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "engine/test_bodies.hpp"
+
+namespace cs550 {
+namespace {
+
+using namespace test;
+
+const ShapePtr& unit_box() {
+  static const ShapePtr shape = box_shape(Vec3::Constant(Real(0.5)));
+  return shape;
+}
+
+Real height(const World& world, BodyId id) { return world.body(id).pose.position.z(); }
+
+bool same_pair(const ContactEvent& event, BodyId a, BodyId b) {
+  return (event.a == a && event.b == b) || (event.a == b && event.b == a);
+}
+
+TEST(World, RefusesBodiesThatMakeNoSense) {
+  World world;
+  const auto refused = [&world](auto change) {
+    BodyDef def = body_at(unit_box(), Vec3::Zero());
+    change(def);
+    EXPECT_THROW(world.add_body(def), std::invalid_argument);
+    EXPECT_EQ(world.body_count(), 0);
+  };
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  refused([](BodyDef& def) { def.shape = nullptr; });
+  refused([nan](BodyDef& def) { def.pose.position.x() = nan; });
+  refused([nan](BodyDef& def) { def.linear_velocity.y() = nan; });
+  refused([](BodyDef& def) { def.pose.orientation = Quat(0, 0, 0, 0); });
+  refused([](BodyDef& def) { def.mass = Real(0); });
+  refused([](BodyDef& def) { def.density = -1; });
+  refused([nan](BodyDef& def) { def.friction = nan; });
+  refused([](BodyDef& def) { def.restitution = Real(1.5); });
+}
+
+TEST(World, KinematicBodyCarriesAndIsNotPushed) {
+  World world;
+  BodyDef lift = body_at(box_shape({2, 2, Real(0.5)}), {0, 0, Real(-0.5)}, BodyKind::Kinematic);
+  lift.linear_velocity = {0, 0, 1};
+  const BodyId carrier = world.add_body(lift);
+  const BodyId rider = world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
+  run(world, 120);
+  // Two seconds at 1 m/s; the rider's weight does not slow the lift.
+  EXPECT_NEAR(height(world, carrier), 1.5, 1e-3);
+  EXPECT_NEAR(height(world, rider), 2.5, 0.01) << "it rides on top, within the slop";
+}
+
+TEST(World, KinematicBodyTurnsAtItsOwnRate) {
+  World world;
+  BodyDef wheel = body_at(unit_box(), Vec3::Zero(), BodyKind::Kinematic);
+  wheel.angular_velocity = {0, 0, pi / 2};
+  const BodyId id = world.add_body(wheel);
+  run(world, 60);
+  EXPECT_LT((world.body(id).pose.rotate(Vec3::UnitX()) - Vec3::UnitY()).norm(), 1e-4F);
+}
+
+TEST(World, FilterNeedsBothSidesToAgree) {
+  const struct {
+    CollisionFilter box;
+    CollisionFilter floor;
+    bool touches;
+  } cases[] = {
+      {{1, 0xffffffffU}, {1, 0xffffffffU}, true}, {{2, 1}, {1, 2}, true},
+      {{2, 0xffffffffU}, {1, 1}, false},  // the floor does not want the box
+      {{2, 2}, {1, 0xffffffffU}, false},  // the box does not want the floor
+      {{1, 0}, {1, 0xffffffffU}, false},
+  };
+  for (const auto& each : cases) {
+    World world;
+    BodyDef floor = floor_body();
+    floor.filter = each.floor;
+    world.add_body(floor);
+    BodyDef box = body_at(unit_box(), {0, 0, Real(0.5)});
+    box.filter = each.box;
+    const BodyId id = world.add_body(box);
+    run(world, 60);
+    EXPECT_EQ(height(world, id) > 0, each.touches);
+    EXPECT_EQ(world.contacts().empty(), !each.touches);
+  }
+}
+
+TEST(World, TellsWhenBodiesBeginAndCeaseToTouch) {
+  World world;
+  const BodyId floor = world.add_body(floor_body());
+  const BodyId box = world.add_body(body_at(unit_box(), {0, 0, 1}));
+  int began = 0;
+  int ended = 0;
+  const auto count = [&](int steps) {
+    for (int i = 0; i < steps; ++i) {
+      world.step(step_length);
+      for (const ContactEvent& event : world.began()) began += same_pair(event, floor, box);
+      for (const ContactEvent& event : world.ended()) ended += same_pair(event, floor, box);
+    }
+  };
+  count(6);  // 0.1 s: fallen 5 cm of 50
+  EXPECT_EQ(began, 0);
+  count(60);
+  EXPECT_EQ(began, 1) << "landed once, e = 0";
+  EXPECT_EQ(ended, 0);
+  apply_impulse(world.body(box), world.body(box).mass * Vec3(0, 0, 3),
+                world.body(box).pose.position);
+  count(10);
+  EXPECT_EQ(ended, 1) << "thrown up at 3 m/s";
+}
+
+TEST(World, RemovedBodyEndsItsContacts) {
+  World world;
+  const BodyId floor = world.add_body(floor_body());
+  const BodyId lower = world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
+  const BodyId upper = world.add_body(body_at(unit_box(), {0, 0, Real(1.5)}));
+  run(world, 30);
+  world.remove_body(lower);
+  EXPECT_FALSE(world.is_alive(lower));
+  EXPECT_EQ(world.body_count(), 2);
+  world.step(step_length);
+  const auto ended = world.ended();
+  EXPECT_EQ(ended.size(), 2U);
+  for (const BodyId other : {floor, upper}) {
+    EXPECT_TRUE(std::any_of(ended.begin(), ended.end(), [&](const ContactEvent& event) {
+      return same_pair(event, lower, other);
+    }));
+  }
+  run(world, 60);
+  EXPECT_NEAR(height(world, upper), 0.5, 0.01) << "the upper box has fallen onto the floor";
+}
+
+TEST(World, IdNamesOneBodyOnly) {
+  World world;
+  const BodyId first = world.add_body(body_at(unit_box(), Vec3::Zero()));
+  world.remove_body(first);
+  const BodyId second = world.add_body(body_at(unit_box(), {5, 0, 0}));
+  EXPECT_EQ(first.index, second.index) << "the place is used again";
+  EXPECT_FALSE(first == second);
+  world.remove_body(first);  // out of date: nothing happens
+  EXPECT_TRUE(world.is_alive(second));
+  EXPECT_FALSE(world.is_alive({}));
+  EXPECT_FALSE(world.is_alive({77, 0}));
+}
+
+TEST(World, BodiesComeAndGoAtAnyTime) {
+  Random random(11);
+  World world;
+  world.settings().check_stages = true;
+  world.add_body(floor_body());
+  std::vector<BodyId> alive;
+  for (int step = 0; step < 600; ++step) {
+    if (step % 5 == 0 && alive.size() < 30) {
+      const Real x = random.real(-2, 2);
+      const Real y = random.real(-2, 2);
+      alive.push_back(world.add_body(body_at(unit_box(), {x, y, 4})));
+    }
+    if (step % 7 == 0 && alive.size() > 10) {
+      const auto chosen = alive.begin() + random.integer(0, static_cast<int>(alive.size()) - 1);
+      world.remove_body(*chosen);
+      alive.erase(chosen);
+    }
+    world.step(step_length);
+    ASSERT_TRUE(world.problems().empty()) << world.problems()[0].message << " at step " << step;
+    for (const Contact& contact : world.contacts()) {
+      ASSERT_LT(contact.body_a, contact.body_b);
+      ASSERT_TRUE(world.is_alive(world.id_at(contact.body_a)));
+      ASSERT_TRUE(world.is_alive(world.id_at(contact.body_b)));
+    }
+  }
+  EXPECT_EQ(world.body_count(), static_cast<int>(alive.size()) + 1);
+  for (const BodyId id : alive) EXPECT_GT(height(world, id), 0) << "nobody fell through the floor";
+}
+
+TEST(World, CopyContinuesToTheLastBit) {
+  World world = falling_hulls(12, 12);
+  run(world, 100);
+  World copy = world;
+  World assigned;
+  assigned = world;
+  ASSERT_GT(world.stats().contacts, 5);
+  for (int step = 0; step < 100; ++step) {
+    for (World* each : {&world, &copy, &assigned}) each->step(step_length);
+    ASSERT_EQ(copy.state_hash(), world.state_hash()) << "step " << step;
+    ASSERT_EQ(assigned.state_hash(), world.state_hash()) << "step " << step;
+  }
+}
+
+TEST(World, RestoredStateRepeatsWhatHappened) {
+  World world = falling_hulls(8, 13);
+  run(world, 60);
+  const World saved = world;
+  run(world, 60);
+  const std::uint64_t first_time = world.state_hash();
+  EXPECT_NE(first_time, saved.state_hash());
+  world = saved;
+  run(world, 60);
+  EXPECT_EQ(world.state_hash(), first_time);
+}
+
+TEST(World, SameSceneGivesTheSameBits) {
+  World first = falling_hulls(10, 14);
+  World second = falling_hulls(10, 14);
+  run(first, 200);
+  run(second, 200);
+  EXPECT_EQ(first.state_hash(), second.state_hash());
+}
+
+TEST(World, HashSeesTheLastBitOfEveryBody) {
+  World world = falling_hulls(3, 15);
+  const std::uint64_t before = world.state_hash();
+  Real& x = world.body(world.id_at(2)).pose.position.x();
+  x = std::nextafter(x, Real(100));
+  EXPECT_NE(world.state_hash(), before);
+}
+
+TEST(World, ForcesActForOneStep) {
+  WorldSettings weightless;
+  weightless.gravity.setZero();
+  World world(weightless);
+  const BodyId id = world.add_body(body_at(unit_box(), Vec3::Zero()));
+  const Real mass = world.body(id).mass;
+  add_force(world.body(id), {mass * 60, 0, 0}, world.body(id).pose.position);
+  run(world, 3);
+  // 60 m/s² for one step of 1/60 s.
+  EXPECT_NEAR(world.body(id).linear_velocity.x(), 1, 1e-5);
+}
+
+}  // namespace
+}  // namespace cs550
