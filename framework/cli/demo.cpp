@@ -65,7 +65,7 @@ Action declare_demo(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--csv", options->csv, "write the trajectory to this file");
   app.add_option("--steps", options->steps, "how many steps; the scene's own number if not given")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1000000));
   return [options] { return run_demo(*options); };
 }
 
