@@ -1,0 +1,126 @@
+#include <cs550/graded_test.hpp>
+
+#include "dense_contact.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+namespace {
+
+/// A few roundings of a sum of twelve products, relative to its largest terms.
+constexpr double rounding = 2e-6;
+
+GRADED_TEST(Lab7, JacobianIsTheRateOfTheRelativePosition, 3, "L7.1") {
+  Random random(7101);
+  Story story("J·V is d·(v_B + ω_B × r_B − v_A − ω_A × r_A) for every V");
+  story.seed(random.seed())
+      .likely("r × d and d × r differ in sign: d·(ω × r) = ω·(r × d)")
+      .likely("A's two terms are negative, B's positive: the normal points from A to B");
+  for (int i = 0; i < 200; ++i) {
+    const ContactRow row = random_row(random);
+    const ContactJacobian j = contact_jacobian(row.n, row.r_a, row.r_b);
+    const Vec12 expected = dense_jacobian(row.n, row.r_a, row.r_b);
+    Story contact = story;
+    contact.given("direction", Story::show(row.n)).given("r_a", Story::show(row.r_a));
+    contact.given("r_b", Story::show(row.r_b));
+    if (!contact.expect_near("part of v_A", j.linear_a, expected.segment<3>(0).cast<Real>(),
+                             rounding) ||
+        !contact.expect_near("part of ω_A", j.angular_a, expected.segment<3>(3).cast<Real>(),
+                             rounding) ||
+        !contact.expect_near("part of v_B", j.linear_b, expected.segment<3>(6).cast<Real>(),
+                             rounding) ||
+        !contact.expect_near("part of ω_B", j.angular_b, expected.segment<3>(9).cast<Real>(),
+                             rounding)) {
+      return;
+    }
+  }
+}
+
+GRADED_TEST(Lab7, ConstraintMassMatchesDenseAlgebra, 3, "L7.2") {
+  Random random(7102);
+  Story story("the constraint mass is 1/(J·M⁻¹·Jᵀ)");
+  story.seed(random.seed())
+      .likely("the world inverse inertia belongs between the two angular parts of J")
+      .likely("the sum has four terms: two of each body");
+  for (int i = 0; i < 200; ++i) {
+    const BodyVelocity a = random_body(random);
+    const BodyVelocity b = i % 4 == 0 ? immovable_body() : random_body(random);
+    const ContactRow row = random_row(random);
+    const Vec12 j = dense_jacobian(row.n, row.r_a, row.r_b);
+    const double expected = 1 / j.dot(dense_inverse_mass(a, b) * j);
+    ContactJacobian given;
+    given.linear_a = j.segment<3>(0).cast<Real>();
+    given.angular_a = j.segment<3>(3).cast<Real>();
+    given.linear_b = j.segment<3>(6).cast<Real>();
+    given.angular_b = j.segment<3>(9).cast<Real>();
+    const double got = static_cast<double>(constraint_mass(given, a, b));
+    if (!story.expect_near("constraint mass", got, expected, 10 * rounding * expected, "kg"))
+      return;
+  }
+}
+
+GRADED_TEST(Lab7, TwoImmovableBodiesHaveNoConstraintMass, 1, "L7.2") {
+  Story story("an impulse between two immovable bodies does nothing, so its mass is set to 0");
+  story.likely("1/0 is infinite, and 0·∞ later becomes NaN");
+  const ContactJacobian j{-Vec3::UnitZ(), Vec3::Zero(), Vec3::UnitZ(), Vec3::Zero()};
+  const Real mass = constraint_mass(j, immovable_body(), immovable_body());
+  story.expect_near("constraint mass", static_cast<double>(mass), 0, 0, "kg");
+}
+
+GRADED_TEST(Lab7, PreparedMassesInvertTheCoupledTangents, 4, "L7.4") {
+  Random random(7103);
+  Story story("normal_mass is 1/(J_n·M⁻¹·J_nᵀ), tangent_mass the inverse of the 2 × 2 of u and v");
+  story.seed(random.seed())
+      .likely(
+          "u and v are coupled through the rotation: the matrix has numbers beside its diagonal")
+      .likely("inverting the diagonal alone gives two separate masses");
+  for (int i = 0; i < 100; ++i) {
+    std::vector<BodyVelocity> bodies = {random_body(random), random_body(random)};
+    if (i % 4 == 0) bodies[0] = immovable_body();
+    std::vector<ContactRow> rows = {random_row(random)};
+    prepare_contacts(rows, bodies, rigid_step());
+    const ContactRow& row = rows[0];
+
+    const Mat12 inverse_mass = dense_inverse_mass(bodies[0], bodies[1]);
+    Eigen::Matrix<double, 3, 12> j;
+    j.row(0) = dense_jacobian(row.n, row.r_a, row.r_b).transpose();
+    j.row(1) = dense_jacobian(row.u, row.r_a, row.r_b).transpose();
+    j.row(2) = dense_jacobian(row.n.cross(row.u), row.r_a, row.r_b).transpose();
+    const Eigen::Matrix3d k = j * inverse_mass * j.transpose();
+    const double expected = 1 / k(0, 0);
+    if (!story.expect_near("normal mass", static_cast<double>(row.normal_mass), expected,
+                           10 * rounding * expected, "kg")) {
+      return;
+    }
+    // The mass times the matrix that it inverts: rounding grows with the condition number.
+    const Eigen::Matrix2d tangents = k.bottomRightCorner<2, 2>();
+    const Eigen::Matrix2d unit = row.tangent_mass.cast<double>() * tangents;
+    const double condition = tangents.trace() * tangents.trace() / tangents.determinant();
+    if (!story.expect_near("distance of tangent_mass · (J·M⁻¹·Jᵀ) from the identity",
+                           (unit - Eigen::Matrix2d::Identity()).norm(), 0, rounding * condition)) {
+      return;
+    }
+  }
+}
+
+GRADED_TEST(Lab7, ContactsWithAnImmovableBodyAreStiffer, 1, "L7.4") {
+  Random random(7104);
+  ContactStep step = rigid_step();
+  step.soft = {10, Real(0.5), Real(0.5)};
+  step.soft_static = {20, Real(0.6), Real(0.4)};
+  std::vector<BodyVelocity> bodies = {random_body(random), random_body(random), immovable_body()};
+  std::vector<ContactRow> rows(3, random_row(random));
+  rows[1].body_b = 2;
+  rows[2].body_a = 2;
+  rows[2].body_b = 0;
+  prepare_contacts(rows, bodies, step);
+  Story story("a row uses soft between movable bodies and soft_static where either is immovable");
+  story.likely("the immovable body may be A or B");
+  story.expect_equal("bias rate, both movable", rows[0].softness.bias_rate, step.soft.bias_rate);
+  story.expect_equal("bias rate, B immovable", rows[1].softness.bias_rate,
+                     step.soft_static.bias_rate);
+  story.expect_equal("bias rate, A immovable", rows[2].softness.bias_rate,
+                     step.soft_static.bias_rate);
+}
+
+}  // namespace
+}  // namespace cs550::test
