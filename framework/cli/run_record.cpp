@@ -115,8 +115,9 @@ void RunRecord::print_verdict(std::ostream& out) const {
   if (!problems_.empty()) out << coloured("Stages that did not work:", Colour::Red) << '\n';
   for (const StageProblem& problem : problems_) {
     out << indented(std::string(to_string(problem.stage)) + ", lab " + std::to_string(problem.lab) +
-                        ", step " + std::to_string(problem.step) + ":\n  " + problem.message,
-                    2);
+                        ", step " + std::to_string(problem.step) + ":",
+                    2)
+        << indented(problem.message, 4);
   }
   if (!std::isfinite(energy(world_, substep()).total())) {
     out << coloured("The energy is not finite: a body has been lost.", Colour::Red) << '\n';
