@@ -18,12 +18,14 @@ CrossedPair deep_cubes(Real size) {
   return crossed;
 }
 
+/// What last step's answer was, had that kind won; without a kind where there are no edges to name.
 SeparatingAxis hint_of_kind(AxisFeature kind, const TestPair& pair) {
   SeparatingAxis hint;
-  hint.feature = kind;
   hint.face_a = query_face_directions(pair.a, pair.b);
   hint.face_b = query_face_directions(pair.b, pair.a);
   hint.edges = query_edge_directions(pair.a, pair.b);
+  const bool exists = kind != AxisFeature::Edges || hint.edges;
+  hint.feature = exists ? kind : AxisFeature::None;
   return hint;
 }
 
