@@ -68,11 +68,7 @@ std::string sanitizer_report(const fs::path& output) {
 }
 
 Verdict to_verdict(const GradedTest& test, const Json& row) {
-  static const std::map<std::string, Verdict::Kind> kinds{{"passed", Verdict::Kind::Passed},
-                                                          {"blocked", Verdict::Kind::Blocked}};
-  const auto kind = kinds.find(row.at("status"));
-  return {test, kind == kinds.end() ? Verdict::Kind::Failed : kind->second, row.at("message"),
-          row.at("seconds")};
+  return {test, verdict_kind(row.at("status")), row.at("message"), row.at("seconds")};
 }
 
 Verdict ended_the_program(const GradedTest& test, const Ending& ending, const fs::path& output) {
@@ -117,6 +113,24 @@ class Watch {
 };
 
 }  // namespace
+
+std::string to_string(Verdict::Kind kind) {
+  switch (kind) {
+    case Verdict::Kind::Passed:
+      return "passed";
+    case Verdict::Kind::Blocked:
+      return "blocked";
+    case Verdict::Kind::Failed:
+      return "failed";
+  }
+  return {};
+}
+
+Verdict::Kind verdict_kind(const std::string& word) {
+  if (word == "passed") return Verdict::Kind::Passed;
+  if (word == "blocked") return Verdict::Kind::Blocked;
+  return Verdict::Kind::Failed;
+}
 
 std::vector<GradedTest> graded_tests(const std::string& lab_name) {
   const bool with_hidden = has_hidden_tests(lab_name);

@@ -29,6 +29,10 @@ struct Verdict {
   int earned() const { return kind == Kind::Passed ? test.points : 0; }
 };
 
+/// The word for a kind in result files, `passed`, and the way back; an unknown word means failed.
+std::string to_string(Verdict::Kind kind);
+Verdict::Kind verdict_kind(const std::string& word);
+
 /// The tests of a lab that are present, step by step: without the hidden ones where their sources
 /// are not.
 /// Throws std::runtime_error when there is no manifest.

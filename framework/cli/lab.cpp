@@ -1,72 +1,38 @@
-// ./cs550 lab N: the graded tests of one lab, on the student's code.
+// ./cs550 lab N: the graded tests of one lab on the student's code, and what helps to pass them.
 #include <algorithm>
-#include <iomanip>
+#include <array>
 #include <iostream>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
-#include <sstream>
 
-#include "graded_run.hpp"
+#include "hints.hpp"
+#include "lab_files.hpp"
+#include "lab_report.hpp"
+#include "lab_result.hpp"
 #include "process.hpp"
 #include "project.hpp"
 #include "terminal.hpp"
 #include "verb.hpp"
 
 namespace cs550::cli {
-namespace {
 
-using std::chrono::seconds;
+namespace fs = std::filesystem;
+
+namespace {
 
 struct LabOptions {
   int lab = 0;
+  std::string name;  ///< of the lab's folders, found from its number
   std::string step;
+  bool wants_hint = false;
+  int hint = 0;  ///< 0: the next one
   bool asan = false;
   bool debug = false;
+  bool reset = false;
+  bool run = false;
 };
-
-/// A lab's name as people say it: "Lab 3: hill climbing".
-std::string title(const std::string& lab_name) {
-  const std::size_t topic = lab_name.find('_');
-  std::string title = "Lab " + lab_name.substr(3, topic - 3) + ": " + lab_name.substr(topic + 1);
-  std::replace(title.begin(), title.end(), '_', ' ');
-  return title;
-}
-
-std::string verdict_word(const Verdict& verdict) {
-  switch (verdict.kind) {
-    case Verdict::Kind::Passed:
-      return coloured("passed ", Colour::Green);
-    case Verdict::Kind::Blocked:
-      return coloured("blocked", Colour::Yellow);
-    case Verdict::Kind::Failed:
-      return coloured("FAILED ", Colour::Red);
-  }
-  return {};
-}
-
-/// One line for each test, and what it said. The same words are not said twice in a row: an
-/// unwritten function stops many tests.
-void print(const std::vector<Verdict>& verdicts) {
-  std::string said;
-  for (const Verdict& verdict : verdicts) {
-    std::ostringstream points;
-    points << verdict.earned() << '/' << verdict.test.points;
-    std::cout << "  " << verdict_word(verdict) << ' ' << std::setw(5) << points.str() << "  "
-              << padded(verdict.test.step, 6) << verdict.test.name << '\n';
-    if (verdict.message != said) std::cout << indented(verdict.message, 6);
-    said = verdict.message;
-  }
-  std::cout << std::flush;
-}
-
-std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long) {
-  std::vector<GradedTest> chosen;
-  std::copy_if(tests.begin(), tests.end(), std::back_inserter(chosen),
-               [is_long](const GradedTest& test) { return test.is_long == is_long; });
-  return chosen;
-}
 
 std::vector<GradedTest> of_step(const std::vector<GradedTest>& tests, const std::string& step) {
   std::vector<GradedTest> chosen;
@@ -83,80 +49,109 @@ std::string steps_of(const std::vector<GradedTest>& tests) {
   return list;
 }
 
-void print_total(const std::vector<Verdict>& verdicts, int elsewhere) {
-  int earned = 0;
-  int points = 0;
-  std::size_t passed = 0;
-  for (const Verdict& verdict : verdicts) {
-    earned += verdict.earned();
-    points += verdict.test.points;
-    passed += verdict.kind == Verdict::Kind::Passed ? 1 : 0;
-  }
-  std::ostringstream total;
-  total << earned << " of " << points << " points, " << passed << " of " << verdicts.size()
-        << " tests passed";
-  std::cout << '\n' << coloured(total.str(), Colour::Bold) << '\n';
-  if (elsewhere > 0) std::cout << elsewhere << " more points are graded by your instructor.\n";
-}
+std::string student_target(int lab) { return "lab" + std::to_string(lab) + "_student"; }
 
 /// The first test that is not passed, in the debugger.
-int debug_first_failure(int lab, const std::vector<Verdict>& verdicts) {
-  const auto verdict = std::find_if(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) {
-    return verdict.kind != Verdict::Kind::Passed;
-  });
-  if (verdict == verdicts.end()) {
+int debug_first_failure(int lab, const LabResult& result) {
+  const std::optional<Verdict> failure = result.next_failure();
+  if (!failure) {
     std::cout << "Every test passes: there is nothing to debug.\n";
     return Good;
   }
-  const std::string name = "lab" + std::to_string(lab) + "_student";
-  if (!build("debug", name)) return Failed;
-  std::cout << "gdb stops where " << verdict->test.name << " fails; `up` leads to your code.\n"
+  if (!run({project_root() / "cs550", "doctor", "--install", "debug"}).good()) return Failed;
+  if (!build("debug", student_target(lab))) return Failed;
+  std::cout << "gdb stops where " << failure->test.name << " fails; `up` leads to your code.\n"
             << std::flush;
-  become({"gdb", "-q", "-ex", "catch throw", "-ex", "run", "--args", built_program("debug", name),
-          "--gtest_break_on_failure", "--gtest_filter=*." + verdict->test.name});
+  fs::current_path(project_root());
+  become({"gdb", "-q", "-ex", "catch throw", "-ex", "run", "--args",
+          built_program("debug", student_target(lab)), "--gtest_break_on_failure",
+          "--gtest_filter=*." + failure->test.name});
 }
 
-int run_lab(const LabOptions& options) {
-  const std::string name = lab_name(options.lab);
-  if (name.empty()) {
-    const std::vector<std::string> labs = lab_names();
-    std::cerr << "cs550: there is no lab " << options.lab << ". The labs:\n";
-    for (const std::string& lab : labs) std::cerr << "  " << title(lab) << '\n';
-    return Misused;
-  }
-  const std::vector<GradedTest> tests = of_step(graded_tests(name), options.step);
-  if (tests.empty()) {
-    std::cerr << "cs550: lab " << options.lab << " has no step " << options.step
-              << ". Its steps: " << steps_of(graded_tests(name)) << '\n';
-    return Misused;
-  }
-
+int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   const std::string preset = options.asan ? "asan" : "student";
-  const std::string target = "lab" + std::to_string(options.lab) + "_student";
-  if (!build(preset, target)) return Failed;
+  LabResult result = result_of_starter(options.name);
+  result.verdicts.clear();
+  if (!build(preset, student_target(options.lab))) return Failed;
 
-  std::cout << coloured(title(name), Colour::Bold) << "\n\n";
-  const int slowdown = options.asan ? 5 : 1;
-  std::vector<Verdict> verdicts;
-  const auto run_and_print = [&](const std::vector<GradedTest>& chosen, seconds patience) {
-    const std::vector<Verdict> outcome =
-        run_graded_tests(built_program(preset, target), options.lab, chosen, slowdown * patience);
-    print(outcome);
-    verdicts.insert(verdicts.end(), outcome.begin(), outcome.end());
+  std::cout << coloured(title(options.name), Colour::Bold) << "\n\n" << std::flush;
+  const auto grade_and_print = [&](const std::vector<GradedTest>& chosen) {
+    const std::vector<Verdict> verdicts = grade(preset, options.lab, chosen);
+    print(verdicts);
+    result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
   };
-  run_and_print(only(tests, false), seconds{5});
+  grade_and_print(only(tests, false));
   const std::vector<GradedTest> long_tests = only(tests, true);
   if (!long_tests.empty()) {
     std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;
-    run_and_print(long_tests, seconds{60});
+    grade_and_print(long_tests);
   }
-  print_total(verdicts, options.step.empty() ? points_graded_elsewhere(name) : 0);
+  const bool whole_lab = options.step.empty();
+  print_total(result.verdicts, whole_lab ? points_graded_elsewhere(options.name) : 0);
+  if (whole_lab && !options.asan) remember(result);
 
-  if (options.debug) return debug_first_failure(options.lab, verdicts);
-  const bool all_passed = std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) {
-    return verdict.kind == Verdict::Kind::Passed;
-  });
-  return all_passed ? Good : Failed;
+  if (options.debug) return debug_first_failure(options.lab, result);
+  return result.next_failure() ? Failed : Good;
+}
+
+/// A hint for the step that was asked for, else for the first one with a failing test.
+int give_hint(const LabOptions& options) {
+  if (!options.step.empty()) return show_hint(options.name, options.step, options.hint);
+  const LabResult result = result_of(options.name);
+  const std::optional<Verdict> failure = result.next_failure();
+  if (!failure) {
+    std::cout << "Every test of lab " << options.lab << " passes: no hint is needed.\n";
+    return Good;
+  }
+  return show_hint(options.name, failure->test.step, options.hint);
+}
+
+int reset_lab(const LabOptions& options) {
+  const fs::path file = fs::relative(lab_file(options.name), project_root());
+  const fs::path backup = reset_to_starter(options.name);
+  if (backup.empty()) {
+    std::cout << file.string() << " is the starter: nothing to do.\n";
+  } else {
+    std::cout << file.string() << " is the starter again.\nYour work is in "
+              << fs::relative(backup, project_root()).string() << ".\n";
+  }
+  return Good;
+}
+
+/// The scene that shows what a lab bought.
+std::string milestone(int lab) {
+  constexpr std::array scenes{
+      "free_spin", "bunny_and_teapot", "bunny_and_teapot", "box_pile", "incline", "bounce", "wall"};
+  return scenes[static_cast<std::size_t>(lab - 1) % scenes.size()];
+}
+
+int run_engine(const LabOptions& options) {
+  if (!build("student", "cs550_cli_student")) return Failed;
+  std::cout << "Your own engine, all your labs together. A stage that is still to be written is\n"
+               "skipped and named at the end.\n\n"
+            << std::flush;
+  return run({built_program("student", "cs550_student"), "demo", milestone(options.lab)}).good()
+             ? Good
+             : Failed;
+}
+
+int run_lab(LabOptions options) {
+  options.name = lab_name(options.lab);
+  if (options.name.empty()) {
+    std::cerr << "cs550: there is no lab " << options.lab << ". The labs:\n";
+    for (const std::string& lab : lab_names()) std::cerr << "  " << title(lab) << '\n';
+    return Misused;
+  }
+  if (options.reset) return reset_lab(options);
+  if (options.run) return run_engine(options);
+  const std::vector<GradedTest> all = graded_tests(options.name);
+  const std::vector<GradedTest> tests = of_step(all, options.step);
+  if (tests.empty()) {
+    std::cerr << "cs550: lab " << options.lab << " has no step " << options.step
+              << ". Its steps: " << steps_of(all) << '\n';
+    return Misused;
+  }
+  return options.wants_hint ? give_hint(options) : grade_lab(options, tests);
 }
 
 }  // namespace
@@ -164,12 +159,26 @@ int run_lab(const LabOptions& options) {
 Action declare_lab(CLI::App& app) {
   const auto options = std::make_shared<LabOptions>();
   app.add_option("N", options->lab, "number of the lab")->required();
-  app.add_option("--step", options->step, "only the tests of this step, as in L3.2");
+  auto* step = app.add_option("--step", options->step, "only the tests of this step, as in L3.2");
+  auto* hint = app.add_option("--hint", options->hint,
+                              "the next hint for the first failing step, or hint 1, 2 or 3")
+                   ->expected(0, 1)
+                   ->check(CLI::Range(1, 9));
   auto* asan =
       app.add_flag("--asan", options->asan, "look for memory errors and undefined behaviour");
-  app.add_flag("--debug", options->debug, "then open gdb where the first failing test fails")
-      ->excludes(asan);
-  return [options] { return run_lab(*options); };
+  auto* debug =
+      app.add_flag("--debug", options->debug, "then open gdb where the first failing test fails");
+  auto* reset = app.add_flag("--reset", options->reset,
+                             "put the starter back; your file is kept beside it as a backup");
+  auto* run = app.add_flag("--run", options->run, "run a scene with your own engine");
+  debug->excludes(asan);
+  for (CLI::Option* other : {asan, debug, reset, run}) hint->excludes(other);
+  for (CLI::Option* other : {step, asan, debug, run}) reset->excludes(other);
+  for (CLI::Option* other : {step, asan, debug}) run->excludes(other);
+  return [options, hint] {
+    options->wants_hint = hint->count() > 0;
+    return run_lab(*options);
+  };
 }
 
 }  // namespace cs550::cli

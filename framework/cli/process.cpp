@@ -7,6 +7,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <system_error>
 #include <thread>
 
@@ -68,6 +71,18 @@ Ending run(const std::vector<std::string>& command, const Surroundings& surround
     throw std::system_error(ENOENT, std::generic_category(), command.front());
   }
   return ending;
+}
+
+std::string output_of(const std::vector<std::string>& command,
+                      const std::filesystem::path& folder) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("cs550." + std::to_string(getpid()) + ".txt");
+  const Ending ending = run(command, {folder, file});
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::filesystem::remove(file);
+  if (!ending.good()) throw std::runtime_error(command.front() + " failed: " + text);
+  return text;
 }
 
 void become(const std::vector<std::string>& command) {

@@ -33,6 +33,11 @@ struct Surroundings {
 /// Throws std::system_error when it cannot be started.
 Ending run(const std::vector<std::string>& command, const Surroundings& surroundings = {});
 
+/// What a program prints on its way to success.
+/// Throws std::runtime_error, with what it printed, when it fails.
+std::string output_of(const std::vector<std::string>& command,
+                      const std::filesystem::path& folder = {});
+
 /// Becomes another program. Throws std::system_error when it cannot be started.
 [[noreturn]] void become(const std::vector<std::string>& command);
 

@@ -1,0 +1,176 @@
+#include "lab_result.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "lab_files.hpp"
+#include "process.hpp"
+#include "project.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using std::chrono::seconds;
+
+namespace {
+
+fs::path result_file(const std::string& lab_name) {
+  return project_root() / "build/results" /
+         ("lab" + std::to_string(lab_number(lab_name)) + ".json");
+}
+
+std::string student_target(int lab) { return "lab" + std::to_string(lab) + "_student"; }
+
+bool has_newer_file(const fs::path& folder, fs::file_time_type time) {
+  const auto files = fs::recursive_directory_iterator(folder);
+  return std::any_of(begin(files), end(files), [time](const fs::directory_entry& entry) {
+    return entry.is_regular_file() && entry.last_write_time() > time;
+  });
+}
+
+/// A test that is blocked waits for another lab's file.
+bool waits_for_other_labs(const LabResult& result) {
+  return std::any_of(result.verdicts.begin(), result.verdicts.end(),
+                     [](const Verdict& verdict) { return verdict.kind == Verdict::Kind::Blocked; });
+}
+
+Json to_json(const LabResult& result) {
+  Json tests = Json::array();
+  for (const Verdict& verdict : result.verdicts) {
+    tests.push_back({{"test", verdict.test.name},
+                     {"step", verdict.test.step},
+                     {"points", verdict.test.points},
+                     {"long", verdict.test.is_long},
+                     {"earned", verdict.earned()},
+                     {"status", to_string(verdict.kind)},
+                     {"message", verdict.message},
+                     {"seconds", verdict.seconds}});
+  }
+  return {{"lab", result.lab_name},
+          {"file_sha256", result.file_hash},
+          {"points", result.points()},
+          {"earned", result.earned()},
+          {"compile_error", result.compile_error},
+          {"tests", tests}};
+}
+
+LabResult from_json(const Json& json) {
+  LabResult result{json.at("lab"), json.at("file_sha256"), json.at("compile_error"), {}};
+  for (const Json& row : json.at("tests")) {
+    result.verdicts.push_back({{row.at("test"), row.at("step"), row.at("points"), row.at("long")},
+                               verdict_kind(row.at("status")),
+                               row.at("message"),
+                               row.at("seconds")});
+  }
+  return result;
+}
+
+/// The first line of a build's log that names an error; the log's last line when none does.
+std::string first_error(const fs::path& log) {
+  std::ifstream lines(log);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("error: ") != std::string::npos) return line;
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+/// Builds the graded program with nothing on the screen.
+/// @return the first error; empty when all is well
+std::string build_quietly(int lab) {
+  const fs::path log = project_root() / "build/results" / ("lab" + std::to_string(lab) + ".log");
+  fs::create_directories(log.parent_path());
+  const Ending ending =
+      run({project_root() / "cs550", "build", "student", student_target(lab)}, {{}, log});
+  const std::string error = ending.good() ? "" : first_error(log);
+  fs::remove(log);
+  return error;
+}
+
+}  // namespace
+
+int LabResult::earned() const {
+  int sum = 0;
+  for (const Verdict& verdict : verdicts) sum += verdict.earned();
+  return sum;
+}
+
+int LabResult::points() const {
+  int sum = 0;
+  for (const Verdict& verdict : verdicts) sum += verdict.test.points;
+  return sum;
+}
+
+std::optional<Verdict> LabResult::next_failure() const {
+  const auto failure = std::find_if(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) {
+    return verdict.kind != Verdict::Kind::Passed;
+  });
+  return failure == verdicts.end() ? std::nullopt : std::optional(*failure);
+}
+
+std::optional<LabResult> remembered_result(const std::string& lab_name) {
+  std::ifstream stream(result_file(lab_name));
+  if (!stream) return std::nullopt;
+  const Json json = Json::parse(stream, nullptr, false);
+  if (json.is_discarded()) return std::nullopt;
+  LabResult result = from_json(json);
+  const fs::file_time_type written = fs::last_write_time(result_file(lab_name));
+  const fs::path root = project_root();
+  const bool stale = result.file_hash != sha256(lab_file(lab_name)) ||
+                     has_newer_file(root / "framework", written) ||
+                     has_newer_file(root / "tests" / lab_name, written) ||
+                     (waits_for_other_labs(result) && has_newer_file(root / "labs", written));
+  return stale ? std::nullopt : std::optional(result);
+}
+
+void remember(const LabResult& result) {
+  fs::create_directories(result_file(result.lab_name).parent_path());
+  write_text(result_file(result.lab_name), to_json(result).dump(2) + '\n');
+}
+
+LabResult result_of(const std::string& lab_name) {
+  if (const std::optional<LabResult> known = remembered_result(lab_name)) return *known;
+  const int lab = lab_number(lab_name);
+  LabResult result = result_of_starter(lab_name);
+  result.compile_error = build_quietly(lab);
+  if (result.compile_error.empty()) {
+    result.verdicts = grade("student", lab, graded_tests(lab_name));
+  }
+  remember(result);
+  return result;
+}
+
+LabResult result_of_starter(const std::string& lab_name) {
+  LabResult result{lab_name, sha256(lab_file(lab_name)), "", {}};
+  for (const GradedTest& test : graded_tests(lab_name)) {
+    result.verdicts.push_back({test, Verdict::Kind::Failed, "", 0});
+  }
+  return result;
+}
+
+std::vector<Verdict> grade(const std::string& preset, int lab,
+                           const std::vector<GradedTest>& tests) {
+  const int slowdown = preset == "asan" ? 5 : 1;
+  const fs::path program = built_program(preset, student_target(lab));
+  std::vector<Verdict> verdicts =
+      run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5});
+  const std::vector<Verdict> slow =
+      run_graded_tests(program, lab, only(tests, true), slowdown * seconds{60});
+  verdicts.insert(verdicts.end(), slow.begin(), slow.end());
+  std::stable_sort(verdicts.begin(), verdicts.end(),
+                   [](const Verdict& a, const Verdict& b) { return a.test.step < b.test.step; });
+  return verdicts;
+}
+
+std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long) {
+  std::vector<GradedTest> chosen;
+  std::copy_if(tests.begin(), tests.end(), std::back_inserter(chosen),
+               [is_long](const GradedTest& test) { return test.is_long == is_long; });
+  return chosen;
+}
+
+}  // namespace cs550::cli

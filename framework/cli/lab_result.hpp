@@ -1,0 +1,43 @@
+#pragma once
+/// @file lab_result.hpp
+/// How a lab stands: graded when its file has changed, else remembered in build/results/labN.json.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graded_run.hpp"
+
+namespace cs550::cli {
+
+struct LabResult {
+  std::string lab_name;
+  std::string file_hash;      ///< of the file that was graded
+  std::string compile_error;  ///< the compiler's first error; empty when it compiled
+  std::vector<Verdict> verdicts;
+
+  int earned() const;
+  int points() const;
+  /// The first test that does not pass, by step; none when all do or nothing was run.
+  std::optional<Verdict> next_failure() const;
+};
+
+/// What is remembered of a lab, if neither its file nor its tests nor the framework have changed.
+std::optional<LabResult> remembered_result(const std::string& lab_name);
+
+void remember(const LabResult& result);
+
+/// The remembered result, else a new one: builds quietly and runs all graded tests.
+LabResult result_of(const std::string& lab_name);
+
+/// How a lab stands before anything is written: no test was run, none is passed.
+LabResult result_of_starter(const std::string& lab_name);
+
+/// Runs tests on the program of a preset, and waits for each as long as its kind may take.
+std::vector<Verdict> grade(const std::string& preset, int lab,
+                           const std::vector<GradedTest>& tests);
+
+/// The quick tests, or the long ones.
+std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long);
+
+}  // namespace cs550::cli
