@@ -36,6 +36,9 @@ if(TARGET tests_autograder)
   include("${PROJECT_SOURCE_DIR}/tests/autograder/tests.cmake")
 endif()
 
+# Absent in the students' copy.
+include("${PROJECT_SOURCE_DIR}/tests/mutants/tests.cmake" OPTIONAL)
+
 if(EXISTS "${PROJECT_SOURCE_DIR}/tests/fixtures/CMakeLists.txt")
   add_subdirectory("${PROJECT_SOURCE_DIR}/tests/fixtures" "${PROJECT_BINARY_DIR}/fixtures")
 endif()
