@@ -15,9 +15,9 @@ namespace cs550::test {
 /// Convex meshes of 4 to 162 vertices: thin, flat, round, with large faces and with tiny ones.
 inline const std::vector<std::string>& convex_meshes() {
   static const std::vector<std::string> names{
-      "cube",     "box_1x2x3", "slab",         "needle",     "regular_tetrahedron",
-      "sliver",   "prism6",    "prism32",      "pyramid4",   "dodecahedron",
-      "hull8",    "hull32",    "hull128",      "icosphere2", "triangulated_cube"};
+      "cube",   "box_1x2x3", "slab",    "needle",     "regular_tetrahedron",
+      "sliver", "prism6",    "prism32", "pyramid4",   "dodecahedron",
+      "hull8",  "hull32",    "hull128", "icosphere2", "triangulated_cube"};
   return names;
 }
 
@@ -65,8 +65,8 @@ inline std::vector<Index> neighbours(const HalfEdgeMesh& mesh, Index v) {
 /// `random_count` at random.
 inline std::vector<Vec3> directions_for(const HalfEdgeMesh& mesh, Random& random,
                                         int random_count) {
-  std::vector<Vec3> directions{Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(),
-                               -Vec3::UnitY(), Vec3::UnitZ(), -Vec3::UnitZ()};
+  std::vector<Vec3> directions{Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
+                               -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
   const Index few = std::min(Index{6}, mesh.face_count());
   for (Index f = 0; f < few; ++f) directions.push_back(mesh.face(f).plane.normal);
   for (int i = 0; i < random_count; ++i) directions.push_back(random.unit_vector());
@@ -80,8 +80,7 @@ inline bool expect_highest(const Story& story, const HalfEdgeMesh& mesh, const V
   here.given("direction", direction).given("vertices", mesh.vertex_count());
   if (!here.expect("the answer is a vertex of the mesh", is_vertex(mesh, vertex))) return false;
   return here.expect_near("dot(vertex, direction)", height(mesh.vertex(vertex), direction),
-                          greatest_height(mesh, direction), height_tolerance(mesh, direction),
-                          "m");
+                          greatest_height(mesh, direction), height_tolerance(mesh, direction), "m");
 }
 
 }  // namespace cs550::test

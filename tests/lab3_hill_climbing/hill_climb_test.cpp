@@ -48,8 +48,9 @@ GRADED_TEST(Lab3, ClimbEndsOnAPlateau, 4, "L3.2") {
 }
 
 GRADED_TEST(Lab3, ClimbStopsAtALocalMaximum, 4, "L3.2") {
-  Story story("A climb sees only its neighbours: on a mesh that is not convex it stops at a top "
-              "that need not be the highest");
+  Story story(
+      "A climb sees only its neighbours: on a mesh that is not convex it stops at a top "
+      "that need not be the highest");
   story.given("mesh twin_peaks: vertex 6 at 1 m and vertex 7 at 2 m, a lower ridge between them");
   story.given("direction +z");
   story.likely("look at neighbours only: a search over all vertices is no climb")

@@ -78,8 +78,9 @@ GRADED_TEST(Lab3, VisitsAreTheNeighboursOfThePath, 2, "L3.2") {
       }
     }
     Story here = story;
-    here.given("direction", direction).given("start", start).given("vertices on the path",
-                                                                   path.size());
+    here.given("direction", direction)
+        .given("start", start)
+        .given("vertices on the path", path.size());
     // Who remembers what was measured before needs fewer looks than who does not.
     if (!here.expect_at_least("visited", answer.visited, static_cast<double>(seen.size()))) return;
     if (!here.expect_at_most("visited", answer.visited, static_cast<double>(looks))) return;
@@ -113,9 +114,8 @@ GRADED_TEST(Lab3, VisitsGrowLikeTheSquareRootOfTheVertices, 5, "L3.2") {
     const double mean = sum / climbs;
     // On average a quarter of the way round: half as many.
     if (!here.expect_at_most("mean number of visits", mean, 3.5 * (root + 1))) return;
-    if (mean_before > 0 &&
-        !here.expect_at_most("growth of the mean for 4 times the vertices", mean / mean_before,
-                             2.4)) {
+    if (mean_before > 0 && !here.expect_at_most("growth of the mean for 4 times the vertices",
+                                                mean / mean_before, 2.4)) {
       return;
     }
     mean_before = mean;

@@ -146,8 +146,8 @@ bool expect_best_axis(const Story& story, const TestPair& pair, const Separating
   const double along = separation_along(a, b, answer.axis.cast<double>().normalized());
   // The axis is rounded, too: where it is the cross product of edges that enclose a small angle, by
   // more than its last digit.
-  if (!here.expect_near("separation along the axis, A to B", answer.separation, along,
-                        allowed, "m")) {
+  if (!here.expect_near("separation along the axis, A to B", answer.separation, along, allowed,
+                        "m")) {
     return false;
   }
   if (answer.separation > margin) return true;

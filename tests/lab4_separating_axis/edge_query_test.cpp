@@ -64,8 +64,8 @@ bool expect_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answer
   const auto is_half_edge = [](const PosedShape& body, Index e) {
     return e >= 0 && e < body.mesh().edge_count();
   };
-  if (!here.expect("half-edges of A and of B", is_half_edge(pair.a, answer.edge_a) &&
-                                                   is_half_edge(pair.b, answer.edge_b))) {
+  if (!here.expect("half-edges of A and of B",
+                   is_half_edge(pair.a, answer.edge_a) && is_half_edge(pair.b, answer.edge_b))) {
     return false;
   }
   const ExactBody a = pair.exact_a();
@@ -145,8 +145,9 @@ GRADED_TEST(Lab4, ParallelEdgesAreSkipped, 3, "L4.3") {
 }
 
 GRADED_TEST(Lab4, CrossedEdgesAtAnySize, 4, "L4.3") {
-  Story story = with_causes(Story("Two bodies that cross edge over edge separate by their "
-                                  "distance less both heights, along the vertical"));
+  Story story =
+      with_causes(Story("Two bodies that cross edge over edge separate by their "
+                        "distance less both heights, along the vertical"));
   story.likely("a tolerance in metres that fits a box of 1 m is wrong for one of 12 mm");
   for (const Real size : {Real(1e-3), Real(0.012), Real(1), Real(1e3)}) {
     for (const CrossedShape& shape : crossed_shapes()) {

@@ -56,8 +56,10 @@ GRADED_TEST(Lab4, FaceQueryOfBoxesIsKnown, 3, "L4.2") {
     double separation;
     Vec3 normal;
   } cases[] = {
-      {{0, 0, Real(1.75)}, -0.25, Vec3::UnitZ()}, {{0, 0, Real(2.25)}, 0.25, Vec3::UnitZ()},
-      {{Real(-0.75), 0, 0}, -0.25, -Vec3::UnitX()}, {{0, 3, 1}, 1.5, Vec3::UnitY()},
+      {{0, 0, Real(1.75)}, -0.25, Vec3::UnitZ()},
+      {{0, 0, Real(2.25)}, 0.25, Vec3::UnitZ()},
+      {{Real(-0.75), 0, 0}, -0.25, -Vec3::UnitX()},
+      {{0, 3, 1}, 1.5, Vec3::UnitY()},
   };
   for (const auto& expected : cases) {
     const PosedShape a{cube.get(), {Vec3::Zero(), Quat::Identity()}};

@@ -79,7 +79,8 @@ GRADED_TEST(Lab4, AxisAtAnySizeAndFarFromTheOrigin, 2, "L4.4") {
 
 GRADED_TEST(Lab4, SwappedBodiesTurnTheAxisRound, 1, "L4.4") {
   Random random(47);
-  Story story = with_causes(Story("Swapping A and B keeps the separation and turns the axis round"));
+  Story story =
+      with_causes(Story("Swapping A and B keeps the separation and turns the axis round"));
   story.seed(random.seed()).when("find_separating_axis(A, B) and find_separating_axis(B, A)");
   const std::vector<ShapePtr> shapes = small_shapes();
   for (int i = 0; i < 100; ++i) {

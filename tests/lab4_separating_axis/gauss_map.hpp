@@ -11,7 +11,9 @@ namespace cs550::test {
 
 using Vec3d = Eigen::Vector3d;
 
-inline double angle(const Vec3d& a, const Vec3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+inline double angle(const Vec3d& a, const Vec3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 /// How much longer the way from a to b is over p: zero on the arc, up to twice the distance off it.
 inline double detour(const Vec3d& a, const Vec3d& p, const Vec3d& b) {
@@ -21,7 +23,8 @@ inline double detour(const Vec3d& a, const Vec3d& p, const Vec3d& b) {
 enum class Crossing { Yes, No, TooCloseToTell };
 
 /// By lengths of arcs: the circles meet in two opposite points; is one of them on both arcs?
-inline Crossing crossing_by_lengths(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+inline Crossing crossing_by_lengths(const Vec3d& a, const Vec3d& b, const Vec3d& c,
+                                    const Vec3d& d) {
   const Vec3d meeting = a.cross(b).cross(c.cross(d)).normalized();
   Crossing result = Crossing::No;
   for (const double side : {1.0, -1.0}) {

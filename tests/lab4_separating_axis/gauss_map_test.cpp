@@ -34,8 +34,8 @@ GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
     const Vec3 b = arc_end(random, a);
     const Vec3 c = random.unit_vector();
     const Vec3 d = arc_end(random, c);
-    const Crossing expected = crossing_by_lengths(a.cast<double>(), b.cast<double>(),
-                                                  c.cast<double>(), d.cast<double>());
+    const Crossing expected =
+        crossing_by_lengths(a.cast<double>(), b.cast<double>(), c.cast<double>(), d.cast<double>());
     if (expected == Crossing::TooCloseToTell) continue;
     if (expected == Crossing::Yes) ++crossing;
     Story here = story;

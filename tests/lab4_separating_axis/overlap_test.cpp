@@ -48,8 +48,8 @@ GRADED_TEST(Lab4, CubesThatTouchOverlap, 1, "L4.5") {
     Vec3 position;
     bool overlaps;
   } cases[] = {
-      {{0, 0, 0}, true},        {{Real(0.5), Real(0.5), Real(0.5)}, true},
-      {{1, 0, 0}, true},        {{1, 1, 1}, true},
+      {{0, 0, 0}, true},           {{Real(0.5), Real(0.5), Real(0.5)}, true},
+      {{1, 0, 0}, true},           {{1, 1, 1}, true},
       {{Real(1.01), 0, 0}, false}, {{0, 0, Real(-1.01)}, false},
       {{0, -3, 0}, false},
   };

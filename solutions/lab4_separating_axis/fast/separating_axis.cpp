@@ -34,13 +34,12 @@ struct Pair {
   Pair(const PosedShape& body_a, const PosedShape& body_b)
       : a(body_a.mesh()),
         b(body_b.mesh()),
-        rotation((body_a.pose.orientation.conjugate() * body_b.pose.orientation).toRotationMatrix()),
+        rotation(
+            (body_a.pose.orientation.conjugate() * body_b.pose.orientation).toRotationMatrix()),
         position(body_a.pose.to_body(body_b.pose.position)) {}
 
   Vec3 to_a(const Vec3& point_of_b) const { return rotation * point_of_b + position; }
-  Vec3 to_b(const Vec3& point_of_a) const {
-    return rotation.transpose() * (point_of_a - position);
-  }
+  Vec3 to_b(const Vec3& point_of_a) const { return rotation.transpose() * (point_of_a - position); }
   Vec3 turn_to_a(const Vec3& direction) const { return rotation * direction; }
   Vec3 turn_to_b(const Vec3& direction) const { return rotation.transpose() * direction; }
 };
@@ -106,7 +105,8 @@ EdgeQuery query_edge_pair(const Pair& pair, Index edge_a, Index edge_b) {
 
   const Real outward = cross.dot(left + right) > 0 ? Real(1) : Real(-1);
   const Vec3 axis = (outward / length) * cross;
-  const Vec3 a_to_b = pair.to_a(pair.b.vertex(pair.b.origin(edge_b))) - pair.a.vertex(pair.a.origin(edge_a));
+  const Vec3 a_to_b =
+      pair.to_a(pair.b.vertex(pair.b.origin(edge_b))) - pair.a.vertex(pair.a.origin(edge_a));
   return {edge_a, edge_b, axis, axis.dot(a_to_b)};
 }
 
@@ -166,7 +166,8 @@ class EdgeSearch {
   void walk(Index edge_a, const Arc& arc) {
     const Index start = support(pair_.a.edge(edge_a).face, arc.from);
     walk_arc(pair_.b, arc, start, [&](Real t, Index edge_b) {
-      if (best_ && !arc.may_separate_by(best_.separation, t, pair_.b.vertex(pair_.b.origin(edge_b))))
+      if (best_ &&
+          !arc.may_separate_by(best_.separation, t, pair_.b.vertex(pair_.b.origin(edge_b))))
         return;
       const EdgeQuery query = query_edge_pair(pair_, edge_a, edge_b & ~1);
       if (query && (!best_ || query.separation > best_.separation)) best_ = query;

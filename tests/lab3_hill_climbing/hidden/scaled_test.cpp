@@ -55,8 +55,7 @@ GRADED_TEST(Lab3, ClimbFromTheAnswerStays, 3, "L3.2") {
   Random random(933);
   Story story("Begun at the answer, a climb looks at its neighbours and stays");
   story.seed(random.seed()).when("hill_climb() twice, the second time from the first answer");
-  story.likely("use the start that is given")
-      .likely("a path that is given anew begins anew");
+  story.likely("use the start that is given").likely("a path that is given anew begins anew");
   for (const std::string name : {"cube", "dodecahedron", "hull256"}) {
     const HalfEdgeMesh& mesh = fixture_mesh(name);
     std::vector<Index> path;

@@ -69,7 +69,8 @@ GRADED_TEST(Lab4, CrossedAtManyAngles, 3, "L4.3") {
 
 GRADED_TEST(Lab4, OverlapOfSmallBodiesFarAway, 3, "L4.5") {
   Random random(943);
-  Story story = with_causes(Story("Bodies of 12 mm, 10 m away, overlap if and only if GJK says so"));
+  Story story =
+      with_causes(Story("Bodies of 12 mm, 10 m away, overlap if and only if GJK says so"));
   story.seed(random.seed()).when("overlap(A, B)");
   const std::vector<ShapePtr> shapes = small_shapes(Real(0.012));
   int overlapping = 0;
