@@ -23,6 +23,7 @@ class AabbTree {
   void remove(Index leaf);
   /// Gives a leaf a new box. Precondition: `leaf` is in the tree.
   void move(Index leaf, const Bounds& bounds);
+  /// The box that a leaf was given last.
   const Bounds& bounds(Index leaf) const;
 
   /// Appends the users of all leaves whose boxes overlap the given one, in no particular order.
@@ -34,21 +35,25 @@ class AabbTree {
   void ray_cast(const Vec3& origin, const Vec3& direction, Real length,
                 const std::function<Real(Index user, Real length)>& visit) const;
 
+  /// How many leaves there are.
   int leaf_count() const { return leaf_count_; }
   /// Levels below the root; 0 for one leaf or none.
   int height() const;
 
   /// One node for people who draw the tree; the leaves have a user.
   struct Node {
-    Bounds bounds;
-    Index parent = no_index;  ///< also links the free nodes
-    Index child[2] = {no_index, no_index};
-    Index user = no_index;
-    Index height = 0;  ///< leaves 0, free nodes −1
+    Bounds bounds;                          ///< of all leaves below
+    Index parent = no_index;                ///< also links the free nodes
+    Index child[2] = {no_index, no_index};  ///< none or two
+    Index user = no_index;                  ///< what insert() was told; no_index above the leaves
+    Index height = 0;                       ///< leaves 0, free nodes −1
 
+    /// Whether it has a user and no children.
     bool is_leaf() const { return child[0] == no_index; }
   };
+  /// All places of nodes, the free ones included.
   std::span<const Node> nodes() const { return nodes_; }
+  /// Where to begin in nodes(); no_index for an empty tree.
   Index root() const { return root_; }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 /// @file clipping.hpp
-/// **Lab 5.** From an axis to contact points: clip the incident face against the reference face.
+/// **Lab 5:** From an axis to contact points: clip the incident face against the reference face.
 /// Document §3.6–3.7; Sutherland & Hodgman (1974); Gregorius, *Robust Contact Creation for Physics
 /// Simulations* (GDC 2015).
 
@@ -12,10 +12,15 @@ namespace cs550 {
 
 /// Where an edge of a clipped polygon comes from.
 struct ClipEdge {
-  enum class Source : std::uint8_t { Incident, Reference };
-  Source source = Source::Incident;
-  Index edge = no_index;  ///< half-edge of the incident or of the reference body
+  /// Whose edge it is.
+  enum class Source : std::uint8_t {
+    Incident,   ///< a side of the polygon that is clipped
+    Reference,  ///< along a plane that clipped it
+  };
+  Source source = Source::Incident;  ///< whose edge it is
+  Index edge = no_index;             ///< half-edge of the incident or of the reference body
 
+  /// Whether both are the same edge.
   bool operator==(const ClipEdge& other) const {
     return source == other.source && edge == other.edge;
   }
@@ -59,7 +64,7 @@ inline constexpr Real side_plane_tolerance = Real(1e-4);
 /// one anchor at the clipped point, on the incident body, and one at its projection onto the
 /// reference plane. The manifold's normal points A → B whichever body owns the reference face, its
 /// tangent is along the reference face's first edge. Reduced to max_manifold_points.
-/// @param axis.feature FaceA or FaceB picks the reference face from axis.face_a or axis.face_b
+/// @param axis its feature, FaceA or FaceB, picks the reference face from axis.face_a or axis.face_b
 /// @param margin keep points up to this separation (m)
 Manifold face_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
                        Real margin);

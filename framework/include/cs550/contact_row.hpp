@@ -28,9 +28,9 @@ struct BodyVelocity {
 /// What a soft contact makes of an impulse: λ = −m_scale·m·(Jv + b) − λ_scale·λ_acc.
 /// The defaults are a rigid contact.
 struct Softness {
-  Real bias_rate = 0;  ///< speed of recovery per metre of penetration (1/s)
-  Real mass_scale = 1;
-  Real impulse_scale = 0;
+  Real bias_rate = 0;      ///< speed of recovery per metre of penetration (1/s)
+  Real mass_scale = 1;     ///< m_scale: share of the mass that answers
+  Real impulse_scale = 0;  ///< λ_scale: share of the accumulated impulse that is given back
 };
 
 /// A spring-damper of the given frequency as softness: with ω = 2π·hertz, a₁ = 2ζ + h·ω,
@@ -40,8 +40,8 @@ Softness soft_contact(Real hertz, Real damping_ratio, Real h);
 
 /// One contact point as the solver sees it. Geometry is that of the start of the step.
 struct ContactRow {
-  Index body_a = no_index;
-  Index body_b = no_index;
+  Index body_a = no_index;  ///< place in the array of BodyVelocity
+  Index body_b = no_index;  ///< place in the array of BodyVelocity
   Vec3 n = Vec3::Zero();    ///< unit, A → B, world frame
   Vec3 u = Vec3::Zero();    ///< unit, first tangent, world frame; the second is v = n × u
   Vec3 r_a = Vec3::Zero();  ///< contact from A's centre of mass, world frame (m)
@@ -52,7 +52,7 @@ struct ContactRow {
 
   Real normal_mass = 0;              ///< (JM⁻¹Jᵀ)⁻¹ along n (kg)
   Mat2 tangent_mass = Mat2::Zero();  ///< the same for u and v together (kg)
-  Softness softness;
+  Softness softness;                 ///< of the normal direction
 
   Real approach_velocity = 0;  ///< v_n⁰ before this substep's gravity and warm start (m/s)
   bool struck = false;         ///< λ_n has been positive earlier in this step: v_n⁰ is spent
@@ -60,6 +60,7 @@ struct ContactRow {
   Real normal_impulse = 0;              ///< accumulated λ_n ≥ 0 (N·s)
   Vec2 tangent_impulse = Vec2::Zero();  ///< accumulated λ_u, λ_v (N·s)
 
+  /// The second tangent, unit, world frame.
   Vec3 v() const { return n.cross(u); }
 };
 

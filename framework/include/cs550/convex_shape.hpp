@@ -31,9 +31,10 @@ using ShapePtr = std::shared_ptr<const ConvexShape>;
 
 /// A shape, or a sentence that says why there is none and how to mend it.
 struct ShapeResult {
-  ShapePtr shape;
-  std::string error;
+  ShapePtr shape;     ///< null if there is an error
+  std::string error;  ///< empty if there is a shape
 
+  /// Whether there is a shape.
   explicit operator bool() const { return shape != nullptr; }
 };
 
@@ -48,9 +49,10 @@ ShapeResult make_shape(std::span<const Vec3> vertices, std::span<const Triangle>
 
 /// A shape at a pose, as a view: it does not own the shape.
 struct PosedShape {
-  const ConvexShape* shape = nullptr;
-  Pose pose;
+  const ConvexShape* shape = nullptr;  ///< must outlive this view
+  Pose pose;                           ///< body → world
 
+  /// Its mesh, in the body frame.
   const HalfEdgeMesh& mesh() const { return shape->mesh; }
   /// A vertex in the world (m).
   Vec3 vertex(Index v) const { return pose.to_world(mesh().vertex(v)); }

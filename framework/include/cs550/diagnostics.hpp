@@ -8,11 +8,12 @@ namespace cs550 {
 
 /// Mechanical energy of the dynamic bodies (J).
 struct Energy {
-  double kinetic = 0;
+  double kinetic = 0;    ///< ½·m·v² + ½·ω·L
   double potential = 0;  ///< −m·g·x, zero at the world's origin
   /// KE + PE + ½·h·m·g·v_up: what the semi-implicit step of length h conserves in free fall.
   double invariant = 0;
 
+  /// KE + PE.
   double total() const { return kinetic + potential; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// @file half_edge_mesh.hpp
-/// **Lab 2.** The shape of a body: a closed convex polyhedron whose neighbours can be walked.
+/// **Lab 2:** The shape of a body: a closed convex polyhedron whose neighbours can be walked.
 /// Document §2; de Berg et al., *Computational Geometry*, §2.2 (doubly connected edge list).
 
 #include <array>
@@ -19,9 +19,9 @@ namespace cs550 {
 struct HalfEdge {
   Index vertex = no_index;  ///< points to
   Index next = no_index;    ///< counter-clockwise around the face
-  Index prev = no_index;
-  Index twin = no_index;
-  Index face = no_index;
+  Index prev = no_index;    ///< the one whose next is this
+  Index twin = no_index;    ///< the other half, in the other direction
+  Index face = no_index;    ///< on its left
 };
 
 /// A planar convex polygon.
@@ -35,16 +35,22 @@ struct HalfEdgeMesh {
   std::vector<Vec3> vertices;      ///< body frame (m)
   std::vector<Index> vertex_edge;  ///< one half-edge that leaves each vertex
   std::vector<HalfEdge> edges;     ///< half-edges, twins adjacent
-  std::vector<Face> faces;
+  std::vector<Face> faces;         ///< polygons
 
+  /// An element by its index.
+  /// @{
   const Vec3& vertex(Index v) const { return vertices[static_cast<std::size_t>(v)]; }
   const HalfEdge& edge(Index e) const { return edges[static_cast<std::size_t>(e)]; }
   const Face& face(Index f) const { return faces[static_cast<std::size_t>(f)]; }
+  /// @}
 
+  /// How many there are.
+  /// @{
   Index vertex_count() const { return static_cast<Index>(vertices.size()); }
   /// Half-edges: twice the number of edges.
   Index edge_count() const { return static_cast<Index>(edges.size()); }
   Index face_count() const { return static_cast<Index>(faces.size()); }
+  /// @}
 
   /// The vertex that a half-edge comes from.
   Index origin(Index e) const { return edge(edge(e).twin).vertex; }
@@ -57,10 +63,14 @@ struct HalfEdgeMesh {
 template <class Advance>
 class EdgeLoop {
  public:
+  /// What a range-based for asks of an iterator, and no more.
   class Iterator {
    public:
+    /// At a half-edge: before the walk, or back there after it.
     Iterator(Index edge, bool at_end, Advance advance)
         : edge_(edge), at_end_(at_end), advance_(advance) {}
+    /// The three steps of a loop.
+    /// @{
     Index operator*() const { return edge_; }
     Iterator& operator++() {
       edge_ = advance_(edge_);
@@ -70,6 +80,7 @@ class EdgeLoop {
     bool operator!=(const Iterator& other) const {
       return edge_ != other.edge_ || at_end_ != other.at_end_;
     }
+    /// @}
 
    private:
     Index edge_;
@@ -77,9 +88,13 @@ class EdgeLoop {
     Advance advance_;
   };
 
+  /// The loop through a half-edge.
   EdgeLoop(Index first, Advance advance) : first_(first), advance_(advance) {}
+  /// Once around, each half-edge once.
+  /// @{
   Iterator begin() const { return {first_, false, advance_}; }
   Iterator end() const { return {first_, true, advance_}; }
+  /// @}
 
  private:
   Index first_;
@@ -88,20 +103,24 @@ class EdgeLoop {
 
 /// Follows `next`: the half-edges of one face, counter-clockwise.
 struct AroundFace {
-  const HalfEdgeMesh* mesh;
+  const HalfEdgeMesh* mesh;  ///< whose links to follow
+  /// The half-edge after `e`.
   Index operator()(Index e) const { return mesh->edge(e).next; }
 };
 
 /// Follows `twin, next`: the half-edges that leave one vertex, clockwise.
 struct AroundVertex {
-  const HalfEdgeMesh* mesh;
+  const HalfEdgeMesh* mesh;  ///< whose links to follow
+  /// The half-edge after `e`.
   Index operator()(Index e) const { return mesh->edge(mesh->edge(e).twin).next; }
 };
 
+/// The half-edges of a face, counter-clockwise, from its own `edge`.
 inline EdgeLoop<AroundFace> face_edges(const HalfEdgeMesh& mesh, Index face) {
   return {mesh.face(face).edge, AroundFace{&mesh}};
 }
 
+/// The half-edges that leave a vertex, clockwise, from its `vertex_edge`.
 inline EdgeLoop<AroundVertex> vertex_edges(const HalfEdgeMesh& mesh, Index vertex) {
   return {mesh.vertex_edge[static_cast<std::size_t>(vertex)], AroundVertex{&mesh}};
 }
@@ -111,7 +130,7 @@ using Triangle = std::array<Index, 3>;
 
 /// What can be wrong with a list of triangles.
 enum class MeshError : std::uint8_t {
-  None,
+  None,                 ///< nothing
   NoTriangles,          ///< the list is empty
   NonFiniteVertex,      ///< NaN or infinity
   IndexOutOfRange,      ///< a triangle names a vertex that does not exist
@@ -126,12 +145,13 @@ enum class MeshError : std::uint8_t {
 
 /// The first fault of a list of triangles, and the elements that show it.
 struct MeshIssue {
-  MeshError error = MeshError::None;
+  MeshError error = MeshError::None;                 ///< what is wrong
   Index triangle = no_index;                         ///< in the input list
   Index other_triangle = no_index;                   ///< the second one, for pairs
   Index vertex = no_index;                           ///< for faults of one vertex
   std::array<Index, 2> edge = {no_index, no_index};  ///< its end points, for faults of an edge
 
+  /// Whether anything is wrong.
   explicit operator bool() const { return error != MeshError::None; }
 };
 
@@ -141,7 +161,7 @@ std::string describe(const MeshIssue& issue);
 /// A mesh, or why there is none.
 struct MeshBuild {
   HalfEdgeMesh mesh;  ///< empty if there is an issue
-  MeshIssue issue;
+  MeshIssue issue;    ///< false if there is a mesh
 };
 
 /// **L2.1**–**L2.4** Connects triangles into a half-edge mesh.

@@ -1,6 +1,6 @@
 #pragma once
 /// @file hill_climbing.hpp
-/// **Lab 3.** The vertex that is most extreme in a direction, found by walking.
+/// **Lab 3:** The vertex that is most extreme in a direction, found by walking.
 /// Document §3.1; Gregorius, *The Separating Axis Test between Convex Polyhedra* (GDC 2013).
 
 #include <span>
@@ -12,8 +12,8 @@ namespace cs550 {
 
 /// The vertex that maximises dot(vertex, direction), and what it cost to find.
 struct Support {
-  Index vertex = no_index;
-  int visited = 0;  ///< dot products computed, the start's included
+  Index vertex = no_index;  ///< the most extreme one
+  int visited = 0;          ///< dot products computed, the start's included
 };
 
 /// **L3.1** Looks at every vertex: O(V). The first of several equal ones wins.
@@ -34,7 +34,7 @@ Support hill_climb(const HalfEdgeMesh& mesh, const Vec3& direction, Index start,
 
 /// A vertex and where it is.
 struct SupportPoint {
-  Index vertex = no_index;
+  Index vertex = no_index;    ///< of the body's mesh
   Vec3 point = Vec3::Zero();  ///< world frame (m)
 };
 

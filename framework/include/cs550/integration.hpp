@@ -1,6 +1,6 @@
 #pragma once
 /// @file integration.hpp
-/// **Lab 1.** How a body moves: forces change momenta, momenta give velocities, velocities turn
+/// **Lab 1:** How a body moves: forces change momenta, momenta give velocities, velocities turn
 /// and carry the body. Document §1; Baraff, *Rigid Body Simulation I* (1997), §2–4.
 
 #include "cs550/rigid_body.hpp"

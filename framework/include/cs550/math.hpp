@@ -26,20 +26,23 @@ using Index = std::int32_t;
 /// The index of nothing.
 inline constexpr Index no_index = -1;
 
-// Fixed-size types carry no alignment demands: they may be stored, copied and serialised as plain
-// bytes, and they give the same bits whatever the instruction set.
+/// Columns, square matrices and quaternions. They carry no alignment demands: they may be stored,
+/// copied and serialised as plain bytes, and they give the same bits whatever the instruction set.
+/// @{
 using Vec2 = Eigen::Matrix<Real, 2, 1, Eigen::DontAlign>;
 using Vec3 = Eigen::Matrix<Real, 3, 1, Eigen::DontAlign>;
 using Mat2 = Eigen::Matrix<Real, 2, 2, Eigen::DontAlign>;
 using Mat3 = Eigen::Matrix<Real, 3, 3, Eigen::DontAlign>;
 using Quat = Eigen::Quaternion<Real, Eigen::DontAlign>;
+/// @}
 
+/// π
 inline constexpr Real pi = static_cast<Real>(3.14159265358979323846L);
 
 /// The points x with `normal·x = offset`. The normal is unit length.
 struct Plane {
-  Vec3 normal = Vec3::UnitZ();
-  Real offset = 0;  ///< m, along the normal from the origin
+  Vec3 normal = Vec3::UnitZ();  ///< unit
+  Real offset = 0;              ///< m, along the normal from the origin
 
   /// Signed distance of a point (m), positive on the side to which the normal points.
   Real distance(const Vec3& point) const { return normal.dot(point) - offset; }
@@ -50,9 +53,13 @@ struct Pose {
   Vec3 position = Vec3::Zero();         ///< of the body's origin, in the world (m)
   Quat orientation = Quat::Identity();  ///< unit length, body to world
 
+  /// R, body to world.
   Mat3 rotation() const { return orientation.toRotationMatrix(); }
+  /// The same point in the other frame (m).
+  /// @{
   Vec3 to_world(const Vec3& point) const { return orientation * point + position; }
   Vec3 to_body(const Vec3& point) const { return orientation.conjugate() * (point - position); }
+  /// @}
 
   /// Turns a direction from body to world; directions ignore the position.
   Vec3 rotate(const Vec3& direction) const { return orientation * direction; }
@@ -62,9 +69,11 @@ struct Pose {
 
 /// An axis-aligned box; empty until it includes a point.
 struct Bounds {
-  Vec3 lower = Vec3::Constant(HUGE_VALF);
-  Vec3 upper = Vec3::Constant(-HUGE_VALF);
+  Vec3 lower = Vec3::Constant(HUGE_VALF);   ///< the smallest coordinates (m)
+  Vec3 upper = Vec3::Constant(-HUGE_VALF);  ///< the largest coordinates (m)
 
+  /// Grows until it holds the point or the box.
+  /// @{
   void include(const Vec3& point) {
     lower = lower.cwiseMin(point);
     upper = upper.cwiseMax(point);
@@ -73,21 +82,28 @@ struct Bounds {
     lower = lower.cwiseMin(other.lower);
     upper = upper.cwiseMax(other.upper);
   }
+  /// @}
+
+  /// Whether the other box lies inside, boundary included.
   bool contains(const Bounds& other) const {
     return (lower.array() <= other.lower.array()).all() &&
            (upper.array() >= other.upper.array()).all();
   }
+  /// Whether the boxes share a point.
   bool overlaps(const Bounds& other) const {
     return (lower.array() <= other.upper.array()).all() &&
            (upper.array() >= other.lower.array()).all();
   }
+  /// With a margin added on every side (m).
   Bounds expanded(Real margin) const {
     Bounds result = *this;
     result.lower.array() -= margin;
     result.upper.array() += margin;
     return result;
   }
+  /// The middle (m).
   Vec3 center() const { return Real(0.5) * (lower + upper); }
+  /// The lengths of the sides (m).
   Vec3 extent() const { return upper - lower; }
 };
 

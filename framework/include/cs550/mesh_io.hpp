@@ -18,8 +18,8 @@ std::string to_json(const HalfEdgeMesh& mesh);
 
 /// A mesh, or a sentence that says why there is none.
 struct MeshResult {
-  HalfEdgeMesh mesh;
-  std::string error;
+  HalfEdgeMesh mesh;  ///< empty if there is an error
+  std::string error;  ///< empty if there is a mesh
 };
 
 /// @param tolerance of validate(); HUGE_VALF takes a mesh that is not convex

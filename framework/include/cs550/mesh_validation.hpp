@@ -14,9 +14,9 @@ enum class MeshElement : std::uint8_t { Mesh, Vertex, HalfEdge, Face };
 
 /// A broken invariant: where, and in words.
 struct MeshDefect {
-  MeshElement element = MeshElement::Mesh;
-  Index index = no_index;  ///< of the element; no_index for the mesh as a whole
-  std::string sentence;    ///< "half-edge 12: its twin 13 does not point back to it"
+  MeshElement element = MeshElement::Mesh;  ///< its kind
+  Index index = no_index;                   ///< of the element; no_index for the mesh as a whole
+  std::string sentence;  ///< "half-edge 12: its twin 13 does not point back to it"
 };
 
 /// Returns the first broken invariant of a mesh, or nothing. In this order: array sizes and index

@@ -1,6 +1,6 @@
 #pragma once
 /// @file naive_solver.hpp
-/// **Lab 6.** The textbook impulse: one collision at a time. Document §4.1; Baraff, *Rigid Body
+/// **Lab 6:** The textbook impulse: one collision at a time. Document §4.1; Baraff, *Rigid Body
 /// Simulation II* (1997), §8.
 
 #include <span>

@@ -22,8 +22,11 @@ class NotImplemented : public std::exception {
                  (*file == '/' ? file + 1 : file) + ":" + std::to_string(line) +
                  "); see the handout") {}
 
+  /// "not implemented: L3.2 hill_climb (file:line); see the handout".
   const char* what() const noexcept override { return message_.c_str(); }
+  /// The step of the lab, "L3.2".
   const std::string& step() const { return step_; }
+  /// The function that is to be written.
   const std::string& function() const { return function_; }
   /// The number of the lab, from its step: 3 for "L3.2".
   int lab() const { return std::stoi(step_.substr(1)); }

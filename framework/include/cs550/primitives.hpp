@@ -13,8 +13,8 @@ namespace cs550 {
 /// Vertices and triangles, counter-clockwise seen from outside: what files, generators and hulls
 /// hand to build_half_edge_mesh().
 struct TriangleSoup {
-  std::vector<Vec3> vertices;
-  std::vector<Triangle> triangles;
+  std::vector<Vec3> vertices;       ///< any frame (m)
+  std::vector<Triangle> triangles;  ///< of indices of vertices
 };
 
 /// A box about the origin. @param half_extents m, positive
@@ -31,8 +31,8 @@ TriangleSoup icosphere_soup(int subdivisions, Real radius);
 
 /// A triangle soup, or a sentence that says why there is none.
 struct SoupResult {
-  TriangleSoup soup;
-  std::string error;
+  TriangleSoup soup;  ///< empty if there is an error
+  std::string error;  ///< empty if there is a soup
 };
 
 /// The convex hull of a point cloud by qhull (Barber, Dobkin & Huhdanpaa 1996). Refuses fewer than

@@ -6,6 +6,7 @@
 
 namespace cs550 {
 
+/// What makes a body move.
 enum class BodyKind : std::uint8_t {
   Static,     ///< never moves: no velocity, infinite mass
   Kinematic,  ///< moves by the velocities that its owner sets, is pushed by nothing: infinite mass
@@ -18,7 +19,7 @@ enum class BodyKind : std::uint8_t {
 /// world_inverse_inertia are **derived** from it by refresh_velocity() and by nothing else, so that
 /// momentum is conserved by construction. For a kinematic body the velocities are the state.
 struct RigidBody {
-  BodyKind kind = BodyKind::Dynamic;
+  BodyKind kind = BodyKind::Dynamic;  ///< what makes it move
 
   Real mass = 1;                            ///< kg; 0 stands for infinite
   Real inverse_mass = 1;                    ///< 1/kg; 0 unless dynamic

@@ -12,11 +12,11 @@ namespace cs550 {
 
 /// A scene file, read: everything that is needed to build its world, any number of times.
 struct Scene {
-  std::string name;
-  std::string title;  ///< one line for people
-  std::string description;
-  WorldSettings settings;
-  std::vector<BodyDef> bodies;
+  std::string name;                     ///< of the file, without its ending
+  std::string title;                    ///< one line for people
+  std::string description;              ///< some sentences for people
+  WorldSettings settings;               ///< of its world
+  std::vector<BodyDef> bodies;          ///< in the order of the file, generators run
   std::vector<std::string> body_names;  ///< parallel to bodies; may be empty strings
   Real h = Real(1) / 60;                ///< step (s)
   int steps = 600;                      ///< how long a demo runs
@@ -25,9 +25,10 @@ struct Scene {
 
 /// A scene, or a sentence: file, JSON path, what was expected, an example.
 struct SceneResult {
-  Scene scene;
-  std::string error;
+  Scene scene;        ///< empty if there is an error
+  std::string error;  ///< empty if there is a scene
 
+  /// Whether there is a scene.
   explicit operator bool() const { return error.empty(); }
 };
 
@@ -42,6 +43,7 @@ SceneResult find_scene(const std::string& name_or_path);
 /// The names of the shipped scenes, sorted.
 std::vector<std::string> shipped_scenes();
 
+/// A world with the bodies of a scene, at its time 0.
 World make_world(const Scene& scene);
 
 }  // namespace cs550

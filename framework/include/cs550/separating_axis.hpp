@@ -1,6 +1,6 @@
 #pragma once
 /// @file separating_axis.hpp
-/// **Lab 4.** Whether two convex polyhedra overlap, by how much, and along which axis.
+/// **Lab 4:** Whether two convex polyhedra overlap, by how much, and along which axis.
 /// Document §3.2–3.5; Gregorius, *The Separating Axis Test between Convex Polyhedra* (GDC 2013);
 /// Ericson, *Real-Time Collision Detection* (2005), §5.2.
 
@@ -14,6 +14,7 @@ struct FaceQuery {
   Index vertex = no_index;  ///< of the other body: its deepest vertex behind that face
   Real separation = 0;      ///< signed distance of the vertex from the face (m)
 
+  /// Whether a face was found.
   explicit operator bool() const { return face != no_index; }
 };
 
@@ -24,6 +25,7 @@ struct EdgeQuery {
   Vec3 axis = Vec3::Zero();  ///< unit, A → B, world frame
   Real separation = 0;       ///< axis·(p_B − p_A), p on the edges (m)
 
+  /// Whether any pair of edges counts.
   explicit operator bool() const { return edge_a != no_index; }
 };
 
@@ -38,12 +40,12 @@ enum class AxisFeature : std::uint8_t {
 /// The axis of largest separation that was found, and the queries behind it. The queries that an
 /// early out did not reach are empty (they test false).
 struct SeparatingAxis {
-  AxisFeature feature = AxisFeature::None;
-  Vec3 axis = Vec3::Zero();  ///< unit, A → B, world frame
-  Real separation = 0;       ///< along the axis: positive apart, negative overlapping (m)
-  FaceQuery face_a;          ///< faces of A against vertices of B
-  FaceQuery face_b;          ///< faces of B against vertices of A
-  EdgeQuery edges;
+  AxisFeature feature = AxisFeature::None;  ///< what gives the axis
+  Vec3 axis = Vec3::Zero();                 ///< unit, A → B, world frame
+  Real separation = 0;  ///< along the axis: positive apart, negative overlapping (m)
+  FaceQuery face_a;     ///< faces of A against vertices of B
+  FaceQuery face_b;     ///< faces of B against vertices of A
+  EdgeQuery edges;      ///< edges of A against edges of B
 };
 
 /// **L4.1** Whether two edges make a face of the Minkowski difference: whether the arc from a to b

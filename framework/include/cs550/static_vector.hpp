@@ -17,8 +17,10 @@ class StaticVector {
   static_assert(std::is_trivially_destructible_v<T>, "elements are dropped without a destructor");
 
  public:
-  using value_type = T;
+  using value_type = T;  ///< of the elements
 
+  /// Empty, or a copy of the elements that there are.
+  /// @{
   StaticVector() {}  // NOLINT(modernize-use-equals-default): a union member has no default
   StaticVector(const StaticVector& other) { *this = other; }
   StaticVector& operator=(const StaticVector& other) {
@@ -26,12 +28,17 @@ class StaticVector {
     for (int i = 0; i < size_; ++i) std::construct_at(items_ + i, other[i]);
     return *this;
   }
+  /// @}
 
+  /// How many elements fit, and how many there are.
+  /// @{
   static constexpr int capacity() { return Capacity; }
   int size() const { return size_; }
   bool empty() const { return size_ == 0; }
   bool full() const { return size_ == Capacity; }
+  /// @}
 
+  /// Drops all elements.
   void clear() { size_ = 0; }
   /// Precondition: not full.
   void push_back(const T& item) {
@@ -44,6 +51,8 @@ class StaticVector {
     size_ = size;
   }
 
+  /// The elements, as in std::vector.
+  /// @{
   T& operator[](int i) { return items_[i]; }
   const T& operator[](int i) const { return items_[i]; }
   T* data() { return items_; }
@@ -54,6 +63,7 @@ class StaticVector {
   const T* end() const { return items_ + size_; }
   T& back() { return (*this)[size_ - 1]; }
   const T& back() const { return (*this)[size_ - 1]; }
+  /// @}
 
  private:
   int size_ = 0;

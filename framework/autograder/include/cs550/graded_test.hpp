@@ -18,12 +18,14 @@ struct GradedTestInfo {
   std::string suite;  ///< "Lab3"
   std::string name;   ///< the property that the test holds the code to
   std::string file;   ///< relative to the root; a test in a folder `hidden` is hidden
-  int line = 0;
-  int points = 0;
-  std::string step;  ///< "L3.2"
-  Duration duration = Duration::Short;
+  int line = 0;       ///< of the GRADED_TEST in that file
+  int points = 0;     ///< all of them or none
+  std::string step;   ///< "L3.2"
+  Duration duration = Duration::Short;  ///< as measured at -O1
 
+  /// "Lab3.Property", as GoogleTest and ctest know it.
   std::string full_name() const { return suite + "." + name; }
+  /// Whether students do not get to see it.
   bool hidden() const { return file.find("/hidden/") != std::string::npos; }
   /// The number of the lab, from the suite: 3 for "Lab3".
   int lab() const { return std::stoi(suite.substr(3)); }
@@ -35,9 +37,9 @@ std::vector<GradedTestInfo> graded_tests();
 /// The base of every graded test: turns what leaves the body into a verdict.
 class GradedTest : public testing::Test {
  protected:
-  static constexpr Duration Long = Duration::Long;
+  static constexpr Duration Long = Duration::Long;  ///< lets a test say `Long` for short
 
-  virtual void run() = 0;
+  virtual void run() = 0;  ///< the body that follows GRADED_TEST
 
  private:
   void TestBody() final;
@@ -51,6 +53,7 @@ class GradedTest : public testing::Test {
 /// Adds a test to the list; not for tests with the same name twice.
 void remember_graded_test(const GradedTestInfo& info);
 
+/// Makes GoogleTest run `Test`; always true, so that a static variable can call it.
 template <typename Test>
 bool register_graded_test(GradedTestInfo info) {
   remember_graded_test(info);
@@ -68,17 +71,17 @@ bool register_graded_test(GradedTestInfo info) {
 /// `GRADED_TEST(Lab3, HillClimbMatchesBruteForce, 6, "L3.2") { ... }`
 ///
 /// Arguments: lab, property, points, step, and `Long` for a test over 0.5 s at -O1.
-#define GRADED_TEST(suite_name, test_name, ...)                                              \
-  class suite_name##_##test_name final : public ::cs550::autograder::GradedTest {            \
-   public:                                                                                   \
-    static ::cs550::autograder::GradedTestInfo info() {                                      \
-      return {#suite_name, #test_name, __FILE__, __LINE__, __VA_ARGS__};                     \
-    }                                                                                        \
-                                                                                             \
-   private:                                                                                  \
-    void run() override;                                                                     \
-  };                                                                                         \
-  [[maybe_unused]] const bool suite_name##_##test_name##_is_registered =                     \
-      ::cs550::autograder::register_graded_test<suite_name##_##test_name>(                   \
-          suite_name##_##test_name::info());                                                 \
+#define GRADED_TEST(suite_name, test_name, ...)                                   \
+  class suite_name##_##test_name final : public ::cs550::autograder::GradedTest { \
+   public:                                                                        \
+    static ::cs550::autograder::GradedTestInfo info() {                           \
+      return {#suite_name, #test_name, __FILE__, __LINE__, __VA_ARGS__};          \
+    }                                                                             \
+                                                                                  \
+   private:                                                                       \
+    void run() override;                                                          \
+  };                                                                              \
+  [[maybe_unused]] const bool suite_name##_##test_name##_is_registered =          \
+      ::cs550::autograder::register_graded_test<suite_name##_##test_name>(        \
+          suite_name##_##test_name::info());                                      \
   void suite_name##_##test_name::run()
