@@ -51,8 +51,7 @@ Index find_incident_face([[maybe_unused]] const PosedShape& body,
 }
 
 Manifold face_manifold([[maybe_unused]] const PosedShape& a, [[maybe_unused]] const PosedShape& b,
-                       [[maybe_unused]] const SeparatingAxis& axis,
-                       [[maybe_unused]] Real margin) {
+                       [[maybe_unused]] const SeparatingAxis& axis, [[maybe_unused]] Real margin) {
   // L5.3, step 1: say which body owns the reference face and which one is incident. Work in the
   //               frame of the first: how does a point of the other get there?
   // L5.3, step 2: write the incident face as a polygon. Its edges are its half-edges.
@@ -91,8 +90,7 @@ StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
 }
 
 Manifold build_manifold([[maybe_unused]] const PosedShape& a, [[maybe_unused]] const PosedShape& b,
-                        [[maybe_unused]] const SeparatingAxis& axis,
-                        [[maybe_unused]] Real margin) {
+                        [[maybe_unused]] const SeparatingAxis& axis, [[maybe_unused]] Real margin) {
   // L5.6, step 1: nothing to do for bodies that are too far apart.
   // L5.6, step 2: which of the two face queries do you clip against? What if they are equal?
   // L5.6, step 3: when do the edges take over? Compare like with like, and on which side of the

@@ -42,8 +42,8 @@ class GradedTestVerdict : public testing::Test {
 
   const std::filesystem::path file_ =
       std::filesystem::path(testing::TempDir()) /
-      (std::string("verdict_") +
-       testing::UnitTest::GetInstance()->current_test_info()->name() + ".json");
+      (std::string("verdict_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+       ".json");
   Outcome run_;
   nlohmann::json results_;
 };
@@ -71,7 +71,8 @@ TEST_F(GradedTestVerdict, UnwrittenStepSaysSoAndNothingElse) {
   const nlohmann::json test = verdict("ReachesAnUnwrittenStep");
   EXPECT_EQ(test["status"], "failed");
   const std::string message = test["message"];
-  EXPECT_EQ(message.rfind("not implemented: L5.2 clip (tests/autograder/fake_lab/fake_lab.cpp:", 0), 0U)
+  EXPECT_EQ(message.rfind("not implemented: L5.2 clip (tests/autograder/fake_lab/fake_lab.cpp:", 0),
+            0U)
       << message;
   EXPECT_EQ(message.find("exception"), std::string::npos) << message;
   EXPECT_EQ(run_.exit_code, 1);

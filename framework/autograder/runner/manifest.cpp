@@ -18,10 +18,9 @@ std::string manifest() {
                     {"hidden", test.hidden()},
                     {"long", test.duration == Duration::Long}});
   }
-  const nlohmann::ordered_json document = {
-      {"lab", tests.empty() ? 0 : tests.front().lab()},
-      {"points", {{"visible", visible}, {"hidden", hidden}}},
-      {"tests", rows}};
+  const nlohmann::ordered_json document = {{"lab", tests.empty() ? 0 : tests.front().lab()},
+                                           {"points", {{"visible", visible}, {"hidden", hidden}}},
+                                           {"tests", rows}};
   return document.dump(2) + '\n';
 }
 
