@@ -1,5 +1,5 @@
-# The framework's own tests: one executable per folder of tests/, `tests_engine`, run on the
-# reference labs. A test whose name ends in Long or Soak carries that label.
+# The framework's own tests: one executable per folder of tests/, `tests_engine`, run on the labs
+# that the engine ships with: the fast kernels where there are any, else the reference. A test whose name ends in Long or Soak carries that label.
 #
 # ctest lists the tests when it starts, by running the executable: nothing to keep up to date.
 set(list_script "${CMAKE_CURRENT_LIST_DIR}/list_own_tests.cmake")
@@ -13,7 +13,7 @@ function(cs550_add_own_tests folder)
   add_executable(${target} ${sources})
   target_link_libraries(${target} PRIVATE cs550_test_support cs550_warnings GTest::gtest_main
                         ${ARGN})
-  cs550_link_reference_labs(${target})
+  cs550_link_fast_labs(${target})
   cs550_discover_own_tests(${target} ${folder})
 endfunction()
 

@@ -8,11 +8,47 @@
 namespace cs550 {
 namespace {
 
-const ContactPoint* find_feature(const Manifold& manifold, FeatureId feature) {
-  for (const ContactPoint& point : manifold.points) {
-    if (point.feature == feature) return &point;
+/// Which old point each new point continues; no_index where there is none.
+using Matches = StaticVector<Index, max_manifold_points>;
+
+bool is_taken(const Matches& matches, Index old) {
+  return std::find(matches.begin(), matches.end(), old) != matches.end();
+}
+
+Matches match_features(const Manifold& before, const Manifold& now) {
+  Matches matches;
+  for (const ContactPoint& point : now.points) {
+    const auto* same =
+        std::find_if(before.points.begin(), before.points.end(),
+                     [&](const ContactPoint& old) { return old.feature == point.feature; });
+    const bool found = same != before.points.end();
+    matches.push_back(found ? static_cast<Index>(same - before.points.begin()) : no_index);
   }
-  return nullptr;
+  return matches;
+}
+
+/// The nearest old point, seen from A, that no new point continues yet.
+Index nearest_left(const Manifold& before, const Matches& matches, const ContactPoint& point) {
+  Index nearest = no_index;
+  Real smallest = HUGE_VALF;
+  for (Index i = 0; i < before.points.size(); ++i) {
+    const Real distance = (before.points[i].anchor_a - point.anchor_a).squaredNorm();
+    if (distance < smallest && !is_taken(matches, i)) {
+      smallest = distance;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+/// A corner that slides over an edge is called differently from then on. Were its impulse lost, the
+/// load would be dropped for a step, and a stack of boxes that stand edge on edge would shake.
+Matches match_points(const Manifold& before, const Manifold& now) {
+  Matches matches = match_features(before, now);
+  for (Index i = 0; i < now.points.size(); ++i) {
+    if (matches[i] == no_index) matches[i] = nearest_left(before, matches, now.points[i]);
+  }
+  return matches;
 }
 
 /// v of the frame (n, u, v).
@@ -24,12 +60,14 @@ void carry_impulses(const Manifold& before, Manifold& now) {
   const Real turned = before.normal.dot(now.normal);
   const Vec3 v_before = second_tangent(before);
   const Vec3 v_now = second_tangent(now);
-  for (ContactPoint& point : now.points) {
-    const ContactPoint* last = find_feature(before, point.feature);
-    if (!last) continue;
-    point.normal_impulse = std::max(Real(0), last->normal_impulse * turned);
+  const Matches matches = match_points(before, now);
+  for (Index i = 0; i < now.points.size(); ++i) {
+    if (matches[i] == no_index) continue;
+    const ContactPoint& last = before.points[matches[i]];
+    ContactPoint& point = now.points[i];
+    point.normal_impulse = std::max(Real(0), last.normal_impulse * turned);
     const Vec3 impulse =
-        last->tangent_impulse.x() * before.tangent + last->tangent_impulse.y() * v_before;
+        last.tangent_impulse.x() * before.tangent + last.tangent_impulse.y() * v_before;
     point.tangent_impulse = {impulse.dot(now.tangent), impulse.dot(v_now)};
   }
 }

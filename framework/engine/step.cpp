@@ -111,7 +111,7 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
   step.h = h;
   step.model = settings.contact_model;
   // A spring that oscillates faster than the substeps can follow would shake.
-  const Real hertz = std::min(settings.contact_hertz, Real(0.125) / h);
+  const Real hertz = std::min(settings.contact_hertz, Real(0.25) / h);
   step.soft = soft_contact(hertz, settings.contact_damping_ratio, h);
   step.soft_static = soft_contact(2 * hertz, settings.contact_damping_ratio / 2, h);
   step.baumgarte = settings.baumgarte;
@@ -128,6 +128,7 @@ void prepare(WorldState& world, const ContactStep& step) {
   gather_velocities(world, world.velocities);
   if (world.settings.solver == SolverKind::Constraint) {
     prepare_contacts(world.rows, world.velocities, step);
+    if (world.settings.warm_starting) guess_cold_impulses(world, step.h);
   }
 }
 
@@ -185,6 +186,7 @@ void relax(WorldState& world, ContactStep step) {
   if (soft) {
     gather_velocities(world, world.velocities);
     step.use_bias = false;
+    step.backwards = true;
     for (int i = 0; i < world.settings.relax_iterations; ++i) {
       solve_contacts(world.rows, world.velocities, step);
     }
@@ -196,10 +198,8 @@ void relax(WorldState& world, ContactStep step) {
 }
 
 void move_bodies(WorldState& world, Real h) {
-  for_moving_bodies(world, [&](RigidBody& body) {
-    integrate_pose(body, h, world.settings.rotation);
-    refresh_velocity(body);
-  });
+  for_moving_bodies(world,
+                    [&](RigidBody& body) { turn_and_move(body, h, world.settings.rotation); });
 }
 
 /// What the bodies move in this substep is what separations change by. @pre before move_bodies()
@@ -278,9 +278,9 @@ void advance(WorldState& world, Real h) {
   const int substeps =
       world.settings.solver == SolverKind::Naive ? 1 : std::max(1, world.settings.substeps);
   const ContactStep step = contact_step(world.settings, h / static_cast<Real>(substeps));
+  apply_gravity(world);
   bool with_contacts = attempt(world, Stage::Prepare, [&] { prepare(world, step); });
   if (!with_contacts) world.rows.clear();
-  apply_gravity(world);
   for (int i = 0; i < substeps; ++i) substep(world, step, with_contacts);
 
   if (!with_contacts) drop_manifolds(world);

@@ -37,6 +37,13 @@ struct MomentumLedger {
   double largest_sum = 0;  ///< of |P| over the bodies: the scale of the error
 };
 
+/// A pair of bodies without impulses to start from: its rows, and one in their middle.
+struct ColdPair {
+  std::size_t first_row = 0;
+  std::size_t end_row = 0;
+  ContactRow middle;
+};
+
 struct WorldState {
   WorldSettings settings;
 
@@ -60,6 +67,7 @@ struct WorldState {
   // Room that a step works in, kept so that a warm step allocates nothing.
   std::vector<BodyVelocity> velocities;
   std::vector<ContactRow> rows;
+  std::vector<ColdPair> cold_pairs;
   PairList next_pairs;
   std::vector<Index> moved;  ///< whose leaves moved since pairs were looked for
   std::vector<Index> found;
@@ -98,6 +106,8 @@ void write_back_momenta(WorldState& world);
 
 /// Fills one row per contact point.
 void fill_rows(WorldState& world);
+/// Gives rows that are new and at rest the impulses that they will need. @param h substep (s)
+void guess_cold_impulses(WorldState& world, Real h);
 /// Hands the accumulated impulses back to the contact points, for the next step's warm start.
 void store_impulses(WorldState& world);
 
@@ -105,6 +115,10 @@ void store_impulses(WorldState& world);
 void check_bodies(WorldState& world);
 void check_axes(WorldState& world);
 void check_manifolds(WorldState& world);
+
+/// integrate_pose() and refresh_velocity(), with a guard against turns that the midpoint cannot
+/// follow. @param h substep (s)
+void turn_and_move(RigidBody& body, Real h, RotationMethod method);
 
 /// One step, stage by stage. @param h s
 void advance(WorldState& world, Real h);

@@ -109,8 +109,8 @@ void solve_friction([[maybe_unused]] ContactRow& row, [[maybe_unused]] BodyVeloc
 void solve_contacts([[maybe_unused]] std::span<ContactRow> rows,
                     [[maybe_unused]] std::span<BodyVelocity> bodies,
                     [[maybe_unused]] const ContactStep& step) {
-  // L7.8, step 1: visit every row once, in order, with its two bodies.
-  // L7.8, step 2: which of friction and normal should have the last word?
+  // L7.8, step 1: visit every row once, in order, with its two bodies: normal, then friction.
+  // L7.8, step 2: backwards, do exactly the reverse: what comes first, which row, and in it what?
   // See README.md, L7.8.
   throw NotImplemented("L7.8");
 }

@@ -342,7 +342,7 @@ Manifold build_manifold(const PosedShape& a, const PosedShape& b, const Separati
   const bool lost_the_deepest = deepest_separation(manifold) > face.separation + preference;
   if (!lost_the_deepest) return manifold;
   if (axis.edges && axis.edges.separation >= face.separation) return edge_manifold(a, b, axis);
-  if (axis.separation > 0) return manifold;
+  if (axis.separation > 0 && !manifold.points.empty()) return manifold;
   return vertex_manifold(ReferenceFace(a, b, face_axis), face.vertex);
 }
 

@@ -73,14 +73,14 @@ Real constraint_mass(const ContactJacobian& jacobian, const BodyVelocity& a,
 }
 
 ContactBias contact_bias(const ContactRow& row, Real separation, const ContactStep& step) {
+  const Real excess = separation + step.slop;
   ContactBias bias;
   if (separation > 0) {
     bias.velocity = separation / step.h;
-  } else if (step.use_bias) {
+  } else if (step.use_bias && excess < 0) {
     const bool soft = step.model == ContactModel::Soft;
     const Real rate = soft ? row.softness.bias_rate : step.baumgarte / step.h;
-    bias.velocity =
-        std::max(rate * std::min(Real(0), separation + step.slop), -step.max_push_speed);
+    bias.velocity = std::max(rate * excess, -step.max_push_speed);
     if (soft) {
       bias.mass_scale = row.softness.mass_scale;
       bias.impulse_scale = row.softness.impulse_scale;
@@ -134,11 +134,17 @@ void solve_friction(ContactRow& row, BodyVelocity& a, BodyVelocity& b) {
 
 void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
                     const ContactStep& step) {
-  for (ContactRow& row : rows) {
-    BodyVelocity& a = bodies[static_cast<std::size_t>(row.body_a)];
-    BodyVelocity& b = bodies[static_cast<std::size_t>(row.body_b)];
-    solve_friction(row, a, b);
-    solve_normal(row, a, b, step);
+  const auto body = [&](Index i) -> BodyVelocity& { return bodies[static_cast<std::size_t>(i)]; };
+  if (step.backwards) {
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+      solve_friction(*row, body(row->body_a), body(row->body_b));
+      solve_normal(*row, body(row->body_a), body(row->body_b), step);
+    }
+  } else {
+    for (ContactRow& row : rows) {
+      solve_normal(row, body(row.body_a), body(row.body_b), step);
+      solve_friction(row, body(row.body_a), body(row.body_b));
+    }
   }
 }
 

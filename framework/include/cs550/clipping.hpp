@@ -94,9 +94,11 @@ inline constexpr Real edge_preference = Real(5e-3);
 ///
 /// A face manifold without a point that is as deep as the face query says, up to edge_preference,
 /// has lost the contact (the incident face need not hold the deepest vertex). It gives way to the
-/// edges if their separation is no less than the face's, else, where the bodies overlap, to the
-/// deepest vertex. So bodies that overlap never get an empty manifold, and the depth it reports is
-/// that of the axis up to edge_preference. A separation above the margin gives an empty manifold.
+/// edges if their separation is no less than the face's, else, where the bodies overlap or clipping
+/// left nothing, to the deepest vertex. So bodies within the margin never get an empty manifold (fast
+/// ones that come together sideways would pass through each other), and the depth it reports for
+/// bodies that overlap is that of the axis up to edge_preference. A separation above the margin gives
+/// an empty manifold.
 Manifold build_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
                         Real margin);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// @file constraint_solver.hpp
-/// **Lab 7.** Sequential impulses: every contact is a constraint Jv + b ≥ 0, solved a row at a time,
+/// **Lab 7:** Sequential impulses: every contact is a constraint Jv + b ≥ 0, solved a row at a time,
 /// over and over, with accumulated impulses. Document §4.2; Catto, *Iterative Dynamics with Temporal
 /// Coherence* (GDC 2005), *Modeling and Solving Constraints* (GDC 2009), *Solver2D* (2024).
 
@@ -12,10 +12,10 @@ namespace cs550 {
 
 /// One row of the constraint matrix: JV = linear_a·v_A + angular_a·ω_A + linear_b·v_B + angular_b·ω_B.
 struct ContactJacobian {
-  Vec3 linear_a = Vec3::Zero();
-  Vec3 angular_a = Vec3::Zero();
-  Vec3 linear_b = Vec3::Zero();
-  Vec3 angular_b = Vec3::Zero();
+  Vec3 linear_a = Vec3::Zero();   ///< times v of A
+  Vec3 angular_a = Vec3::Zero();  ///< times ω of A (m)
+  Vec3 linear_b = Vec3::Zero();   ///< times v of B
+  Vec3 angular_b = Vec3::Zero();  ///< times ω of B (m)
 };
 
 /// How penetration is undone.
@@ -26,23 +26,24 @@ enum class ContactModel : std::uint8_t {
 
 /// What the solver is told about a substep.
 struct ContactStep {
-  Real h = 0;            ///< length of the substep (s)
-  bool use_bias = true;  ///< false in the relax pass
-  ContactModel model = ContactModel::Soft;
-  Softness soft;                    ///< contacts between movable bodies
-  Softness soft_static;             ///< contacts with an immovable body
-  Real baumgarte = Real(0.2);       ///< β
-  Real slop = 0;                    ///< penetration that is left alone (m)
-  Real max_push_speed = HUGE_VALF;  ///< fastest recovery from penetration (m/s)
-  Real restitution_threshold = 0;   ///< approaches slower than this do not bounce (m/s)
-  int restitution_iterations = 1;   ///< sweeps of apply_restitution()
+  Real h = 0;                               ///< length of the substep (s)
+  bool use_bias = true;                     ///< false in the relax pass
+  bool backwards = false;                   ///< visit the rows in reverse: the relax pass
+  ContactModel model = ContactModel::Soft;  ///< how penetration is undone
+  Softness soft;                            ///< contacts between movable bodies
+  Softness soft_static;                     ///< contacts with an immovable body
+  Real baumgarte = Real(0.2);               ///< β
+  Real slop = 0;                            ///< penetration that is left alone (m)
+  Real max_push_speed = HUGE_VALF;          ///< fastest recovery from penetration (m/s)
+  Real restitution_threshold = 0;           ///< approaches slower than this do not bounce (m/s)
+  int restitution_iterations = 1;           ///< sweeps of apply_restitution()
 };
 
 /// b of one row in one pass, with what softness makes of the impulse.
 struct ContactBias {
-  Real velocity = 0;  ///< b (m/s): the row asks for v_n ≥ −b
-  Real mass_scale = 1;
-  Real impulse_scale = 0;
+  Real velocity = 0;       ///< b (m/s): the row asks for v_n ≥ −b
+  Real mass_scale = 1;     ///< of the effective mass, see Softness
+  Real impulse_scale = 0;  ///< of the accumulated impulse, see Softness
 };
 
 /// **L7.1** The row of J for a direction d at a contact: [−d, −r_A × d, d, r_B × d].
@@ -55,9 +56,10 @@ Real constraint_mass(const ContactJacobian& jacobian, const BodyVelocity& a, con
 
 /// **L7.3** The bias of a row, negative to push apart.
 /// - Apart (d > 0): b = d/h, whatever the pass: the gap may close, not more (speculative contact).
-/// - Relax pass: b = 0.
-/// - Baumgarte: position term b_p = (β/h)·min(0, d + slop), not below −max_push_speed.
-/// - Soft: b_p = rate·min(0, d + slop), not below −max_push_speed, with the row's mass and impulse
+/// - Within the slop (−slop ≤ d ≤ 0) or in the relax pass: b = 0. The contact is rigid there, so a
+///   stack at rest does not creep.
+/// - Deeper, Baumgarte: position term b_p = (β/h)·(d + slop), not below −max_push_speed.
+/// - Deeper, soft: b_p = rate·(d + slop), not below −max_push_speed, with the row's mass and impulse
 ///   scales.
 /// - Restitution, in the Baumgarte model only: b_r = e·v_n⁰ where v_n⁰ < −threshold, else 0, and
 ///   b = min(b_p, b_r), never the sum, whether the bodies are apart or not.
@@ -81,7 +83,11 @@ void solve_normal(ContactRow& row, BodyVelocity& a, BodyVelocity& b, const Conta
 /// scaled back onto the disk ‖(λ_u, λ_v)‖ ≤ μ·λ_n of the *accumulated* normal impulse.
 void solve_friction(ContactRow& row, BodyVelocity& a, BodyVelocity& b);
 
-/// **L7.8** One pass: for each row in order, friction and then the normal, which has the last word.
+/// **L7.8** One pass over the rows: forwards the normal and then the friction of each; `backwards`
+/// exactly the reverse, from the last row to the first, friction and then the normal, which has the
+/// last word of a substep. A pass and its reverse together are a *symmetric* Gauss–Seidel step: its
+/// error only decays. Passes in one direction make slow modes of a warm-started stack swing up
+/// (complex eigenvalues; Saad, *Iterative Methods for Sparse Linear Systems*, §4.1).
 void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
                     const ContactStep& step);
 

@@ -11,8 +11,9 @@ namespace cs550 {
 /// only if the same features meet, so that last step's impulse can be carried over.
 /// 3 bits of kind, 14 bits for an element of A, 14 bits for an element of B.
 struct FeatureId {
+  /// Which kinds of features meet, and on whose reference face.
   enum class Kind : std::uint8_t {
-    None,
+    None,           ///< names nothing
     VertexOnFaceA,  ///< reference face of A, incident vertex of B
     CrossingOnA,    ///< reference on A: side edge of A, incident edge of B
     CornerOfFaceA,  ///< reference on A: vertex of A inside the incident face of B
@@ -22,28 +23,35 @@ struct FeatureId {
     Edges,          ///< edge of A against edge of B
   };
 
-  std::uint32_t bits = 0;
+  std::uint32_t bits = 0;  ///< kind, element of A, element of B, from the highest bits down
 
-  FeatureId() = default;
+  FeatureId() = default;  ///< names nothing
   /// @param of_a, of_b numbers of the vertex, face or *edge* (half-edge / 2) that the kind names
   FeatureId(Kind kind, Index of_a, Index of_b)
       : bits(static_cast<std::uint32_t>(kind) << 28 | static_cast<std::uint32_t>(of_a) << 14 |
              static_cast<std::uint32_t>(of_b)) {}
 
+  /// What the bits say.
+  /// @{
   Kind kind() const { return static_cast<Kind>(bits >> 28); }
   Index of_a() const { return static_cast<Index>(bits >> 14 & 0x3fffU); }
   Index of_b() const { return static_cast<Index>(bits & 0x3fffU); }
+  /// @}
+
+  /// Whether the same features meet.
+  /// @{
   bool operator==(const FeatureId& other) const { return bits == other.bits; }
   bool operator!=(const FeatureId& other) const { return bits != other.bits; }
+  /// @}
 };
 
 /// One point of a manifold: a point on A and a point on B that are `separation` apart along the
 /// normal, and the impulses that the solver has gathered there.
 struct ContactPoint {
-  Vec3 anchor_a = Vec3::Zero();  ///< on A, A's body frame (m)
-  Vec3 anchor_b = Vec3::Zero();  ///< on B, B's body frame (m)
-  Real separation = 0;           ///< normal·(point on B − point on A) (m)
-  FeatureId feature;
+  Vec3 anchor_a = Vec3::Zero();         ///< on A, A's body frame (m)
+  Vec3 anchor_b = Vec3::Zero();         ///< on B, B's body frame (m)
+  Real separation = 0;                  ///< normal·(point on B − point on A) (m)
+  FeatureId feature;                    ///< what meets here
   Real normal_impulse = 0;              ///< λ_n ≥ 0 of the last substep (N·s)
   Vec2 tangent_impulse = Vec2::Zero();  ///< λ_u, λ_v of the last substep (N·s)
 };
@@ -56,20 +64,22 @@ struct Manifold {
   Vec3 normal = Vec3::Zero();   ///< n, unit, A → B, world frame
   Vec3 tangent = Vec3::Zero();  ///< u, unit, perpendicular to n, world frame; v = n × u
   AxisFeature reference = AxisFeature::None;  ///< whose face the points were clipped against
-  StaticVector<ContactPoint, max_manifold_points> points;
+  StaticVector<ContactPoint, max_manifold_points> points;  ///< none while apart
 };
 
 /// A pair of bodies that may touch, and what their surfaces are like.
 struct Contact {
   Index body_a = no_index;  ///< body_a < body_b
-  Index body_b = no_index;
-  Manifold manifold;     ///< empty while they do not touch
-  Real friction = 0;     ///< Coulomb's μ
-  Real restitution = 0;  ///< Newton's e, 0–1
+  Index body_b = no_index;  ///< place in World::bodies(), like body_a
+  Manifold manifold;        ///< empty while they do not touch
+  Real friction = 0;        ///< Coulomb's μ
+  Real restitution = 0;     ///< Newton's e, 0–1
 };
 
 /// Gives the points of `now` the impulses of the points of `before` that have the same feature, as
-/// far as they push along the new normal. The tangent impulses are carried as a world vector and
+/// far as they push along the new normal. Points whose features are new continue the nearest old
+/// point that is left over, so that the load a pair carries is not dropped when a corner slides over
+/// an edge. The tangent impulses are carried as a world vector and
 /// projected onto the new tangents.
 void carry_impulses(const Manifold& before, Manifold& now);
 

@@ -112,7 +112,7 @@ struct AroundFace {
 struct AroundVertex {
   const HalfEdgeMesh* mesh;  ///< whose links to follow
   /// The half-edge after `e`.
-  Index operator()(Index e) const { return mesh->edge(mesh->edge(e).twin).next; }
+  Index operator()(Index e) const { return mesh->edge(e ^ 1).next; }  // the twin is e ^ 1
 };
 
 /// The half-edges of a face, counter-clockwise, from its own `edge`.

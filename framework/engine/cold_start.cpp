@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+
+#include "world_state.hpp"
+
+/// @file cold_start.cpp
+/// A first guess for contacts that have no impulses of an earlier step to start from.
+///
+/// A pass over a box's four corners in turn tips the box a little: the first corner carries the whole
+/// weight until the others had their turn. Ten boxes that are put on each other at once need thousands
+/// of passes to forget that. So resting contacts begin with the load that they would carry if each
+/// pair of bodies touched in one point, the middle of its contact points: one unknown per pair, found
+/// by symmetric Gauss–Seidel sweeps, and shared out evenly among the points.
+
+namespace cs550 {
+
+namespace {
+
+/// Sweeps end when none changes a velocity by more than this share of what gravity gives in a substep,
+/// or when they have cost this much. A load a thousand times heavier than its support takes thousands.
+constexpr Real enough = Real(1e-5);
+constexpr std::size_t most_visits = 200'000;
+
+BodyVelocity& velocity_of(WorldState& world, Index body) {
+  return world.velocities[static_cast<std::size_t>(body)];
+}
+
+Real approach(WorldState& world, const ContactRow& row) {
+  const BodyVelocity& a = velocity_of(world, row.body_a);
+  const BodyVelocity& b = velocity_of(world, row.body_b);
+  return row.n.dot(b.v + b.w.cross(row.r_b) - a.v - a.w.cross(row.r_a));
+}
+
+void push_apart(WorldState& world, const ContactRow& row, Real impulse) {
+  velocity_of(world, row.body_a).apply(-impulse * row.n, row.r_a);
+  velocity_of(world, row.body_b).apply(impulse * row.n, row.r_b);
+}
+
+/// The rows of one pair of bodies follow each other.
+std::size_t pair_end(std::span<const ContactRow> rows, std::size_t first) {
+  std::size_t end = first;
+  while (end < rows.size() && rows[end].body_a == rows[first].body_a &&
+         rows[end].body_b == rows[first].body_b) {
+    ++end;
+  }
+  return end;
+}
+
+/// One row in the middle of those of a pair.
+ContactRow middle_row(WorldState& world, std::span<const ContactRow> rows) {
+  ContactRow middle = rows[0];
+  for (const ContactRow& row : rows.subspan(1)) {
+    middle.r_a += row.r_a;
+    middle.r_b += row.r_b;
+    middle.separation = std::min(middle.separation, row.separation);
+  }
+  middle.r_a /= static_cast<Real>(rows.size());
+  middle.r_b /= static_cast<Real>(rows.size());
+  middle.normal_mass =
+      constraint_mass(contact_jacobian(middle.n, middle.r_a, middle.r_b),
+                      velocity_of(world, middle.body_a), velocity_of(world, middle.body_b));
+  return middle;
+}
+
+bool is_fresh(std::span<const ContactRow> rows) {
+  return std::all_of(rows.begin(), rows.end(),
+                     [](const ContactRow& row) { return row.normal_impulse == 0; });
+}
+
+/// The pairs that are new and slow. @pre velocities are those of the bodies
+void list_cold_pairs(WorldState& world) {
+  world.cold_pairs.clear();
+  const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
+  for (std::size_t i = 0; i < world.rows.size();) {
+    const std::size_t end = pair_end(world.rows, i);
+    const std::span<const ContactRow> rows(world.rows.data() + i, end - i);
+    if (is_fresh(rows)) {
+      const ContactRow middle = middle_row(world, rows);
+      if (std::abs(approach(world, middle)) < slow) world.cold_pairs.push_back({i, end, middle});
+    }
+    i = end;
+  }
+}
+
+/// Leaves velocities as gravity and the impulses that are known will make them.
+void predict_velocities(WorldState& world, Real h) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const RigidBody& body = world.bodies[i];
+    if (body.kind == BodyKind::Dynamic) world.velocities[i].v += h * body.inverse_mass * body.force;
+  }
+  for (const ContactRow& row : world.rows) push_apart(world, row, row.normal_impulse);
+}
+
+/// Improves the load of one pair; returns how much velocity that changed (m/s).
+Real improve(WorldState& world, ContactRow& row, Real h) {
+  if (row.normal_mass == 0) return 0;
+  const Real gap_speed = std::max(row.separation, Real(0)) / h;
+  const Real before = row.normal_impulse;
+  const Real wanted = before - row.normal_mass * (approach(world, row) + gap_speed);
+  row.normal_impulse = std::max(Real(0), wanted);
+  push_apart(world, row, row.normal_impulse - before);
+  return std::abs(row.normal_impulse - before) / row.normal_mass;
+}
+
+}  // namespace
+
+void guess_cold_impulses(WorldState& world, Real h) {
+  list_cold_pairs(world);
+  auto& pairs = world.cold_pairs;
+  if (pairs.empty()) return;
+  predict_velocities(world, h);
+
+  const Real tolerance = enough * h * world.settings.gravity.norm();
+  const std::size_t most_sweeps = most_visits / pairs.size();
+  Real change = HUGE_VALF;
+  for (std::size_t sweep = 0; sweep < most_sweeps && change > tolerance; ++sweep) {
+    change = 0;
+    const auto visit = [&](ColdPair& pair) {
+      change = std::max(change, improve(world, pair.middle, h));
+    };
+    if (sweep % 2 == 0) {
+      std::for_each(pairs.begin(), pairs.end(), visit);
+    } else {
+      std::for_each(pairs.rbegin(), pairs.rend(), visit);
+    }
+  }
+  for (const ColdPair& pair : pairs) {
+    const auto points = static_cast<Real>(pair.end_row - pair.first_row);
+    for (std::size_t i = pair.first_row; i < pair.end_row; ++i) {
+      world.rows[i].normal_impulse = pair.middle.normal_impulse / points;
+    }
+  }
+}
+
+}  // namespace cs550
