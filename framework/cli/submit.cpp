@@ -1,0 +1,140 @@
+// ./cs550 submit [N]: the lab files in a zip, to hand in.
+#include <unistd.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lab_files.hpp"
+#include "process.hpp"
+#include "project.hpp"
+#include "verb.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+struct SubmitOptions {
+  int lab = 0;  ///< 0: every lab that was begun
+  fs::path out;
+  bool force = false;
+};
+
+/// Now, or the time that a reproducible build asks for. ISO 8601, UTC.
+std::string date() {
+  const char* fixed = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t time = fixed != nullptr ? std::atol(fixed) : std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+/// Which starters the work began from; the students' copy says so.
+std::string starter_version() {
+  const fs::path file = project_root() / ".starters/version.txt";
+  if (!fs::exists(file)) return "unknown";
+  const std::string text = read_text(file);
+  return text.substr(0, text.find('\n'));
+}
+
+bool compiles(int lab) {
+  if (build("student", "lab" + std::to_string(lab) + "_student_object")) return true;
+  std::cerr << "cs550: lab " << lab << " does not compile: nothing was packed\n";
+  return false;
+}
+
+Json manifest(const std::vector<std::string>& labs) {
+  Json files = Json::array();
+  for (const std::string& name : labs) {
+    const fs::path file = lab_file(name);
+    files.push_back({{"lab", lab_number(name)},
+                     {"file", fs::relative(file, project_root()).string()},
+                     {"sha256", sha256(file)},
+                     {"bytes", fs::file_size(file)}});
+  }
+  return {{"format", 1}, {"date", date()}, {"starter", starter_version()}, {"files", files}};
+}
+
+/// CMake writes zip files: no other program is needed. Equal files give equal archives.
+void write_zip(const fs::path& out, const Json& manifest) {
+  const fs::path stage = project_root() / "build" / ("submit." + std::to_string(getpid()));
+  fs::create_directories(stage);
+  write_text(stage / "manifest.json", manifest.dump(2) + '\n');
+  std::vector<std::string> command{"cmake",
+                                   "-E",
+                                   "tar",
+                                   "cf",
+                                   "packed.zip",
+                                   "--format=zip",
+                                   "--mtime=" + manifest.at("date").get<std::string>(),
+                                   "--",
+                                   "manifest.json"};
+  for (const Json& entry : manifest.at("files")) {
+    const fs::path file = entry.at("file").get<std::string>();
+    fs::create_directories((stage / file).parent_path());
+    fs::copy_file(project_root() / file, stage / file);
+    command.push_back(file);
+  }
+  output_of(command, stage);
+  write_text(out, read_text(stage / "packed.zip"));
+  fs::remove_all(stage);
+}
+
+/// The labs to pack: the one asked for, or all that are not the untouched starter.
+std::vector<std::string> labs_to_pack(const SubmitOptions& options) {
+  if (options.lab != 0) return {lab_name(options.lab)};
+  std::vector<std::string> labs;
+  for (const std::string& name : lab_names()) {
+    if (options.force || !is_untouched(name)) labs.push_back(name);
+  }
+  return labs;
+}
+
+int run_submit(const SubmitOptions& options) {
+  if (options.lab != 0 && lab_name(options.lab).empty()) {
+    std::cerr << "cs550: there is no lab " << options.lab << '\n';
+    return Misused;
+  }
+  const std::vector<std::string> labs = labs_to_pack(options);
+  if (labs.empty() || (options.lab != 0 && !options.force && is_untouched(labs.front()))) {
+    std::cerr << "cs550: "
+              << (labs.empty() ? "every lab file is"
+                               : "the file of lab " + std::to_string(options.lab) + " is")
+              << " still the untouched starter. To pack it all the same: --force\n";
+    return Failed;
+  }
+  for (const std::string& name : labs) {
+    if (!compiles(lab_number(name))) return Failed;
+  }
+  const fs::path usual =
+      options.lab != 0 ? "lab" + std::to_string(options.lab) + ".zip" : "labs.zip";
+  const fs::path out = options.out.empty() ? usual : options.out;
+  const Json listed = manifest(labs);
+  write_zip(out, listed);
+  for (const Json& file : listed.at("files")) {
+    std::cout << file.at("sha256").get<std::string>().substr(0, 12) << "  "
+              << file.at("file").get<std::string>() << '\n';
+  }
+  std::cout << "Packed into " << out.string() << ". Hand in this file.\n";
+  return Good;
+}
+
+}  // namespace
+
+Action declare_submit(CLI::App& app) {
+  const auto options = std::make_shared<SubmitOptions>();
+  app.add_option("N", options->lab, "number of the lab; without it every lab that was begun")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--out", options->out, "the zip file to write; labN.zip if not given");
+  app.add_flag("--force", options->force, "pack a file even if it is the untouched starter");
+  return [options] { return run_submit(*options); };
+}
+
+}  // namespace cs550::cli
