@@ -1,0 +1,96 @@
+#include <cs550/graded_test.hpp>
+
+#include "dense_contact.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+namespace {
+
+/// Roundings of float in a few products and sums at speeds of some m/s.
+constexpr double rounding = 5e-5;
+
+Vec3 in_plane(double angle, double length) {
+  return {static_cast<Real>(length * std::cos(angle)), static_cast<Real>(length * std::sin(angle)),
+          0};
+}
+
+GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 2, "L7.7") {
+  Story story("a slipping contact gets exactly μ·λ_n against the slip, whatever its direction");
+  story.given("a cube of 2 kg that slides at 30 m/s, μ = 0.5, λ_n = 6 N·s");
+  story.likely("limiting λ_u and λ_v separately is a box: up to √2·μ along its diagonal")
+      .likely("the limit is μ times the *accumulated* normal impulse");
+  for (int k = 0; k < 12; ++k) {
+    const double angle = 0.1 + k * static_cast<double>(pi) / 6;
+    Meeting meeting = landing(2, in_plane(angle, 30));
+    meeting.row.friction = Real(0.5);
+    meeting.row.normal_impulse = 6;
+    // The first solve reaches the limit of 3 N·s; repeated ones must not add to it.
+    for (int pass = 0; pass < 3; ++pass) solve_friction(meeting.row, meeting.a, meeting.b);
+    Story slide = story;
+    slide.given("direction of the slip", angle, "rad");
+    const Vec2 impulse = meeting.row.tangent_impulse;
+    if (!slide.expect_near("(λ_u, λ_v)", Vec3(impulse.x(), impulse.y(), 0), in_plane(angle, -3),
+                           1e-5, "N·s") ||
+        !slide.expect_near("velocity after", meeting.b.v, in_plane(angle, 30 - 1.5), 1e-5, "m/s")) {
+      return;
+    }
+  }
+}
+
+GRADED_TEST(Lab7, FrictionIsScaledBackOntoTheDisk, 1, "L7.7") {
+  Story story("the accumulated pair is scaled back to ‖(λ_u, λ_v)‖ ≤ μ·λ_n, its direction kept");
+  story.given("a cube of 2 kg, m_t = 0.8 kg, μ = 0.5");
+  story.likely("accumulate first, then scale the sum, then apply the difference")
+      .likely("less normal impulse means less friction: what is too much is given back");
+  const auto solve = [&](Real normal, const Vec2& accumulated, const Vec3& velocity,
+                         const Vec3& expected) {
+    Meeting meeting = landing(2, velocity);
+    meeting.row.friction = Real(0.5);
+    meeting.row.normal_impulse = normal;
+    meeting.row.tangent_impulse = accumulated;
+    const Meeting before = meeting;
+    solve_friction(meeting.row, meeting.a, meeting.b);
+    Story contact = story;
+    contact.given("λ_n", normal, "N·s").given("slip", Story::show(velocity, "m/s"));
+    contact.given("accumulated", Story::show(Vec3(accumulated.x(), accumulated.y(), 0), "N·s"));
+    const Vec2 sum = meeting.row.tangent_impulse;
+    const Vec2 change = sum - accumulated;
+    contact.expect_near("(λ_u, λ_v)", Vec3(sum.x(), sum.y(), 0), expected, 1e-5, "N·s");
+    contact.expect_near("velocity after", meeting.b.v,
+                        before.b.v + Vec3(change.x(), change.y(), 0) / 2, 1e-5, "m/s");
+  };
+  solve(20, {3, 0}, Vec3(0, -5, 0), Vec3(3, 4, 0));      // Inside the disk of 10 N·s: it sticks.
+  solve(5, {3, 0}, Vec3(0, -5, 0), Vec3(1.5, 2, 0));     // (3, 4) is twice as long as 2.5 N·s.
+  solve(4, {3, 4}, Vec3(0, 0, 0), Vec3(1.2f, 1.6f, 0));  // The load fell: so does the friction.
+  solve(0, {3, 4}, Vec3(1, 0, 0), Vec3(0, 0, 0));        // No load, no friction.
+}
+
+GRADED_TEST(Lab7, CoupledTangentsStopTheSlipAtOnce, 1, "L7.7") {
+  Random random(7701);
+  Story story("within the limit, one solve with the 2 × 2 mass stops the slip along u and v");
+  story.seed(random.seed());
+  story.likely("u and v are coupled: λ is the matrix times the pair, not two products")
+      .likely("what is applied is the change along u and v, −λ to A and +λ to B");
+  for (int i = 0; i < 200; ++i) {
+    Meeting meeting = random_meeting(random);
+    meeting.row.friction = 1;
+    meeting.row.normal_impulse = Real(1e8);
+    const Meeting before = meeting;
+    solve_friction(meeting.row, meeting.a, meeting.b);
+    const Eigen::Vector3d slip = meeting.contact_velocity();
+    const double speed = 1 + before.contact_velocity().norm();
+    Eigen::Vector3d change = meeting.impulses();
+    change[0] = 0;
+    const Vec12 expected = before.velocity_after(change);
+    const double error = (meeting.velocity() - expected).norm();
+    if (!story.expect_near("slip along u", slip[1], 0, rounding * speed, "m/s") ||
+        !story.expect_near("slip along v", slip[2], 0, rounding * speed, "m/s") ||
+        !story.expect_near("distance of V' from V + M⁻¹·Jᵀ·λ", error, 0,
+                           rounding * (1 + expected.norm()))) {
+      return;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test

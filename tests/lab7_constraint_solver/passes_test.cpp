@@ -1,0 +1,92 @@
+#include <cs550/graded_test.hpp>
+
+#include "dense_lcp.hpp"
+#include "support/story.hpp"
+#include "systems.hpp"
+
+namespace cs550::test {
+namespace {
+
+GRADED_TEST(Lab7, SequentialImpulsesFindTheAnswerOfTheWholeSystem, 2, "L7.8") {
+  Random random(7801);
+  Story story("repeated passes converge to the λ ≥ 0, JV + b ≥ 0, λ·(JV + b) = 0 of all rows");
+  story.seed(random.seed());
+  story.likely("each row sees the velocities that the rows before it have left: take references")
+      .likely("impulses accumulate from pass to pass: only the sum is clamped");
+  int pushing_rows = 0;
+  for (int i = 0; i < 40; ++i) {
+    System system =
+        i % 2 == 0 ? random_system(random) : landing_box(random, Vec3(Real(0.2), Real(0.6), 1));
+    const DenseContacts before(system.rows, system.bodies);
+    const std::optional<Eigen::VectorXd> impulses = solve_lcp(before);
+    if (!story.expect("a solution exists", impulses.has_value())) return;
+    for (Eigen::Index k = 0; k < impulses->size(); ++k) pushing_rows += (*impulses)[k] > 0;
+    system.pass(1000, rigid_step());
+    const DenseContacts after(system.rows, system.bodies);
+    const double error = (after.velocity - before.velocity_after(*impulses)).norm();
+    Story here = story;
+    here.given(i % 2 == 0 ? "three bodies, four contacts" : "a box that lands on four corners");
+    here.when("1000 passes");
+    // Float cannot see a residual below some roundings of the speeds.
+    if (!here.expect_near("distance of the velocities from the dense answer", error, 0,
+                          1e-4 * (1 + before.velocity.norm()), "m/s")) {
+      return;
+    }
+  }
+  story.expect_at_least("rows that push, in all systems", pushing_rows, 40);
+}
+
+GRADED_TEST(Lab7, RowsAreVisitedInOrder, 1, "L7.8") {
+  Story story("one pass visits the rows from the first to the last, or from the last to the first");
+  story.given("three equal cubes in a line that touch; the first moves at 1 m/s").when("one pass");
+  story.likely("ContactStep::backwards turns the order round")
+      .likely("take the bodies by reference: the second row must see what the first has done");
+  const auto check = [&story](bool backwards, const Vec3& expected) {
+    System line = line_of_cubes(3);
+    ContactStep step = rigid_step();
+    step.backwards = backwards;
+    line.pass(1, step);
+    Story pass = story;
+    pass.given(backwards ? "backwards" : "forwards");
+    pass.expect_near("speeds of the three",
+                     Vec3(line.bodies[0].v.x(), line.bodies[1].v.x(), line.bodies[2].v.x()),
+                     expected, 1e-6, "m/s");
+  };
+  check(false, Vec3(Real(0.5), Real(0.25), Real(0.25)));
+  check(true, Vec3(Real(0.5), Real(0.5), 0));
+}
+
+GRADED_TEST(Lab7, APassAndItsReverseAreMirrorImages, 1, "L7.8") {
+  Story story("a row is solved normal, then friction; backwards friction, then normal");
+  story.given("a cube of 2 kg that lands at 3 m/s and slips at 4 m/s, μ = 0.5");
+  story.likely("friction is limited by the normal impulse that the row has at that moment")
+      .likely("backwards everything is reversed, also the two halves of a row");
+  Meeting meeting = landing(2, Vec3(4, 0, -3));
+  // The centre is not above the contact: friction and normal feel each other.
+  meeting.row.r_b.x() = Real(0.3);
+  prepare_densely(meeting.row, meeting.a, meeting.b);
+  meeting.row.friction = Real(0.5);
+  const auto pass = [&](System& system, bool backwards) {
+    ContactStep step = rigid_step();
+    step.backwards = backwards;
+    system.pass(1, step);
+    return Meeting{system.bodies[0], system.bodies[1], system.rows[0]};
+  };
+  // The contact slips, so that friction stays at its limit. 1e-5: roundings at a few m/s.
+  System forwards{{meeting.a, meeting.b}, {meeting.row}};
+  const Meeting first = pass(forwards, false);
+  const double pushed = static_cast<double>(first.row.normal_impulse);
+  story.expect_near("normal impulse after one pass forwards", pushed,
+                    3 * static_cast<double>(meeting.row.normal_mass), 1e-5, "N·s");
+  story.expect_near("friction after it", first.impulses().tail<2>().norm(), 0.5 * pushed, 1e-5,
+                    "N·s");
+  System reversed{{meeting.a, meeting.b}, {meeting.row}};
+  const Meeting back = pass(reversed, true);
+  story.expect_near("friction after one pass backwards", back.impulses().tail<2>().norm(), 0, 0,
+                    "N·s");
+  const Meeting last = pass(forwards, true);
+  story.expect_near("v_n after a pass and its reverse", last.contact_velocity()[0], 0, 1e-5, "m/s");
+}
+
+}  // namespace
+}  // namespace cs550::test

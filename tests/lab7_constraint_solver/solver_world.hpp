@@ -1,0 +1,89 @@
+#pragma once
+/// @file solver_world.hpp
+/// Whole worlds for tests of the solver: shapes from recorded meshes, a floor, and steps that end at
+/// the first thing that is missing or broken.
+
+#include <regex>
+#include <stdexcept>
+
+#include "cs550/not_implemented.hpp"
+#include "cs550/world.hpp"
+#include "support/fixtures.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+
+inline constexpr Real step_length = Real(1) / 60;
+inline constexpr double gravity = 9.81;
+
+/// A box: the recorded cube, stretched.
+inline ShapePtr box_shape(const Vec3& half_extents) {
+  HalfEdgeMesh mesh = fixture_mesh("cube");
+  for (Vec3& vertex : mesh.vertices) vertex = 2 * vertex.cwiseProduct(half_extents);
+  for (Face& face : mesh.faces) face.plane.offset = face.plane.normal.cwiseAbs().dot(half_extents);
+  const ShapeResult result = make_shape(mesh);
+  if (!result) throw std::runtime_error(result.error);
+  return result.shape;
+}
+
+inline BodyDef body_at(const ShapePtr& shape, const Vec3& position) {
+  BodyDef def;
+  def.shape = shape;
+  def.pose.position = position;
+  return def;
+}
+
+inline Quat yaw(Real angle) { return rotation_exp(Vec3(0, 0, angle)); }
+
+/// A world that checks what its stages promise.
+inline World checked_world() {
+  WorldSettings settings;
+  settings.check_stages = true;
+  return World(settings);
+}
+
+/// A static floor whose upper side is the plane z = 0.
+inline void add_floor(World& world, Real half_width, Real friction) {
+  BodyDef floor = body_at(box_shape({half_width, half_width, Real(0.5)}), {0, 0, Real(-0.5)});
+  floor.kind = BodyKind::Static;
+  floor.friction = friction;
+  world.add_body(floor);
+}
+
+/// Gravity as a body on a slope feels it that goes down at an angle in the direction of an azimuth,
+/// when the slope is laid flat.
+inline Vec3 gravity_on_slope(double slope, double azimuth) {
+  return Vec3(static_cast<Real>(gravity * std::sin(slope) * std::cos(azimuth)),
+              static_cast<Real>(gravity * std::sin(slope) * std::sin(azimuth)),
+              static_cast<Real>(-gravity * std::cos(slope)));
+}
+
+/// Ends the test as if the step that is not written yet had been called by it.
+inline void throw_if_unwritten(const StageProblem& problem) {
+  static const std::regex pattern(R"(not implemented: (\S+) (\S+) \((\S+):(\d+)\).*)");
+  std::smatch part;
+  if (!std::regex_match(problem.message, part, pattern)) return;
+  throw NotImplemented(part[1].str().c_str(), part[2].str().c_str(), part[3].str().c_str(),
+                       std::stoi(part[4]));
+}
+
+/// One step. Returns false, and lets the story fail, if a stage broke its promise.
+/// @throws NotImplemented if a stage is not written yet
+inline bool step_world(World& world, Story& story) {
+  world.step(step_length);
+  if (world.problems().empty()) return true;
+  throw_if_unwritten(world.problems().front());
+  return story.expect_equal("problem in the step", world.problems().front().message,
+                            std::string("none"));
+}
+
+/// Steps for a time, a whole number of steps (s).
+inline bool run_world(World& world, Story& story, double seconds) {
+  const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(step_length)));
+  for (int i = 0; i < steps; ++i) {
+    if (!step_world(world, story)) return false;
+  }
+  return true;
+}
+
+}  // namespace cs550::test

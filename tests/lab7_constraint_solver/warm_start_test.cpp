@@ -1,0 +1,67 @@
+#include <cs550/graded_test.hpp>
+
+#include "dense_contact.hpp"
+#include "support/story.hpp"
+
+namespace cs550::test {
+namespace {
+
+/// Roundings of float in a few products and sums, relative to the largest term.
+constexpr double rounding = 5e-6;
+
+/// Two bodies whose row remembers impulses that change speeds by some m/s.
+Meeting loaded_meeting(Random& random) {
+  Meeting meeting = random_meeting(random);
+  ContactRow& row = meeting.row;
+  const Real unit = row.normal_mass;
+  row.normal_impulse = unit * random.real(0, 2);
+  row.tangent_impulse.x() = unit * random.real(-1, 1);
+  row.tangent_impulse.y() = unit * random.real(-1, 1);
+  return meeting;
+}
+
+GRADED_TEST(Lab7, WarmStartAppliesTheAccumulatedImpulses, 2, "L7.5") {
+  Random random(7501);
+  Story story("warm starting adds M⁻¹·Jᵀ·λ to the velocities, for λ_n, λ_u and λ_v");
+  story.seed(random.seed())
+      .likely("λ ≥ 0 pushes apart: −λ·n to A and +λ·n to B")
+      .likely("the second tangent is row.v() = n × u")
+      .likely("the impulse acts at r_A and r_B, not at the centres");
+  for (int i = 0; i < 200; ++i) {
+    Meeting meeting = loaded_meeting(random);
+    const Vec12 expected = meeting.velocity_after(meeting.impulses());
+    warm_start(meeting.row, meeting.a, meeting.b);
+    const Vec12 got = meeting.velocity();
+    const double tolerance = rounding * (1 + expected.norm());
+    const auto part = [](const Vec12& all, int first) {
+      return Vec3(all.segment<3>(first).cast<Real>());
+    };
+    if (!story.expect_near("v_A", part(got, 0), part(expected, 0), tolerance, "m/s") ||
+        !story.expect_near("ω_A", part(got, 3), part(expected, 3), tolerance, "rad/s") ||
+        !story.expect_near("v_B", part(got, 6), part(expected, 6), tolerance, "m/s") ||
+        !story.expect_near("ω_B", part(got, 9), part(expected, 9), tolerance, "rad/s")) {
+      return;
+    }
+  }
+}
+
+GRADED_TEST(Lab7, WarmStartConservesMomentum, 1, "L7.5") {
+  Random random(7502);
+  Story story("warm starting changes neither the sum of P nor that of L about the contact");
+  story.seed(random.seed()).likely("what B gets, A gets with the opposite sign, at the same point");
+  for (int i = 0; i < 100; ++i) {
+    Meeting meeting = loaded_meeting(random);
+    const auto before = meeting.momentum();
+    warm_start(meeting.row, meeting.a, meeting.b);
+    const Vec12 change = meeting.velocity() - meeting.velocity_after(-meeting.impulses());
+    const double moved = (meeting.momentum() - before).norm();
+    // What each body gained is rounded on its own, at the scale of its momentum.
+    if (!story.expect("the bodies have got an impulse", change.norm() > 0) ||
+        !story.expect_near("change of P and L", moved, 0, rounding * (1 + before.norm()), "N·s")) {
+      return;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test
