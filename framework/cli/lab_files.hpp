@@ -17,7 +17,8 @@ std::string starter_text(const std::string& lab_name);
 /// Whether the student's file still is the starter; false where no starter is known.
 bool is_untouched(const std::string& lab_name);
 
-/// Puts the starter in place of the student's file, which stays beside it as topic.cpp.bak-1, -2, ...
+/// Puts the starter in place of the student's file, which stays beside it
+/// as topic.cpp.bak-1, -2, ...
 /// @return the backup; empty when the file was the starter already
 std::filesystem::path reset_to_starter(const std::string& lab_name);
 

@@ -1,9 +1,8 @@
 // ./cs550 starter DIR: the copy that students get, or its update.
-#include <unistd.h>
-
 #include <iostream>
 #include <memory>
 
+#include "draft_folder.hpp"
 #include "process.hpp"
 #include "project.hpp"
 #include "students_copy.hpp"
@@ -19,24 +18,6 @@ struct StarterOptions {
   fs::path folder;
   int released = 0;
   bool update = false;
-};
-
-/// A folder beside the wished-for one, on the same disk, that is gone again unless it was moved.
-class Draft {
- public:
-  explicit Draft(const fs::path& folder)
-      : path_(folder.string() + ".partial-" + std::to_string(getpid())) {}
-  ~Draft() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
 };
 
 int refuse(const std::string& why) {
@@ -56,8 +37,7 @@ int make_copy(const StarterOptions& options, const fs::path& folder) {
     return refuse(folder.string() +
                   " exists and is not empty. To renew a students' copy: --update");
   }
-  fs::create_directories(folder.parent_path());
-  const Draft draft(folder);
+  const DraftFolder draft(folder);
   write_students_copy(draft.path(), options.released);
   start_history(draft.path());
   fs::rename(draft.path(), folder);
@@ -71,7 +51,7 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   if (!fs::exists(folder / ".starters/files.txt")) {
     return refuse(folder.string() + " is no students' copy: it has no .starters/files.txt");
   }
-  const Draft draft(folder);
+  const DraftFolder draft(folder);
   write_students_copy(draft.path(), options.released);
   const CopyUpdate update = update_copy(folder, draft.path());
   warn_of_uncommitted_changes();
@@ -89,7 +69,7 @@ int run_starter(const StarterOptions& options) {
   if (!fs::exists(project_root() / "solutions") || fs::exists(project_root() / ".starters")) {
     return refuse("this is a students' copy already: make one where the solutions are");
   }
-  const fs::path folder = fs::absolute(options.folder / "").parent_path();
+  const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
   return options.update ? renew_copy(options, folder) : make_copy(options, folder);
 }
 

@@ -124,7 +124,6 @@ void replace(const fs::path& file, const fs::path& fresh) {
 }  // namespace
 
 void write_students_copy(const fs::path& folder, int released) {
-  fs::create_directories(folder);
   unpack_commit(folder);
   remove_solutions(folder, released);
   remove_hidden_tests(folder);

@@ -8,9 +8,9 @@
 
 namespace cs550::cli {
 
-/// Writes the students' copy into a new folder: starters in labs/ and, pristine, in .starters/; no
-/// solutions but those of labs 1..released; no hidden tests, mutants or instructors' tests; manifests
-/// reduced to the visible tests; the students' README.
+/// Writes the students' copy into an empty folder: starters in labs/ and, pristine, in .starters/;
+/// no solutions but those of labs 1..released; no hidden tests, mutants or instructors' tests;
+/// manifests reduced to the visible tests; the students' README.
 /// Throws std::runtime_error where there is no git history, or the copy cannot be written.
 void write_students_copy(const std::filesystem::path& folder, int released);
 
@@ -24,8 +24,8 @@ struct CopyUpdate {
   std::vector<std::string> conflicts;  ///< among them, those whose starter has changed as well
 };
 
-/// Brings a students' copy up to a fresh one. A lab file that differs from the copy's own starter is
-/// never touched; files that the copy no longer has are removed; files of the student's own stay.
+/// Brings a students' copy up to a fresh one. A lab file that differs from the copy's own starter
+/// is never touched; files that the copy no longer has are removed; the student's own files stay.
 CopyUpdate update_copy(const std::filesystem::path& copy, const std::filesystem::path& fresh);
 
 /// Files of a copy that it lists as its own, relative to it.

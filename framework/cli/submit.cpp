@@ -1,12 +1,10 @@
 // ./cs550 submit [N]: the lab files in a zip, to hand in.
-#include <unistd.h>
-
-#include <cstdlib>
 #include <ctime>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "draft_folder.hpp"
 #include "lab_files.hpp"
 #include "process.hpp"
 #include "project.hpp"
@@ -25,12 +23,11 @@ struct SubmitOptions {
   bool force = false;
 };
 
-/// Now, or the time that a reproducible build asks for. ISO 8601, UTC.
+/// Now, in UTC, as ISO 8601 writes it.
 std::string date() {
-  const char* fixed = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t time = fixed != nullptr ? std::atol(fixed) : std::time(nullptr);
+  const std::time_t now = std::time(nullptr);
   std::tm utc{};
-  gmtime_r(&time, &utc);
+  gmtime_r(&now, &utc);
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text;
@@ -59,32 +56,26 @@ Json manifest(const std::vector<std::string>& labs) {
                      {"sha256", sha256(file)},
                      {"bytes", fs::file_size(file)}});
   }
-  return {{"format", 1}, {"date", date()}, {"starter", starter_version()}, {"files", files}};
+  return {{"format", 1},
+          {"date", date()},
+          {"starter", starter_version()},
+          {"files", files}};
 }
 
-/// CMake writes zip files: no other program is needed. Equal files give equal archives.
+/// CMake writes zip files: no other program is needed.
 void write_zip(const fs::path& out, const Json& manifest) {
-  const fs::path stage = project_root() / "build" / ("submit." + std::to_string(getpid()));
-  fs::create_directories(stage);
-  write_text(stage / "manifest.json", manifest.dump(2) + '\n');
-  std::vector<std::string> command{"cmake",
-                                   "-E",
-                                   "tar",
-                                   "cf",
-                                   "packed.zip",
-                                   "--format=zip",
-                                   "--mtime=" + manifest.at("date").get<std::string>(),
-                                   "--",
-                                   "manifest.json"};
+  const DraftFolder stage(project_root() / "build/submission");
+  write_text(stage.path() / "manifest.json", manifest.dump(2) + '\n');
+  std::vector<std::string> command{"cmake",        "-E", "tar",          "cf", "packed",
+                                   "--format=zip", "--", "manifest.json"};
   for (const Json& entry : manifest.at("files")) {
     const fs::path file = entry.at("file").get<std::string>();
-    fs::create_directories((stage / file).parent_path());
-    fs::copy_file(project_root() / file, stage / file);
+    fs::create_directories((stage.path() / file).parent_path());
+    fs::copy_file(project_root() / file, stage.path() / file);
     command.push_back(file);
   }
-  output_of(command, stage);
-  write_text(out, read_text(stage / "packed.zip"));
-  fs::remove_all(stage);
+  output_of(command, stage.path());
+  write_text(out, read_text(stage.path() / "packed"));
 }
 
 /// The labs to pack: the one asked for, or all that are not the untouched starter.

@@ -1,0 +1,56 @@
+#!/bin/sh
+# students_copy_test.sh PROGRAM ROOT COPY [COMPILER-LAUNCHER]
+# Makes the students' copy of ROOT in COPY and looks at it as a curious student would: no line of a
+# reference is in it, its tests are the visible ones, its history is its own, and its labs build even
+# though one of them is broken.
+set -eu
+program=$1 root=$2 copy=$3 launcher=${4-}
+list=$copy.lines
+rm -rf "$copy" "$list"
+mkdir -p "$list"
+CS550_ROOT=$root "$program" starter "$copy"
+
+wrong() { echo "WRONG: $1" >&2; shift; for line; do echo "  $line" >&2; done; exit 1; }
+# Lines of code that are long enough to be someone's own.
+long_lines() { sed 's/^[[:space:]]*//; s/[[:space:]]*$//' | grep -E '^.{30,}$' | sort -u; }
+committed() { git -C "$root" archive HEAD "$@" | tar -xOf -; }
+
+echo "No line of a reference:"
+committed solutions | long_lines >"$list/reference"
+# What given code, starters and tests say as well (a loop over all faces) is no secret.
+committed labs framework tests ':!tests/mutants' | long_lines >"$list/given"
+comm -23 "$list/reference" "$list/given" >"$list/secret"
+find "$copy" -name .git -prune -o -type f -print0 | sort -z | xargs -0 cat | long_lines >"$list/copy"
+comm -12 "$list/secret" "$list/copy" >"$list/leaked"
+secrets=$(wc -l <"$list/secret")
+[ "$secrets" -gt 100 ] || wrong "only $secrets lines of the reference were looked for"
+[ ! -s "$list/leaked" ] || wrong "lines of the reference are in the copy:" "$(cat "$list/leaked")"
+echo "  none of $secrets"
+
+echo "Pristine starters, and nothing of the instructor's:"
+for lab in "$copy"/labs/lab*; do
+  cmp "$lab"/*.cpp "$copy/.starters/${lab##*/}"/*.cpp
+done
+found=$(cd "$copy" && find solutions tests -name hidden -o -name mutants -o -path 'solutions/*') 2>/dev/null || true
+[ -z "$found" ] || wrong "the copy has" "$found"
+[ ! -e "$copy/solutions" ] || wrong "the copy has a folder solutions/"
+
+echo "A history of its own:"
+history=$(git -C "$copy" log --all --format='%an %ae %s')
+[ "$history" = "CS550 cs550@localhost The seven labs" ] || wrong "the history is" "$history"
+[ -z "$(git -C "$copy" remote)" ] || wrong "it has a remote"
+! CS550_ROOT=$root "$program" starter "$copy" 2>/dev/null || wrong "a folder in use was taken"
+
+echo "Its tests are the visible ones, and a broken lab stops no other:"
+echo 'int broken = ;' >>"$(echo "$copy"/labs/lab2_*/*.cpp)"
+cmake -S "$copy" -B "$copy/build" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >"$list/configure.log"
+ctest --test-dir "$copy/build" -N -L '^student$' | sed -n 's/.*: student\.//p' | sort >"$list/tests"
+for manifest in "$root"/tests/lab*/manifest.json; do
+  awk -F'"' '/"lab":/ { split($0, lab, /[:,]/); gsub(/ /, "", lab[2]) } /"name":/ { name = $4 }
+             /"hidden": false/ { print "Lab" lab[2] "." name }' "$manifest"
+done | sort >"$list/visible"
+cmp "$list/tests" "$list/visible" || wrong "the tests are not the visible ones:" \
+  "$(diff "$list/tests" "$list/visible")"
+cmake --build "$copy/build" --target engine_student >"$list/build.log" || { cat "$list/build.log"; exit 1; }
+echo "  $(wc -l <"$list/tests") tests; the labs build"
+rm -rf "$copy" "$list"

@@ -1,0 +1,8 @@
+# Tests of the program behind ./cs550 that need a repository to work on.
+if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutions")
+  add_test(NAME cli.students_copy
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/students_copy_test.sh" "$<TARGET_FILE:cs550_cli>"
+                   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/students_copy"
+                   "${CMAKE_CXX_COMPILER_LAUNCHER}")
+  set_tests_properties(cli.students_copy PROPERTIES LABELS "starter;long" TIMEOUT 900)
+endif()
