@@ -112,8 +112,8 @@ void print_labs(const Progress& progress) {
   }
   std::cout << coloured(padded("Together", 27) + bar(earned, all) + points(earned, all),
                         Colour::Bold)
+            << (elsewhere > 0 ? "  and " + std::to_string(elsewhere) + " by instructor" : "")
             << '\n';
-  if (elsewhere > 0) std::cout << elsewhere << " more points are graded by your instructor.\n";
 }
 
 /// The next step, and what stands in its way.
@@ -124,15 +124,16 @@ void print_next(const Progress& progress, int lines) {
     return;
   }
   const LabResult& lab = progress.labs[*progress.next];
+  if (!lab.compile_error.empty()) {
+    std::cout << "\nNext: " << coloured(title(lab.lab_name) + " does not compile", Colour::Bold)
+              << '\n'
+              << first_lines(indented(lab.compile_error, 4), lines);
+    return;
+  }
   const Verdict failure = *lab.next_failure();
   const Step step = handout_step(lab.lab_name, failure.test.step);
   std::cout << "\nNext: " << coloured(step.tag + ' ' + step.title, Colour::Bold) << "   (labs/"
             << lab.lab_name << "/README.md)\n";
-  if (!lab.compile_error.empty()) {
-    std::cout << "  The file does not compile:\n"
-              << first_lines(indented(lab.compile_error, 4), lines);
-    return;
-  }
   std::cout << "  " << failure.test.name << ", " << failure.test.points << " points:\n"
             << first_lines(indented(failure.message, 4), lines);
 }
@@ -165,7 +166,7 @@ int print_hint(const Progress& progress) {
 }
 
 void print_overview(const Progress& progress) {
-  constexpr int lines_of_reason = 8;  // all of it fits into 24 lines
+  constexpr int lines_of_reason = 10;  // all of it fits into 24 lines
   print_labs(progress);
   print_next(progress, lines_of_reason);
 }
@@ -227,7 +228,7 @@ void answer(char key, const Progress& progress) {
       print_overview(progress);
   }
   std::cout << coloured("\nh hint   n next step   l list of tests   r run   q quit", Colour::Faint)
-            << std::endl;
+            << std::flush;
 }
 
 int watch() {

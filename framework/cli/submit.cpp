@@ -56,18 +56,15 @@ Json manifest(const std::vector<std::string>& labs) {
                      {"sha256", sha256(file)},
                      {"bytes", fs::file_size(file)}});
   }
-  return {{"format", 1},
-          {"date", date()},
-          {"starter", starter_version()},
-          {"files", files}};
+  return {{"format", 1}, {"date", date()}, {"starter", starter_version()}, {"files", files}};
 }
 
 /// CMake writes zip files: no other program is needed.
 void write_zip(const fs::path& out, const Json& manifest) {
   const DraftFolder stage(project_root() / "build/submission");
   write_text(stage.path() / "manifest.json", manifest.dump(2) + '\n');
-  std::vector<std::string> command{"cmake",        "-E", "tar",          "cf", "packed",
-                                   "--format=zip", "--", "manifest.json"};
+  std::vector<std::string> command{"cmake",  "-E",           "tar", "cf",
+                                   "packed", "--format=zip", "--",  "manifest.json"};
   for (const Json& entry : manifest.at("files")) {
     const fs::path file = entry.at("file").get<std::string>();
     fs::create_directories((stage.path() / file).parent_path());
