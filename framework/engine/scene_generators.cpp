@@ -178,9 +178,9 @@ std::vector<NamedBody> drop(SceneReader& generator, const SceneShapes&) {
   SceneRandom random(seed);
   const int layer_size = columns[0] * columns[1];
   for (int i = 0; i < count; ++i) {
-    const int in_layer = i % layer_size;
-    const Vec3 place(from_middle(in_layer % columns[0], columns[0]),
-                     from_middle(in_layer / columns[0], columns[1]),
+    const int column = i % columns[0];
+    const int row = i % layer_size / columns[0];
+    const Vec3 place(from_middle(column, columns[0]), from_middle(row, columns[1]),
                      static_cast<Real>(i / layer_size));
     NamedBody& added = copies.add(spacing.cwiseProduct(place));
     added.def.shape = random_shape(generator, shapes, random);

@@ -178,7 +178,7 @@ void SceneReader::refuse_other_keys() const {
     std::sort(known.begin(), known.end());
     known.erase(std::unique(known.begin(), known.end()), known.end());
     std::string all;
-    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
+    for (const std::string& word : known) all.append(all.empty() ? "" : ", ").append(word);
     throw SceneFault(path_of(key), "there is no key \"" + key + "\" here" +
                                        did_you_mean(key, known) + "; expected one of " + all);
   }

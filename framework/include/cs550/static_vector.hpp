@@ -70,7 +70,7 @@ class StaticVector {
   // In a union the elements beyond size() are not made: a polygon of large capacity is free until
   // it has corners.
   union {
-    T items_[static_cast<std::size_t>(Capacity)];
+    T items_[static_cast<std::size_t>(Capacity)];  // NOLINT(readability-identifier-naming)
   };
 };
 

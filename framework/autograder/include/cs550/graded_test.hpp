@@ -37,7 +37,7 @@ std::vector<GradedTestInfo> graded_tests();
 /// The base of every graded test: turns what leaves the body into a verdict.
 class GradedTest : public testing::Test {
  protected:
-  static constexpr Duration Long = Duration::Long;  ///< lets a test say `Long` for short
+  using enum Duration;  // lets a test say `Long`
 
   virtual void run() = 0;  ///< the body that follows GRADED_TEST
 
