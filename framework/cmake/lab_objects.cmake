@@ -99,8 +99,10 @@ function(cs550_compile_lab number variant)
   endif()
   if(variant STREQUAL "stub")
     # It speaks of the file that is to be edited, wherever it was kept. The last mapping wins.
-    set_source_files_properties(${CS550_LAB${number}_stub_SOURCES} PROPERTIES COMPILE_OPTIONS
-      "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/")
+    set(as_edited_file "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/"
+                       "-ffile-prefix-map=${way_to_root}/.starters/=labs/")
+    set_source_files_properties(${CS550_LAB${number}_stub_SOURCES} PROPERTIES
+                                COMPILE_OPTIONS "${as_edited_file}")
   endif()
   cs550_has_fallback(has_fallback ${number} ${variant})
   if(has_fallback)
