@@ -151,6 +151,17 @@ GRADED_TEST(Lab5, SeparatedBodiesTouchUpToTheMargin, 1, "L5.6") {
   within.expect_near("separation", deepest_separation(manifold), 0.05, 1e-6, "m");
   within.expect_near("normal", manifold.normal, Vec3::UnitZ(), 1e-6);
 
+  // Fast bodies that come together sideways must not slip past what clipping sees.
+  const Placed aside(fixture_shape("cube"),
+                     {Vec3(Real(1.6), Real(1.6), Real(0.6)), Quat::Identity()});
+  Story sideways = story;
+  sideways.given("the cube moved off the slab's corner, so that clipping leaves nothing")
+      .when("the margin is 10 cm");
+  const Manifold vertex = build_manifold(
+      a.body, aside.body, face_axis(a.body, aside.body, AxisFeature::FaceA, top), Real(0.1));
+  sideways.expect_equal("points", vertex.points.size(), 1);
+  sideways.expect_near("separation", deepest_separation(vertex), 0.05, 1e-6, "m");
+
   Story beyond = story;
   beyond.when("the margin is 2 cm");
   beyond.expect_equal("points", build_manifold(a.body, b.body, axis, Real(0.02)).points.size(), 0);
