@@ -51,6 +51,7 @@ for manifest in "$root"/tests/lab*/manifest.json; do
 done | sort >"$list/visible"
 cmp "$list/tests" "$list/visible" || wrong "the tests are not the visible ones:" \
   "$(diff "$list/tests" "$list/visible")"
-cmake --build "$copy/build" --target engine_student >"$list/build.log" || { cat "$list/build.log"; exit 1; }
+cmake --build "$copy/build" --target lab1_assembled_object lab2_assembled_object lab3_assembled_object \
+  >"$list/build.log" || { cat "$list/build.log"; exit 1; }
 echo "  $(wc -l <"$list/tests") tests; the labs build"
 rm -rf "$copy" "$list"
