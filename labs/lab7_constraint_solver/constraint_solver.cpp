@@ -101,7 +101,9 @@ void solve_friction([[maybe_unused]] ContactRow& row, [[maybe_unused]] BodyVeloc
   // L7.7, step 2: the pair of impulses that stops both, from the 2 × 2 mass, added to what the row
   //               has accumulated.
   // L7.7, step 3: the pair is a vector in the tangent plane. How long may it be?
-  // L7.7, step 4: apply what is new.
+  // L7.7, step 4: a pair that is too long slides. Which way must friction point then, and does your
+  //               pair point there, if the mass is larger along u than along v?
+  // L7.7, step 5: apply what is new.
   // See README.md, L7.7.
   throw NotImplemented("L7.7");
 }

@@ -1,6 +1,7 @@
 #include "cs550/constraint_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cs550/naive_solver.hpp"
 
@@ -54,6 +55,17 @@ void accumulate_normal(ContactRow& row, Real impulse, BodyVelocity& a, BodyVeloc
   const Real before = row.normal_impulse;
   row.normal_impulse = std::max(before + impulse, Real(0));
   apply_pair(row, (row.normal_impulse - before) * row.n, a, b);
+}
+
+Vec2 scaled_onto_disk(const Vec2& impulse, Real radius) {
+  const Real length = impulse.norm();
+  return length > radius ? Vec2(radius / length * impulse) : impulse;
+}
+
+/// Of a symmetric 2 × 2 matrix: half the trace less the root of the discriminant.
+Real smaller_eigenvalue(const Mat2& m) {
+  const Real half_trace = Real(0.5) * m.trace();
+  return half_trace - std::sqrt(std::max(Real(0), half_trace * half_trace - m.determinant()));
 }
 
 bool bounces(const ContactRow& row, Real threshold) {
@@ -121,12 +133,14 @@ void solve_normal(ContactRow& row, BodyVelocity& a, BodyVelocity& b, const Conta
 
 void solve_friction(ContactRow& row, BodyVelocity& a, BodyVelocity& b) {
   const Vec3 v = row.v();
-  const Vec3 slip = relative_velocity(row, a, b);
+  const Vec3 relative = relative_velocity(row, a, b);
+  const Vec2 slip(row.u.dot(relative), v.dot(relative));
   const Vec2 before = row.tangent_impulse;
-  Vec2 impulse = before - row.tangent_mass * Vec2(row.u.dot(slip), v.dot(slip));
   const Real limit = row.friction * row.normal_impulse;
-  const Real length = impulse.norm();
-  if (length > limit) impulse *= limit / length;
+  Vec2 impulse = before - row.tangent_mass * slip;
+  if (impulse.norm() > limit) {
+    impulse = scaled_onto_disk(before - smaller_eigenvalue(row.tangent_mass) * slip, limit);
+  }
   row.tangent_impulse = impulse;
   const Vec2 change = impulse - before;
   apply_pair(row, change.x() * row.u + change.y() * v, a, b);

@@ -28,9 +28,9 @@ World scaled_world(Real size) {
   return world;
 }
 
-/// Boxes at places given in sizes, each moved sideways by up to 1 % of its size, added in a shuffled
-/// order. Returns their names in the order of the places.
-std::vector<BodyId> add_boxes(World& world, const std::vector<Vec3>& places,
+/// Boxes at places given in sizes, each moved sideways by up to a share of its size, added in a
+/// shuffled order. Returns their names in the order of the places.
+std::vector<BodyId> add_boxes(World& world, const std::vector<Vec3>& places, Real sideways,
                               const Variation& variation) {
   Random random(variation.seed);
   const ShapePtr shape = box_shape(Vec3::Constant(variation.size / 2));
@@ -43,8 +43,8 @@ std::vector<BodyId> add_boxes(World& world, const std::vector<Vec3>& places,
   }
   std::vector<BodyId> names(places.size());
   for (const std::size_t i : order) {
-    const Real x = random.real(Real(-0.01), Real(0.01));
-    const Real y = random.real(Real(-0.01), Real(0.01));
+    const Real x = random.real(-sideways, sideways);
+    const Real y = random.real(-sideways, sideways);
     BodyDef def = body_at(shape, turn * (variation.size * (places[i] + Vec3(x, y, 0))));
     def.pose.orientation = turn;
     def.density = variation.density;
@@ -59,7 +59,7 @@ Story vary(Story story, const Variation& variation) {
   return story;
 }
 
-GRADED_TEST(Lab7, ATowerOfTenBoxesStandsStill, 3, "L7.8", Long) {
+GRADED_TEST(Lab7, ATowerOfTenBoxesStandsStill, 2, "L7.8", Long) {
   Story property(
       "ten boxes on each other sink less than 1 cm in 1 s, then stand for 59 s (lengths in boxes "
       "of 1 m)");
@@ -72,7 +72,7 @@ GRADED_TEST(Lab7, ATowerOfTenBoxesStandsStill, 3, "L7.8", Long) {
     add_floor(world, 50 * variation.size, Real(0.6));
     std::vector<Vec3> places;
     for (int i = 0; i < 10; ++i) places.emplace_back(0, 0, Real(0.5) + static_cast<Real>(i));
-    const BodyId top = add_boxes(world, places, variation).back();
+    const BodyId top = add_boxes(world, places, 0, variation).back();
     const Vec3 start = world.body(top).pose.position;
     if (!run_world(world, story, 1)) return;
     const Vec3 settled = world.body(top).pose.position;
@@ -103,7 +103,7 @@ GRADED_TEST(Lab7, APyramidOfTwentyRowsStandsStill, 2, "L7.8", Long) {
   Story story = vary(property, variation);
   World world = scaled_world(1);
   add_floor(world, 50, Real(0.6));
-  const std::vector<BodyId> boxes = add_boxes(world, places, variation);
+  const std::vector<BodyId> boxes = add_boxes(world, places, Real(0.01), variation);
   std::vector<Vec3> start;
   for (const BodyId box : boxes) start.push_back(world.body(box).pose.position);
 

@@ -79,8 +79,11 @@ void warm_start(const ContactRow& row, BodyVelocity& a, BodyVelocity& b);
 /// row's plus n·(Δx_B + Δθ_B × r_B − Δx_A − Δθ_A × r_A): the same J, applied to displacements.
 void solve_normal(ContactRow& row, BodyVelocity& a, BodyVelocity& b, const ContactStep& step);
 
-/// **L7.7** One friction impulse: u and v solved together, λ = −m_t·(J_u v, J_v v), accumulated, the pair then
-/// scaled back onto the disk ‖(λ_u, λ_v)‖ ≤ μ·λ_n of the *accumulated* normal impulse.
+/// **L7.7** One friction impulse: u and v solved together, λ = λ_acc − m_t·(J_u v, J_v v). If the pair
+/// lies in the disk ‖λ‖ ≤ μ·λ_n of the *accumulated* normal impulse, the contact sticks. If not, it
+/// slides, and friction must point against the slip: m_t turns away from it where the mass differs
+/// between directions, so the pair is then λ_acc − s·(J_u v, J_v v), with s the smaller eigenvalue of
+/// m_t, scaled back onto the disk.
 void solve_friction(ContactRow& row, BodyVelocity& a, BodyVelocity& b);
 
 /// **L7.8** One pass over the rows: forwards the normal and then the friction of each; `backwards`

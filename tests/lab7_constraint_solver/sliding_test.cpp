@@ -1,0 +1,98 @@
+#include <cs550/graded_test.hpp>
+
+#include "solver_world.hpp"
+
+namespace cs550::test {
+namespace {
+
+const Vec3 cube_half(Real(0.5), Real(0.5), Real(0.5));
+const Vec3 long_half(Real(1), Real(0.2), Real(0.2));
+
+/// A box at rest on a slope, laid flat with gravity tilted, for a time: where it is then.
+struct Slide {
+  Vec3 moved;
+  Vec3 velocity;
+};
+
+Slide slide(const Vec3& half_extents, double slope, double azimuth, double seconds, Story& story) {
+  World world = checked_world();
+  world.settings().gravity = gravity_on_slope(slope, azimuth);
+  add_floor(world, 20, 1);
+  BodyDef def = body_at(box_shape(half_extents), {0, 0, half_extents.z()});
+  def.friction = Real(0.25);  // The pair's is √(0.25 · 1) = 0.5.
+  def.pose.orientation = yaw(Real(0.3));
+  const BodyId box = world.add_body(def);
+  run_world(world, story, seconds);
+  return {world.body(box).pose.position - def.pose.position, world.body(box).linear_velocity};
+}
+
+GRADED_TEST(Lab7, BoxesStickBelowTheAngleOfFriction, 1, "L7.9") {
+  const double slope = std::atan(0.5) - 0.02;
+  for (const Vec3& half : {cube_half, long_half}) {
+    for (int k = 0; k < 12; ++k) {
+      const double azimuth = k * static_cast<double>(pi) / 6;
+      Story story("below atan μ a box sticks to a slope, whichever way it goes down");
+      story.given("half-extents", half, "m").given("μ", 0.5).given("slope", slope, "rad");
+      story.given("direction of the slope", azimuth, "rad").when("2 s");
+      story.likely("the accumulated friction must survive from step to step: warm start u and v")
+          .likely("λ_u and λ_v are bounded by the accumulated λ_n");
+      const Slide end = slide(half, slope, azimuth, 2, story);
+      // It sinks and tilts a little into its soft contact before it rests.
+      if (!story.expect_near("distance moved", end.moved, Vec3::Zero(), 1e-3, "m") ||
+          !story.expect_near("velocity", end.velocity, Vec3::Zero(), 1e-3, "m/s")) {
+        return;
+      }
+    }
+  }
+}
+
+GRADED_TEST(Lab7, BoxesSlideAlikeInEveryDirection, 1, "L7.9") {
+  const double slope = std::atan(0.5) + 0.15;
+  const double speed = gravity * (std::sin(slope) - 0.5 * std::cos(slope));
+  for (const Vec3& half : {cube_half, long_half}) {
+    for (int k = 0; k < 12; ++k) {
+      const double azimuth = k * static_cast<double>(pi) / 6;
+      Story story("above atan μ a box slides with v = g·(sin θ − μ·cos θ)·t, in every direction");
+      story.given("half-extents", half, "m").given("μ", 0.5).given("slope", slope, "rad");
+      story.given("direction of the slope", azimuth, "rad").when("1 s");
+      story.likely("friction is bounded by a disk, not by a box")
+          .likely("sliding friction points against the slip; the 2 × 2 mass turns away from it");
+      const Slide end = slide(half, slope, azimuth, 1, story);
+      const Vec3 down(static_cast<Real>(std::cos(azimuth)), static_cast<Real>(std::sin(azimuth)),
+                      0);
+      const Vec3 expected = static_cast<Real>(speed) * down;
+      if (!story.expect_near("velocity", end.velocity, expected, 0.01 * speed, "m/s")) return;
+    }
+  }
+}
+
+GRADED_TEST(Lab7, SlidingBoxesStopAfterTheirStoppingDistance, 1, "L7.9") {
+  for (const Vec3& half : {cube_half, long_half}) {
+    for (const double azimuth : {0.0, 0.5, 2.0}) {
+      Story story("a box that slides at v₀ stops after v₀²/(2·μ·g)");
+      story.given("half-extents", half, "m").given("μ", 0.4).given("v₀", 3, "m/s");
+      story.given("direction", azimuth, "rad");
+      story.likely("friction works against the slip with μ·λ_n, until it has stopped the slip");
+      World world = checked_world();
+      add_floor(world, 20, 1);
+      BodyDef def = body_at(box_shape(half), {0, 0, half.z()});
+      def.friction = Real(0.16);
+      def.linear_velocity =
+          3 * Vec3(static_cast<Real>(std::cos(azimuth)), static_cast<Real>(std::sin(azimuth)), 0);
+      const BodyId box = world.add_body(def);
+      if (!run_world(world, story, 1.5)) return;
+      const double distance = 9 / (2 * 0.4 * gravity);
+      const Vec3 expected = static_cast<Real>(distance / 3) * def.linear_velocity;
+      // A substep of 1/240 s at 3 m/s, halved: half a per cent of the way; and again for the tilt.
+      if (!story.expect_near("distance moved", world.body(box).pose.position - def.pose.position,
+                             expected, 0.01 * distance, "m") ||
+          !story.expect_near("velocity in the end", world.body(box).linear_velocity, Vec3::Zero(),
+                             1e-3, "m/s")) {
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test
