@@ -31,5 +31,8 @@ foreach(line IN LISTS listing)
     add_test("${name}" "${PROGRAM}" "--gtest_filter=${suite}${test}")
     set_tests_properties("${name}" PROPERTIES LABELS "${labels}" TIMEOUT ${timeout}
                          WORKING_DIRECTORY "${ROOT}")
+    if(test MATCHES "^DISABLED_")
+      set_tests_properties("${name}" PROPERTIES DISABLED TRUE)
+    endif()
   endif()
 endforeach()

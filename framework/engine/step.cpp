@@ -165,6 +165,9 @@ void solve_naive(WorldState& world) {
   }
 }
 
+/// Passes of a substep go to and fro: two together are symmetric (see solve_contacts()).
+bool goes_backwards(int pass) { return pass % 2 == 1; }
+
 void solve(WorldState& world, ContactStep step) {
   gather_velocities(world, world.velocities);
   if (world.settings.solver == SolverKind::Naive) {
@@ -173,6 +176,7 @@ void solve(WorldState& world, ContactStep step) {
     warm_start_rows(world);
     step.use_bias = true;
     for (int i = 0; i < world.settings.iterations; ++i) {
+      step.backwards = goes_backwards(i);
       solve_contacts(world.rows, world.velocities, step);
     }
   }
@@ -186,8 +190,8 @@ void relax(WorldState& world, ContactStep step) {
   if (soft) {
     gather_velocities(world, world.velocities);
     step.use_bias = false;
-    step.backwards = true;
     for (int i = 0; i < world.settings.relax_iterations; ++i) {
+      step.backwards = goes_backwards(world.settings.iterations + i);
       solve_contacts(world.rows, world.velocities, step);
     }
     apply_restitution(world.rows, world.velocities, step);
@@ -238,10 +242,13 @@ void substep(WorldState& world, const ContactStep& step, bool& with_contacts) {
   }
 }
 
-void audit_scale(WorldState& world) {
+/// What the error is measured against: the momenta, and at rest the weight that acts in a step.
+void audit_scale(WorldState& world, Real h) {
   double sum = 0;
-  for_dynamic_bodies(
-      world, [&](RigidBody& body) { sum += static_cast<double>(body.linear_momentum.norm()); });
+  for_dynamic_bodies(world, [&](RigidBody& body) {
+    sum += static_cast<double>(body.linear_momentum.norm());
+    sum += static_cast<double>(body.mass * world.settings.gravity.norm() * h);
+  });
   world.ledger.largest_sum = std::max(world.ledger.largest_sum, sum);
 }
 
@@ -290,7 +297,7 @@ void advance(WorldState& world, Real h) {
     body.torque.setZero();
   }
   if (world.settings.check_stages) check_bodies(world);
-  if (world.settings.audit_momentum) audit_scale(world);
+  if (world.settings.audit_momentum) audit_scale(world, h);
   attempt(world, Stage::BroadPhase, [&] { enclose_bodies(world); });
   ++world.step_count;
   world.time += static_cast<double>(h);

@@ -34,7 +34,7 @@ struct PairList {
 /// Linear momentum that nothing explains, summed over the audited steps.
 struct MomentumLedger {
   Eigen::Vector3d unexplained = Eigen::Vector3d::Zero();
-  double largest_sum = 0;  ///< of |P| over the bodies: the scale of the error
+  double largest_sum = 0;  ///< of |P| and weight·h over the bodies: the scale of the error
 };
 
 /// A pair of bodies without impulses to start from: its rows, and one in their middle.

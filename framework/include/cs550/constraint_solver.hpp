@@ -28,7 +28,7 @@ enum class ContactModel : std::uint8_t {
 struct ContactStep {
   Real h = 0;                               ///< length of the substep (s)
   bool use_bias = true;                     ///< false in the relax pass
-  bool backwards = false;                   ///< visit the rows in reverse: the relax pass
+  bool backwards = false;                   ///< visit the rows in reverse: every second pass
   ContactModel model = ContactModel::Soft;  ///< how penetration is undone
   Softness soft;                            ///< contacts between movable bodies
   Softness soft_static;                     ///< contacts with an immovable body

@@ -29,7 +29,7 @@ struct WorldSettings {
 
   int substeps = 4;          ///< of one step
   int iterations = 1;        ///< passes with bias in a substep
-  int relax_iterations = 2;  ///< passes without bias in a substep, soft contacts only
+  int relax_iterations = 3;  ///< passes without bias in a substep, soft contacts only
   SolverKind solver = SolverKind::Constraint;                  ///< whose solver runs
   ContactModel contact_model = ContactModel::Soft;             ///< how penetration is undone
   RotationMethod rotation = RotationMethod::ImplicitMidpoint;  ///< how bodies turn
@@ -203,7 +203,7 @@ class World {
   /// A hash of all poses and momenta, bit for bit (FNV-1a): equal hashes, equal states.
   std::uint64_t state_hash() const;
 
-  /// |ΔP − J|/Σ|P| over the run, J being the impulse of gravity, of applied forces and of immovable
+  /// |ΔP − J| over the run, relative to Σ|P| and a step's weight, J being the impulse of gravity, of applied forces and of immovable
   /// bodies; needs settings().audit_momentum from the start. Rounding is all that should remain.
   double momentum_error() const;
 
