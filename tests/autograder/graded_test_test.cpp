@@ -18,7 +18,7 @@ struct Outcome {
 };
 
 Outcome run_fake_lab(const std::string& arguments) {
-  const std::string command = std::string(CS550_FAKE_LAB) + " " + arguments + " 2>&1";
+  const std::string command = "\"" + std::string(CS550_FAKE_LAB) + "\" " + arguments + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   std::string output;
   std::array<char, 4096> buffer;

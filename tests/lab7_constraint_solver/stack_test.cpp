@@ -17,9 +17,11 @@ struct Variation {
   Real size;  ///< of a box (m); gravity and the length unit go with it
 };
 
-constexpr Variation variations[] = {
-    {1, 0, 1000, 1}, {2, 17, 1000, 1},         {3, 0, 50, 1},
-    {4, 0, 8000, 1}, {7, 17, 8000, Real(0.1)}, {8, 0, 1000, Real(0.01)}};
+constexpr Variation variations[] = {{1, 0, 1000, 1},
+                                    {2, 17, 50, 1},
+                                    {4, 0, 8000, 1},
+                                    {7, 17, 8000, Real(0.1)},
+                                    {8, 0, 1000, Real(0.01)}};
 
 World scaled_world(Real size) {
   World world = checked_world();
