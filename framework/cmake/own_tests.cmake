@@ -29,7 +29,7 @@ include(\"${list_script}\")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${list_file}")
 endfunction()
 
-foreach(folder framework engine autograder)
+foreach(folder framework engine drawing autograder)
   cs550_add_own_tests(${folder})
 endforeach()
 if(TARGET tests_autograder)

@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <cmath>
+
+#include "drawing/painter.hpp"
+#include "drawing/svg_parts.hpp"
+
+namespace cs550::drawing {
+namespace {
+
+constexpr double outline_width = 1.6;
+constexpr double arrow_length = 4.5;  // of its line's width, plus
+constexpr double arrow_base = 4;      // pixels
+
+PagePoint on_page(const Projected& at) { return {at.x, at.y}; }
+
+PagePoint between(PagePoint a, PagePoint b, double share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+
+double distance(PagePoint a, PagePoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// A face is lighter the more it looks up and to the left.
+Color lit(Color base, const std::vector<Vec3>& corners, const Camera& camera) {
+  Vec3 normal = Vec3::Zero();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    normal += (corners[i] - corners[0]).cross(corners[(i + 1) % corners.size()] - corners[0]);
+  }
+  if (normal.norm() == 0) return base;
+  normal.normalize();
+  if (normal.dot(camera.toward_eye()) < 0) normal = -normal;
+  const Vec3 light =
+      (Real(0.9) * camera.up() - Real(0.45) * camera.right() + Real(0.7) * camera.toward_eye())
+          .normalized();
+  const double brightness = std::max(0.0, static_cast<double>(normal.dot(light)));
+  return mix(base, paper, 0.28 + 0.5 * brightness);
+}
+
+/// Letters need more contrast than lines.
+Color label_color(Role role) {
+  return needs_outline(role) ? color(Role::Text) : mix(color(role), color(Role::Text), 0.35);
+}
+
+/// Labels are placed one after another, each where it covers least of the others.
+class LabelPlacer {
+ public:
+  explicit LabelPlacer(const Rectangle& area) : area_(area) {}
+
+  /// What a label should not cover.
+  void avoid(const Rectangle& box) { taken_.push_back(box); }
+
+  /// The upper left corner of the best place around a point.
+  /// @param outward the side on which the label stands best, any length
+  Rectangle place(PagePoint at, PagePoint outward, double width, double height) {
+    constexpr double gap = 7;
+    const double preferred = std::atan2(outward.y, outward.x);
+    Rectangle best;
+    double least_cost = HUGE_VAL;
+    for (int i = 0; i < 16; ++i) {
+      const double turn = 2 * static_cast<double>(pi) * i / 16;
+      const double x = std::cos(preferred + turn);
+      const double y = std::sin(preferred + turn);
+      const Rectangle box = {at.x + gap * x + 0.5 * width * (x - 1),
+                             at.y + gap * y + 0.5 * height * (y - 1), width, height};
+      const double cost = overlap_with_others(box) + 40 * (1 - std::cos(turn));
+      if (cost < least_cost) {
+        least_cost = cost;
+        best = box;
+      }
+    }
+    taken_.push_back(best);
+    return best;
+  }
+
+ private:
+  static double common_area(const Rectangle& a, const Rectangle& b) {
+    const double width = std::min(a.left + a.width, b.left + b.width) - std::max(a.left, b.left);
+    const double height = std::min(a.top + a.height, b.top + b.height) - std::max(a.top, b.top);
+    return std::max(0.0, width) * std::max(0.0, height);
+  }
+
+  double overlap_with_others(const Rectangle& box) const {
+    double cost = 20 * (box.width * box.height - common_area(box, area_));
+    for (const Rectangle& other : taken_) cost += common_area(box, other);
+    return cost;
+  }
+
+  Rectangle area_;
+  std::vector<Rectangle> taken_;
+};
+
+class ScenePainter {
+ public:
+  ScenePainter(SvgWriter& svg, const Drawing& drawing, const Camera& camera)
+      : svg_(svg), drawing_(drawing), camera_(camera) {}
+
+  void paint(const BrushStroke& stroke) {
+    switch (stroke.kind) {
+      case BrushStroke::Kind::Polygon:
+        return paint(drawing_.polygons[stroke.index]);
+      case BrushStroke::Kind::Ball:
+        return paint(drawing_.balls[stroke.index]);
+      case BrushStroke::Kind::Line:
+        return paint(drawing_.lines[stroke.index], stroke.from, stroke.to);
+      case BrushStroke::Kind::Point:
+        return paint(drawing_.points[stroke.index]);
+    }
+  }
+
+  void paint_labels(const Rectangle& area) {
+    LabelPlacer placer(area);
+    for (const Point& point : drawing_.points) {
+      const PagePoint at = place(point.position);
+      const double r = static_cast<double>(point.radius);
+      placer.avoid({at.x - r, at.y - r, 2 * r, 2 * r});
+    }
+    const PagePoint middle = {area.left + 0.5 * area.width, area.top + 0.5 * area.height};
+    for (const Label& label : drawing_.labels) {
+      const PagePoint at = place(label.position);
+      const double width = text_width(label.text, small_text);
+      const Rectangle box =
+          placer.place(at, {at.x - middle.x + 0.01, at.y - middle.y}, width, small_text);
+      TextStyle style;
+      style.size = small_text;
+      style.color = label_color(label.role);
+      style.anchor = Anchor::Middle;
+      style.halo = true;
+      svg_.text({box.left + 0.5 * width, box.top + 0.82 * small_text}, label.text, style);
+    }
+  }
+
+ private:
+  PagePoint place(const Vec3& position) const { return on_page(camera_.project(position)); }
+
+  void paint(const Polygon& polygon) {
+    std::vector<PagePoint> corners;
+    for (const Vec3& corner : polygon.corners) corners.push_back(place(corner));
+    svg_.polygon(corners, lit(color(polygon.role), polygon.corners, camera_),
+                 static_cast<double>(polygon.opacity));
+  }
+
+  void paint(const Ball& ball) {
+    svg_.ball(place(ball.center), camera_.pixels(ball.center, static_cast<double>(ball.radius)),
+              color(ball.role), static_cast<double>(ball.opacity));
+  }
+
+  void paint(const Point& point) {
+    svg_.circle(place(point.position), static_cast<double>(point.radius), color(point.role),
+                point.role == Role::Highlight ? color(Role::Text) : paper, 1.2);
+  }
+
+  void paint(const Line& line, double from, double to) {
+    const PagePoint start = place(line.from);
+    const PagePoint end = place(line.to);
+    const double length = distance(start, end);
+    const double width = static_cast<double>(line.stroke.width);
+    const double head = std::min(arrow_base + arrow_length * width, 0.6 * length);
+    const bool has_head = line.stroke.arrow && to == 1 && length > 0;
+    // The line ends inside its head, whose tip would otherwise be blunt.
+    const double last = has_head ? std::max(from, 1 - 0.8 * head / length) : to;
+    const Color ink = color(line.stroke.role);
+    if (needs_outline(line.stroke.role)) {
+      const Color outline = color(Role::Text);
+      svg_.line(between(start, end, from), between(start, end, last), outline,
+                width + outline_width, line.stroke.dashed, from * length);
+      if (has_head) paint_head(start, end, head, width, ink, outline);
+      svg_.line(between(start, end, from), between(start, end, last), ink, width,
+                line.stroke.dashed, from * length);
+    } else {
+      svg_.line(between(start, end, from), between(start, end, last), ink, width,
+                line.stroke.dashed, from * length);
+      if (has_head) paint_head(start, end, head, width, ink, ink);
+    }
+  }
+
+  void paint_head(PagePoint start, PagePoint tip, double head, double width, Color fill,
+                  Color outline) {
+    const double length = distance(start, tip);
+    const double x = (tip.x - start.x) / length;
+    const double y = (tip.y - start.y) / length;
+    const double half = 0.36 * head + 0.2 * width;
+    const PagePoint base = {tip.x - head * x, tip.y - head * y};
+    svg_.outlined_polygon(
+        {tip, {base.x - half * y, base.y + half * x}, {base.x + half * y, base.y - half * x}}, fill,
+        outline);
+  }
+
+  SvgWriter& svg_;
+  const Drawing& drawing_;
+  const Camera& camera_;
+};
+
+}  // namespace
+
+void draw_scene(SvgWriter& svg, const Drawing& drawing, const View& view,
+                std::span<const Vec3> keep_in_view, const Rectangle& area) {
+  // Room for dots, arrow heads and labels at the rim.
+  const double margin = std::min(34.0, 0.12 * std::min(area.width, area.height));
+  const Rectangle inner = {area.left + margin, area.top + margin, area.width - 2 * margin,
+                           area.height - 2 * margin};
+  const Camera camera(view, keep_in_view, inner);
+  svg.begin_clipped(area);
+  ScenePainter painter(svg, drawing, camera);
+  for (const BrushStroke& stroke : painting_order(drawing, camera)) painter.paint(stroke);
+  painter.paint_labels(area);
+  svg.end_group();
+}
+
+}  // namespace cs550::drawing
