@@ -117,4 +117,10 @@ Drawing finite_part(const Drawing& drawing) {
 
 bool is_finite(const Vec3& position) { return position.allFinite(); }
 
+Vec3 middle(std::span<const Vec3> positions) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& position : positions) sum += position;
+  return sum / static_cast<Real>(std::max<std::size_t>(positions.size(), 1));
+}
+
 }  // namespace cs550::drawing

@@ -57,11 +57,14 @@ struct Label {
   Role role = Role::Text;        ///< what it stands for
 };
 
-/// One line of the legend.
+/// What stands in the legend beside its text.
+enum class LegendMark : std::uint8_t { Line, Patch, Dot };
+
+/// One entry of the legend.
 struct LegendEntry {
-  std::string text;     ///< what is drawn like this
-  Stroke stroke;        ///< how it is drawn
-  bool filled = false;  ///< a patch of colour instead of a line
+  std::string text;                    ///< what is drawn like this
+  Stroke stroke;                       ///< how it is drawn
+  LegendMark mark = LegendMark::Line;  ///< a line, a face or a point
 };
 
 /// A picture before it has a point of view.
@@ -104,5 +107,8 @@ Drawing finite_part(const Drawing& drawing);
 
 /// Whether the three coordinates are numbers.
 bool is_finite(const Vec3& position);
+
+/// The mean of some positions; zero of none.
+Vec3 middle(std::span<const Vec3> positions);
 
 }  // namespace cs550::drawing

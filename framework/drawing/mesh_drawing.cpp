@@ -38,12 +38,6 @@ Real size(const HalfEdgeMesh& mesh) {
   return mesh.vertices.empty() ? Real(0) : mesh_bounds(mesh).extent().maxCoeff();
 }
 
-Vec3 middle(std::span<const Vec3> points) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& point : points) sum += point;
-  return sum / static_cast<Real>(std::max<std::size_t>(points.size(), 1));
-}
-
 /// The half-edges of a face as far as `next` can be followed.
 std::vector<Index> safe_loop(const HalfEdgeMesh& mesh, Index face) {
   std::vector<Index> loop;

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "drawing/svg_parts.hpp"
+#include "drawing/text.hpp"
 
 namespace cs550::drawing {
 namespace {
@@ -50,14 +50,9 @@ double tick_step(const Range& range, int most) {
 }
 
 std::string tick_text(double value, double step, bool logarithmic) {
-  char text[32];
-  if (logarithmic) {
-    std::snprintf(text, sizeof text, "%g", std::pow(10.0, value));
-    return text;
-  }
+  if (logarithmic) return power_of_ten_text(static_cast<int>(std::lround(value)));
   // Rounding leaves 1e-17 where zero is meant.
-  std::snprintf(text, sizeof text, "%.6g", std::abs(value) < 1e-9 * step ? 0.0 : value);
-  return text;
+  return number_text(std::abs(value) < 1e-9 * step ? 0.0 : value, 6);
 }
 
 /// From values to the page.
@@ -198,6 +193,19 @@ void draw_mark(SvgWriter& svg, const PlotMark& mark, const Plot& plot, const Axe
            mark.text, style);
 }
 
+LegendMark legend_mark(SeriesStyle style) {
+  switch (style) {
+    case SeriesStyle::Curve:
+    case SeriesStyle::Steps:
+      return LegendMark::Line;
+    case SeriesStyle::Dots:
+      return LegendMark::Dot;
+    case SeriesStyle::Bars:
+      return LegendMark::Patch;
+  }
+  return LegendMark::Line;
+}
+
 }  // namespace
 
 void draw_plot(SvgWriter& svg, const Plot& plot, const Rectangle& area) {
@@ -219,10 +227,9 @@ void draw_plot(SvgWriter& svg, const Plot& plot, const Rectangle& area) {
 std::vector<LegendEntry> legend_of(const Plot& plot) {
   std::vector<LegendEntry> legend;
   for (const Series& series : plot.series) {
-    Stroke stroke;
-    stroke.role = series.role;
-    stroke.dashed = series.dashed;
-    legend.push_back({series.name, stroke, series.style == SeriesStyle::Bars});
+    if (series.name.empty()) continue;
+    const Stroke stroke = {series.role, 2, series.dashed, false};
+    legend.push_back({series.name, stroke, legend_mark(series.style)});
   }
   return legend;
 }

@@ -93,16 +93,16 @@ class ScenePainter {
   ScenePainter(SvgWriter& svg, const Drawing& drawing, const Camera& camera)
       : svg_(svg), drawing_(drawing), camera_(camera) {}
 
-  void paint(const BrushStroke& stroke) {
-    switch (stroke.kind) {
-      case BrushStroke::Kind::Polygon:
-        return paint(drawing_.polygons[stroke.index]);
-      case BrushStroke::Kind::Ball:
-        return paint(drawing_.balls[stroke.index]);
-      case BrushStroke::Kind::Line:
-        return paint(drawing_.lines[stroke.index], stroke.from, stroke.to);
-      case BrushStroke::Kind::Point:
-        return paint(drawing_.points[stroke.index]);
+  /// Between two faces lines come first, and of them all outlines: those of a curve in pieces must
+  /// not show within it.
+  void paint(const std::vector<BrushStroke>& order) {
+    for (std::size_t i = 0; i < order.size();) {
+      std::size_t end = i;
+      while (end < order.size() && order[end].kind == BrushStroke::Kind::Line) ++end;
+      for (std::size_t k = i; k < end; ++k) paint_outline(order[k]);
+      for (std::size_t k = i; k < end; ++k) paint_line(order[k]);
+      if (end < order.size()) paint(order[end++]);
+      i = end;
     }
   }
 
@@ -129,6 +129,19 @@ class ScenePainter {
   }
 
  private:
+  void paint(const BrushStroke& stroke) {
+    switch (stroke.kind) {
+      case BrushStroke::Kind::Polygon:
+        return paint(drawing_.polygons[stroke.index]);
+      case BrushStroke::Kind::Ball:
+        return paint(drawing_.balls[stroke.index]);
+      case BrushStroke::Kind::Point:
+        return paint(drawing_.points[stroke.index]);
+      case BrushStroke::Kind::Line:
+        return paint_line(stroke);
+    }
+  }
+
   PagePoint place(const Vec3& position) const { return on_page(camera_.project(position)); }
 
   void paint(const Polygon& polygon) {
@@ -148,40 +161,51 @@ class ScenePainter {
                 point.role == Role::Highlight ? color(Role::Text) : paper, 1.2);
   }
 
-  void paint(const Line& line, double from, double to) {
-    const PagePoint start = place(line.from);
-    const PagePoint end = place(line.to);
-    const double length = distance(start, end);
-    const double width = static_cast<double>(line.stroke.width);
-    const double head = std::min(arrow_base + arrow_length * width, 0.6 * length);
-    const bool has_head = line.stroke.arrow && to == 1 && length > 0;
-    // The line ends inside its head, whose tip would otherwise be blunt.
-    const double last = has_head ? std::max(from, 1 - 0.8 * head / length) : to;
-    const Color ink = color(line.stroke.role);
+  /// A part of a line on the page.
+  struct Part {
+    PagePoint start, end;  // of the whole line
+    double length;
+    double from, to;  // 0–1 along it
+    double head;      // length of the arrow's head, 0 without (pixels)
+  };
+
+  Part part_of(const Line& line, double from, double to) const {
+    Part part{place(line.from), place(line.to), 0, from, to, 0};
+    part.length = distance(part.start, part.end);
+    if (line.stroke.arrow && to == 1 && part.length > 0) {
+      part.head = std::min(arrow_base + arrow_length * static_cast<double>(line.stroke.width),
+                           0.6 * part.length);
+      // The line ends inside its head, whose tip would otherwise be blunt.
+      part.to = std::max(from, 1 - 0.8 * part.head / part.length);
+    }
+    return part;
+  }
+
+  void paint_outline(const BrushStroke& stroke) {
+    const Line& line = drawing_.lines[stroke.index];
     if (needs_outline(line.stroke.role)) {
-      const Color outline = color(Role::Text);
-      svg_.line(between(start, end, from), between(start, end, last), outline,
-                width + outline_width, line.stroke.dashed, from * length);
-      if (has_head) paint_head(start, end, head, width, ink, outline);
-      svg_.line(between(start, end, from), between(start, end, last), ink, width,
-                line.stroke.dashed, from * length);
-    } else {
-      svg_.line(between(start, end, from), between(start, end, last), ink, width,
-                line.stroke.dashed, from * length);
-      if (has_head) paint_head(start, end, head, width, ink, ink);
+      paint_part(line, part_of(line, stroke.from, stroke.to), color(Role::Text), outline_width);
     }
   }
 
-  void paint_head(PagePoint start, PagePoint tip, double head, double width, Color fill,
-                  Color outline) {
-    const double length = distance(start, tip);
-    const double x = (tip.x - start.x) / length;
-    const double y = (tip.y - start.y) / length;
-    const double half = 0.36 * head + 0.2 * width;
-    const PagePoint base = {tip.x - head * x, tip.y - head * y};
+  void paint_line(const BrushStroke& stroke) {
+    const Line& line = drawing_.lines[stroke.index];
+    paint_part(line, part_of(line, stroke.from, stroke.to), color(line.stroke.role), 0);
+  }
+
+  /// @param wider by how much (pixels)
+  void paint_part(const Line& line, const Part& part, Color ink, double wider) {
+    const double width = static_cast<double>(line.stroke.width) + wider;
+    svg_.line(between(part.start, part.end, part.from), between(part.start, part.end, part.to), ink,
+              width, line.stroke.dashed, part.from * part.length);
+    if (part.head == 0) return;
+    const double x = (part.end.x - part.start.x) / part.length;
+    const double y = (part.end.y - part.start.y) / part.length;
+    const double half = 0.36 * part.head + 0.2 * width;
+    const PagePoint base = {part.end.x - part.head * x, part.end.y - part.head * y};
     svg_.outlined_polygon(
-        {tip, {base.x - half * y, base.y + half * x}, {base.x + half * y, base.y - half * x}}, fill,
-        outline);
+        {part.end, {base.x - half * y, base.y + half * x}, {base.x + half * y, base.y - half * x}},
+        ink, ink, 1 + wider);
   }
 
   SvgWriter& svg_;
@@ -200,7 +224,7 @@ void draw_scene(SvgWriter& svg, const Drawing& drawing, const View& view,
   const Camera camera(view, keep_in_view, inner);
   svg.begin_clipped(area);
   ScenePainter painter(svg, drawing, camera);
-  for (const BrushStroke& stroke : painting_order(drawing, camera)) painter.paint(stroke);
+  painter.paint(painting_order(drawing, camera));
   painter.paint_labels(area);
   svg.end_group();
 }

@@ -78,16 +78,22 @@ int legend_lines(const Layout& layout, double width) {
 void draw_legend_entry(SvgWriter& svg, const LegendEntry& entry, PagePoint at) {
   const Color ink = color(entry.stroke.role);
   const double middle = at.y - 0.33 * small_text;
-  if (entry.filled) {
-    svg.rectangle({at.x + 4, middle - 6, 18, 12}, mix(ink, paper, 0.35), ink);
-  } else {
-    const double width = static_cast<double>(entry.stroke.width);
-    const PagePoint from = {at.x, middle};
-    const PagePoint to = {at.x + legend_swatch - 2, middle};
-    if (needs_outline(entry.stroke.role)) {
-      svg.line(from, to, color(Role::Text), width + 1.6, entry.stroke.dashed);
-    }
-    svg.line(from, to, ink, width, entry.stroke.dashed);
+  const double width = static_cast<double>(entry.stroke.width);
+  const PagePoint from = {at.x, middle};
+  const PagePoint to = {at.x + legend_swatch - 2, middle};
+  const bool outlined = needs_outline(entry.stroke.role);
+  switch (entry.mark) {
+    case LegendMark::Patch:
+      svg.rectangle({at.x + 4, middle - 6, 18, 12}, mix(ink, paper, 0.35), ink);
+      break;
+    case LegendMark::Dot:
+      svg.circle({at.x + 0.5 * legend_swatch, middle}, 4.5, ink,
+                 outlined ? color(Role::Text) : paper, 1.2);
+      break;
+    case LegendMark::Line:
+      if (outlined) svg.line(from, to, color(Role::Text), width + 1.6, entry.stroke.dashed);
+      svg.line(from, to, ink, width, entry.stroke.dashed);
+      break;
   }
   TextStyle style;
   style.size = small_text;

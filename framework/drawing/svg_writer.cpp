@@ -116,9 +116,10 @@ void SvgWriter::polygon(const std::vector<PagePoint>& points, Color fill, double
   body_ << "/>\n";
 }
 
-void SvgWriter::outlined_polygon(const std::vector<PagePoint>& points, Color fill, Color outline) {
+void SvgWriter::outlined_polygon(const std::vector<PagePoint>& points, Color fill, Color outline,
+                                 double outline_width) {
   body_ << "<polygon" << coordinates(points) << attribute("fill", hex(fill))
-        << stroke(outline, 1, false) << " stroke-linejoin=\"round\"/>\n";
+        << stroke(outline, outline_width, false) << " stroke-linejoin=\"round\"/>\n";
 }
 
 void SvgWriter::circle(PagePoint center, double radius, Color fill, Color outline,
@@ -136,7 +137,7 @@ void SvgWriter::ball(PagePoint center, double radius, Color color, double opacit
                << attribute("stop-color", hex(mix(color, paper, 0.35))) << "/></radialGradient>\n";
   body_ << "<circle" << attribute("cx", center.x) << attribute("cy", center.y)
         << attribute("r", radius) << attribute("fill", "url(#" + name + ")")
-        << attribute("opacity", opacity) << "/>\n";
+        << attribute("opacity", opacity) << stroke(mix(color, paper, 0.1), 1, false) << "/>\n";
 }
 
 void SvgWriter::rectangle(const Rectangle& area, Color fill, Color outline) {

@@ -46,7 +46,8 @@ class SvgWriter {
             double dash_offset = 0);
   void polyline(const std::vector<PagePoint>& points, Color color, double width, bool dashed);
   void polygon(const std::vector<PagePoint>& points, Color fill, double opacity);
-  void outlined_polygon(const std::vector<PagePoint>& points, Color fill, Color outline);
+  void outlined_polygon(const std::vector<PagePoint>& points, Color fill, Color outline,
+                        double outline_width);
   void circle(PagePoint center, double radius, Color fill, Color outline, double outline_width);
   /// Shaded like a ball lit from the upper left.
   void ball(PagePoint center, double radius, Color color, double opacity);

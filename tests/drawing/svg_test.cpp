@@ -24,7 +24,7 @@ Drawing one_of_each() {
   drawing.balls.push_back({{2, 0, 0}, Real(0.5), Role::Faint, 1});
   drawing.points.push_back({{0, 0, 1}, Role::Highlight, 4});
   drawing.labels.push_back({{1, 0, 0}, "a < b & \"c\"", Role::Text});
-  drawing.legend.push_back({"the <triangle>", {Role::BodyA, 2, false, false}, true});
+  drawing.legend.push_back({"the <triangle>", {Role::BodyA, 2, false, false}, LegendMark::Patch});
   add_arrow(drawing, {0, 0, 0}, {0, 0, 2}, {Role::Highlight, 3, true, true}, "n̂");
   return drawing;
 }

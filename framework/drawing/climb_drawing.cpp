@@ -1,0 +1,111 @@
+#include "drawing/climb_drawing.hpp"
+
+#include <algorithm>
+
+#include "drawing/mesh_drawing.hpp"
+#include "drawing/text.hpp"
+
+namespace cs550::drawing {
+namespace {
+
+bool exists(const HalfEdgeMesh& mesh, Index v) { return 0 <= v && v < mesh.vertex_count(); }
+
+Vec3 unit(const Vec3& direction) {
+  const Real length = direction.norm();
+  return length > 0 && std::isfinite(length) ? Vec3(direction / length) : Vec3::UnitZ();
+}
+
+Real highest(const HalfEdgeMesh& mesh, const Vec3& direction) {
+  Real result = -HUGE_VALF;
+  for (const Vec3& vertex : mesh.vertices) result = std::max(result, vertex.dot(direction));
+  return result;
+}
+
+std::string dot_text(Index vertex, Real dot) {
+  return "v" + std::to_string(vertex) + ": " + number_text(static_cast<double>(dot));
+}
+
+/// A square through a point, perpendicular to a direction.
+Polygon support_plane(const Vec3& through, const Vec3& normal, Real half_side) {
+  const Vec3 u = half_side * any_perpendicular(normal);
+  const Vec3 v = normal.cross(u);
+  return {{through - u - v, through + u - v, through + u + v, through - u + v},
+          Role::Faint,
+          Real(0.35)};
+}
+
+}  // namespace
+
+Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<const Index> path,
+                   Role role) {
+  MeshStyle style;
+  style.role = Role::BodyA;
+  style.opacity = Real(0.85);
+  style.edge_width = 1;
+  Drawing drawing = draw_mesh(mesh, style);
+  drawing.title = "Walk of " + std::to_string(path.size()) + " vertices";
+  if (mesh.vertices.empty()) return drawing;
+
+  const Vec3 up = unit(direction);
+  Bounds box;
+  for (const Vec3& vertex : mesh.vertices) box.include(vertex);
+  const Real size = box.extent().maxCoeff();
+
+  Index last = no_index;
+  for (const Index v : path) {
+    if (!exists(mesh, v)) {
+      drawing.notes.push_back("The path names vertex " + std::to_string(v) +
+                              ", which does not exist.");
+      continue;
+    }
+    for (const Index e : vertex_edges(mesh, v)) {
+      drawing.points.push_back({mesh.vertex(mesh.edge(e).vertex), Role::Faint, 3});
+    }
+    if (last != no_index) {
+      drawing.lines.push_back({mesh.vertex(last), mesh.vertex(v), {role, 3, false, true}});
+    }
+    last = v;
+  }
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!exists(mesh, path[i])) continue;
+    const Vec3& vertex = mesh.vertex(path[i]);
+    drawing.points.push_back({vertex, role, i == 0 || i + 1 == path.size() ? Real(5.5) : Real(4)});
+    drawing.labels.push_back({vertex, dot_text(path[i], vertex.dot(direction)), Role::Text});
+  }
+  add_arrow(drawing, box.center() + Real(0.62) * size * up, Real(0.4) * size * up,
+            {Role::Axis, Real(2.5), false, true}, "direction");
+
+  if (last != no_index) {
+    const Vec3& end = mesh.vertex(last);
+    drawing.polygons.push_back(support_plane(end, up, Real(0.35) * size));
+    const Real missing = highest(mesh, direction) - end.dot(direction);
+    drawing.alt_text += " A walk from vertex " + std::to_string(path.front()) + " to vertex " +
+                        std::to_string(last) + " in " + std::to_string(path.size() - 1) + " steps" +
+                        (missing > 0 ? ", which is not the most extreme one." : ".");
+  }
+  drawing.legend = {
+      {"walk", {role, 3, false, false}, LegendMark::Line},
+      {"no vertex beyond this plane", {Role::Faint, 2, false, false}, LegendMark::Patch}};
+  return drawing;
+}
+
+Plot plot_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<const Index> path) {
+  Plot plot;
+  plot.title = "Dot product along the walk";
+  plot.alt_text = "The dot product of vertex and direction at each step of the walk.";
+  plot.x_label = "step";
+  plot.y_label = "vertex · direction";
+  std::vector<Vec2> values;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!exists(mesh, path[i])) continue;
+    values.emplace_back(static_cast<Real>(i), mesh.vertex(path[i]).dot(direction));
+  }
+  add_series(plot, "", values).role = Role::Faint;
+  add_series(plot, "vertices stood on", values, SeriesStyle::Dots).role = Role::BodyA;
+  if (!mesh.vertices.empty()) {
+    plot.marks.push_back({highest(mesh, direction), false, "most extreme", Role::Expected});
+  }
+  return plot;
+}
+
+}  // namespace cs550::drawing

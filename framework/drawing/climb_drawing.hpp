@@ -1,0 +1,23 @@
+#pragma once
+/// @file climb_drawing.hpp
+/// **Lab 3:** The walk to the most extreme vertex.
+
+#include "cs550/half_edge_mesh.hpp"
+#include "drawing/drawing.hpp"
+#include "drawing/plot.hpp"
+
+namespace cs550::drawing {
+
+/// A mesh, the direction as an arrow, the walk as arrows from vertex to vertex with the dot product
+/// at each, small dots at the neighbours that were looked at, and the plane through the walk's end
+/// that no vertex should exceed. Vertices that do not exist are left out, with a note.
+/// @param direction in the mesh's frame, any length
+/// @param path vertices stood on, from the start to the answer
+/// @param role of the walk: Highlight, or Expected beside Got
+Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<const Index> path,
+                   Role role = Role::Highlight);
+
+/// The dot product at each step of the walk, and the largest of all vertices as a mark.
+Plot plot_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<const Index> path);
+
+}  // namespace cs550::drawing

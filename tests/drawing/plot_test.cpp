@@ -1,0 +1,84 @@
+// Plots: every value where it belongs, and none that has no place.
+
+#include "drawing/plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drawing/impulse_drawing.hpp"
+#include "drawing/svg.hpp"
+#include "drawing/text.hpp"
+#include "xml.hpp"
+
+namespace cs550::drawing {
+namespace {
+
+using test::count;
+
+TEST(Plot, EachSeriesIsDrawnInItsStyle) {
+  Plot plot;
+  const std::vector<Vec2> values = {{0, 1}, {1, 3}, {2, 2}};
+  for (const SeriesStyle style :
+       {SeriesStyle::Curve, SeriesStyle::Steps, SeriesStyle::Dots, SeriesStyle::Bars}) {
+    add_series(plot, "series", values, style);
+  }
+  const std::string svg = write_svg(plot);
+  EXPECT_EQ(test::xml_fault(svg), "");
+  EXPECT_EQ(count(svg, "<polyline"), 2);
+  EXPECT_EQ(count(svg, "<polygon"), 3);
+  EXPECT_EQ(count(svg, "<circle"), 3 + 1);  // one in the legend
+}
+
+TEST(Plot, ALogarithmicAxisLeavesOutWhatHasNoLogarithm) {
+  Plot plot;
+  plot.logarithmic = true;
+  add_series(plot, "error", {{0, 1}, {1, 0}, {2, -1}, {3, NAN}, {4, Real(1e-6)}},
+             SeriesStyle::Dots);
+  const std::string svg = write_svg(plot);
+  EXPECT_EQ(count(svg, "<circle"), 2 + 1);
+  EXPECT_EQ(count(svg, "nan"), 0);
+  EXPECT_EQ(count(svg, "inf"), 0);
+}
+
+TEST(Plot, AConstantHasAnAxis) {
+  Plot plot;
+  add_series(plot, "energy", {{0, 5}, {1, 5}});
+  const std::string svg = write_svg(plot);
+  EXPECT_EQ(count(svg, "nan"), 0);
+  EXPECT_GE(count(svg, ">5<"), 1);
+}
+
+TEST(Plot, MarksStretchTheAxes) {
+  Plot plot;
+  add_series(plot, "energy", {{0, 1}, {1, 2}});
+  plot.marks.push_back({20, false, "bound", Role::Warning});
+  EXPECT_GE(count(write_svg(plot), ">20<"), 1);
+}
+
+TEST(Plot, NeighbouringSeriesHaveDifferentColours) {
+  for (int i = 0; i < 5; ++i) EXPECT_NE(hex(color(series_role(i))), hex(color(series_role(i + 1))));
+}
+
+TEST(Plot, ConvergenceHasOneValuePerPass) {
+  const Convergence runs[] = {{"naive", {1, Real(0.5), Real(0.25)}, false}};
+  const Plot plot = plot_convergence(runs, "error (m/s)");
+  ASSERT_EQ(plot.series.size(), 1U);
+  EXPECT_EQ(plot.series[0].values.size(), 3U);
+  EXPECT_TRUE(plot.logarithmic);
+}
+
+TEST(Text, NumbersAreWrittenAsPeopleWriteThem) {
+  EXPECT_EQ(number_text(-0.4259, 3), "−0.426");
+  EXPECT_EQ(number_text(-0.0), "0");
+  EXPECT_EQ(power_of_ten_text(-2), "0.01");
+  EXPECT_EQ(power_of_ten_text(-12), "10⁻¹²");
+}
+
+TEST(Palette, RolesThatStandSideBySideDiffer) {
+  EXPECT_FALSE(color(Role::Expected) == color(Role::Got));
+  EXPECT_FALSE(color(Role::BodyA) == color(Role::BodyB));
+  EXPECT_FALSE(color(Role::Reference) == color(Role::Incident));
+  EXPECT_EQ(hex(color(Role::BodyA)), "#0072b2");
+}
+
+}  // namespace
+}  // namespace cs550::drawing
