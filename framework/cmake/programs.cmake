@@ -7,6 +7,7 @@ function(cs550_add_program target output_name)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${output_name})
   target_link_libraries(${target} PRIVATE cs550_engine cs550_drawing CLI11::CLI11
                         nlohmann_json::nlohmann_json Threads::Threads cs550_warnings)
+  target_compile_definitions(${target} PRIVATE CS550_HAS_VIEWER=$<BOOL:${CS550_HAS_VIEWER}>)
 endfunction()
 
 if(cli_sources)

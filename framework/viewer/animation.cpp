@@ -1,0 +1,72 @@
+#include "viewer/animation.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cs550::viewer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int not_found = 127;
+
+/// Runs a program without its chatter. @return its exit code; not_found if there is no such program
+int run(const std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+    execvp(arguments[0], arguments.data());
+    _exit(not_found);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "cs550-frames-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) {
+    throw std::runtime_error("cannot make a folder in " + fs::temp_directory_path().string());
+  }
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void write_animation(const fs::path& folder, const fs::path& file) {
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  // 30 frames a second, each second picture of 60: a GIF's clock counts hundredths of a second.
+  const int by_ffmpeg =
+      run({"ffmpeg", "-y", "-framerate", "60", "-i", (folder / "%04d.png").string(), "-vf",
+           "fps=30,split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer",
+           file.string()});
+  if (by_ffmpeg == 0) return;
+  if (by_ffmpeg != not_found) {
+    throw std::runtime_error("ffmpeg could not write " + file.string());
+  }
+  const int by_convert = run({"convert", "-delay", "2", "-loop", "0", (folder / "*.png").string(),
+                              "-layers", "Optimize", file.string()});
+  if (by_convert == 0) return;
+  if (by_convert == not_found) {
+    throw std::runtime_error("--gif needs the package ffmpeg or imagemagick");
+  }
+  throw std::runtime_error("ImageMagick could not write " + file.string());
+}
+
+}  // namespace cs550::viewer

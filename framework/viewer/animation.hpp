@@ -1,0 +1,27 @@
+#pragma once
+/// @file animation.hpp
+/// Numbered pictures as one moving one.
+
+#include <filesystem>
+
+namespace cs550::viewer {
+
+/// A folder for a while.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Makes a GIF of the files 0000.png, 0001.png, … of a folder, by ffmpeg or ImageMagick.
+/// @throws std::runtime_error if neither is here, or the one that is fails
+void write_animation(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+}  // namespace cs550::viewer

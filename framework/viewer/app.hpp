@@ -1,0 +1,73 @@
+#pragma once
+/// @file app.hpp
+/// The viewer: a page, a camera, panels. A window or a picture drives it.
+
+#include <memory>
+#include <optional>
+
+#include "viewer/options.hpp"
+#include "viewer/pages/page.hpp"
+#include "viewer/painter.hpp"
+#include "viewer/ui/interface.hpp"
+#include "viewer/world/world_page.hpp"
+
+namespace cs550::viewer {
+
+/// All that the viewer remembers from frame to frame.
+class App {
+ public:
+  /// Opens the page that the options ask for, with its settings and steps.
+  /// @throws std::invalid_argument for a setting that does not exist
+  App(const Options& options, Interface& interface);
+
+  /// One frame: input is heard, time passes if it plays, everything is drawn.
+  void draw(const Canvas& canvas);
+  /// One step of the page.
+  void advance() { page_->advance(); }
+  /// The page from its beginning.
+  void reset();
+  /// Runs or stands still.
+  void toggle_play() { plays_ = !plays_; }
+  /// The whole of it in the picture, from the page's own side.
+  void frame_focus();
+  /// Throws a box to where the mouse is.
+  void throw_box();
+  /// Another page; 0 is the world.
+  void open(int lab);
+  /// Times are left out, so that the same command gives the same picture.
+  void hide_times();
+
+  const Page& page() const { return *page_; }
+  const Camera& camera() const { return camera_; }
+  bool plays() const { return plays_; }
+  /// The world, or null on the page of a lab.
+  WorldPage* world() { return world_; }
+
+ private:
+  void hear_mouse();
+  void hear_drag_of_body(const Vec2& mouse);
+  void pass_time();
+  void show_panel();
+  void show_pages();
+  void show_transport();
+  void show_scenes();
+  void show_facts() const;
+  void show_plots() const;
+  Area picture_area() const;
+  Projection projection() const;
+
+  Options options_;
+  Interface& interface_;
+  Painter painter_;
+  std::unique_ptr<Page> page_;
+  WorldPage* world_ = nullptr;
+  Camera camera_;
+  bool plays_ = false;
+  int slowness_ = 1;  ///< frames per step
+  int frames_since_step_ = 0;
+  bool hides_times_ = false;
+  std::optional<Real>
+      drag_depth_;  ///< of the point that is pulled, from the eye along the view (m)
+};
+
+}  // namespace cs550::viewer

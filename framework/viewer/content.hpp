@@ -1,0 +1,38 @@
+#pragma once
+/// @file content.hpp
+/// All that a page shows, as a value: it may come from another process.
+
+#include <string>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "drawing/plot.hpp"
+#include "viewer/render/focus.hpp"
+#include "viewer/render/solid.hpp"
+
+namespace cs550::viewer {
+
+/// A name and a value with its unit, a line of a table.
+struct Fact {
+  std::string name;   ///< "kinetic energy"
+  std::string value;  ///< "12.3 kJ"
+};
+
+/// What a page shows.
+struct Content {
+  std::vector<Solid> solids;         ///< shaded bodies
+  drawing::Drawing drawing;          ///< lines, dots, polygons, labels, legend, notes
+  std::vector<drawing::Plot> plots;  ///< beside the picture
+  std::vector<Fact> facts;           ///< numbers on the panel
+  Focus focus;                       ///< what the camera sees at first
+  std::string problem;               ///< why there is no picture: an unwritten or broken stage
+};
+
+/// A value, or why there is none.
+template <class Value>
+struct Answer {
+  Value value;          ///< default-made if there is a failure
+  std::string failure;  ///< empty if there is a value
+};
+
+}  // namespace cs550::viewer

@@ -1,0 +1,42 @@
+#pragma once
+/// @file shader.hpp
+/// Programs that run on the graphics card.
+
+#include <epoxy/gl.h>
+
+#include "cs550/math.hpp"
+
+namespace cs550::viewer {
+
+/// 4 × 4, column-major, as OpenGL takes it.
+using Matrix4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;
+/// Red, green, blue, opacity; each 0–1, as a screen shows them (sRGB).
+using Colour = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
+
+/// A vertex and a fragment shader, linked.
+class Shader {
+ public:
+  /// @param name for the message, @param vertex, fragment GLSL 3.30 without the #version line
+  /// @throws std::runtime_error with the compiler's message
+  Shader(const char* name, const char* vertex, const char* fragment);
+  ~Shader();
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
+
+  /// Makes it the one that draws.
+  void use() const;
+  /// Sets a uniform; the shader must be in use. Unknown names are ignored, as OpenGL does.
+  /// @{
+  void set(const char* name, const Matrix4& value) const;
+  void set(const char* name, const Vec3& value) const;
+  void set(const char* name, const Vec2& value) const;
+  void set(const char* name, const Colour& value) const;
+  void set(const char* name, float value) const;
+  void set(const char* name, int value) const;
+  /// @}
+
+ private:
+  GLuint program_;
+};
+
+}  // namespace cs550::viewer

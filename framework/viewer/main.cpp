@@ -1,0 +1,50 @@
+// The program behind ./cs550 view.
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+#include "viewer/options.hpp"
+#include "viewer/pages/page.hpp"
+#include "viewer/snapshot.hpp"
+#include "viewer/window.hpp"
+
+namespace {
+
+enum ExitCode { Good = 0, Failed = 1, Misused = 2 };
+
+void list_settings(const cs550::viewer::Options& options) {
+  using namespace cs550::viewer;
+  const auto page =
+      make_page({options.lab, options.scene, options.student ? Isolation::Child : Isolation::Here});
+  page->refresh();
+  KnobLister lister;
+  page->describe(lister);
+  std::cout << lister.text();
+}
+
+int run(const cs550::viewer::Options& options) {
+  if (options.list) {
+    list_settings(options);
+  } else if (options.is_headless()) {
+    write_pictures(options);
+  } else {
+    run_in_window(options);
+  }
+  return Good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const cs550::viewer::CommandLine line = cs550::viewer::read_command_line(argc, argv);
+  if (line.exit_code) return *line.exit_code;
+  try {
+    return run(line.options);
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "cs550: " << error.what() << '\n';
+    return Misused;
+  } catch (const std::exception& error) {
+    std::cerr << "cs550: " << error.what() << '\n';
+    return Failed;
+  }
+}

@@ -1,0 +1,94 @@
+#include "viewer/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "viewer/camera.hpp"
+#include "viewer/pages/page.hpp"
+
+namespace cs550::viewer {
+namespace {
+
+constexpr int good = 0;
+constexpr int misused = 2;
+constexpr int smallest_side = 64;
+constexpr int largest_side = 8192;
+
+/// "1280x720".
+Size parse_size(const std::string& text) {
+  Size size;
+  char cross = 0;
+  char rest = 0;
+  std::istringstream words(text);
+  words >> size.width >> cross >> size.height;
+  const auto is_good = [](int side) { return side >= smallest_side && side <= largest_side; };
+  if (words.fail() || words >> rest || cross != 'x' || !is_good(size.width) ||
+      !is_good(size.height)) {
+    throw CLI::ValidationError("--size", "'" + text +
+                                             "' is not WIDTHxHEIGHT in pixels, each from 64 to "
+                                             "8192, as in --size 1280x720");
+  }
+  return size;
+}
+
+bool parse_switch(const std::string& text) {
+  if (text == "on" || text == "off") return text == "on";
+  throw CLI::ValidationError("--ui", "'" + text + "' is neither on nor off");
+}
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("SCENE", options.scene, "name of a shipped scene, or a file")
+      ->capture_default_str();
+  app.add_option("--lab", options.lab, "the page of this lab instead of a running scene")
+      ->check(CLI::Range(1, lab_page_count));
+  app.add_flag("--student", options.student, "your own code: labs/, not the reference");
+  app.add_option("--steps", options.steps,
+                 "steps before the picture: of the world, or of the page's walk")
+      ->check(CLI::Range(0, 100000));
+  app.add_option("--set", options.settings,
+                 "name=value: a setting of the page, as often as you like")
+      ->allow_extra_args(false);
+  app.add_flag("--list", options.list, "print the settings of the page, and end");
+  app.add_option("--camera", options.camera,
+                 "YAW,PITCH[,DISTANCE[,X,Y,Z]]: degrees and metres, as in --camera=-60,20,8")
+      ->check([](const std::string& text) -> std::string {
+        try {
+          parse_camera(text, {});
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+        return "";
+      });
+  app.add_option_function<std::string>(
+         "--size", [&](const std::string& text) { options.size = parse_size(text); },
+         "WIDTHxHEIGHT of picture or window, in pixels")
+      ->default_str("1280x720");
+  app.add_option_function<std::string>(
+         "--ui", [&](const std::string& text) { options.ui = parse_switch(text); },
+         "on or off: panels, plots and legend")
+      ->default_str("on");
+  app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window");
+  app.add_option("--frames", options.frames,
+                 "write 0000.png, 0001.png, ... to this folder, one per step");
+  app.add_option("--gif", options.gif,
+                 "write an animation (needs ffmpeg or ImageMagick), one frame per step");
+  app.add_option("--frame-count", options.frame_count, "frames of --frames and --gif")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+  CommandLine line;
+  CLI::App app("Watch and inspect the engine, in a window or as a picture", "./cs550 view");
+  declare(app, line.options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    line.exit_code = app.exit(error, std::cout, std::cerr) == 0 ? good : misused;
+  }
+  return line;
+}
+
+}  // namespace cs550::viewer

@@ -1,0 +1,44 @@
+#pragma once
+/// @file options.hpp
+/// The command line of the viewer.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/gl/canvas.hpp"
+
+namespace cs550::viewer {
+
+/// What the user asked for.
+struct Options {
+  std::string scene = "wall";         ///< name or path
+  int lab = 0;                        ///< page; 0: the world
+  bool student = false;               ///< the student's code, in a process of its own
+  std::optional<int> steps;           ///< to take before the first picture
+  std::string camera;                 ///< YAW,PITCH[,DISTANCE[,X,Y,Z]]; empty: the page's own
+  Size size = {1280, 720};            ///< of picture or window (pixels)
+  bool ui = true;                     ///< panels
+  std::vector<std::string> settings;  ///< name=value
+  bool list = false;                  ///< print the settings of the page
+
+  std::filesystem::path snapshot;  ///< PNG file
+  std::filesystem::path frames;    ///< folder for a numbered sequence
+  std::filesystem::path gif;       ///< animation
+  int frame_count = 120;           ///< of a sequence
+
+  /// Whether no window is wanted.
+  bool is_headless() const { return list || !snapshot.empty() || !frames.empty() || !gif.empty(); }
+};
+
+/// What reading the command line led to: options, or an exit code.
+struct CommandLine {
+  Options options;
+  std::optional<int> exit_code;  ///< 0 after --help, 2 for wrong usage
+};
+
+/// Reads the command line; says on standard error what is wrong with it and how to mend it.
+CommandLine read_command_line(int argc, const char* const* argv);
+
+}  // namespace cs550::viewer

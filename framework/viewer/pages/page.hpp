@@ -1,0 +1,58 @@
+#pragma once
+/// @file page.hpp
+/// One subject of the viewer: what can be set, and what is shown.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viewer/camera.hpp"
+#include "viewer/content.hpp"
+#include "viewer/isolation/service.hpp"
+#include "viewer/knobs.hpp"
+
+namespace cs550::viewer {
+
+/// A page of the viewer. Its content depends on its settings, and for the world also on time.
+class Page {
+ public:
+  Page() = default;
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+  virtual ~Page() = default;
+
+  /// Number of the lab; 0 for the world.
+  virtual int lab() const = 0;
+  /// A few words.
+  virtual std::string title() const = 0;
+  /// What is to be seen and why it matters, in a sentence or two.
+  virtual std::string story() const = 0;
+  /// Visits every setting.
+  virtual void describe(KnobVisitor& visit) = 0;
+  /// Brings the content up to date with the settings.
+  virtual void refresh() = 0;
+  /// What refresh() found.
+  virtual const Content& content() const = 0;
+  /// From where the page is best seen; only yaw and pitch matter.
+  virtual Camera first_view() const { return {}; }
+  /// One step on: of time, of a walk, of an algorithm. Wraps around where there is an end.
+  virtual void advance() = 0;
+};
+
+/// Which page, whose code.
+struct PageChoice {
+  int lab = 0;                            ///< 0: the world
+  std::string scene = "wall";             ///< of the world
+  Isolation isolation = Isolation::Here;  ///< Child for code that may fail
+};
+
+/// Makes a page; it is empty until its first refresh().
+std::unique_ptr<Page> make_page(const PageChoice& choice);
+
+/// How many labs have a page.
+inline constexpr int lab_page_count = 7;
+/// The names of the pages, of the world first.
+const char* page_name(int lab);
+
+}  // namespace cs550::viewer

@@ -1,0 +1,188 @@
+#include "viewer/render/ink_renderer.hpp"
+
+#include <initializer_list>
+
+#include "viewer/render/ink_shaders.hpp"
+
+namespace cs550::viewer {
+namespace {
+
+using drawing::Drawing;
+using drawing::Role;
+
+constexpr float hidden_opacity = 0.22F;  ///< of strokes behind something
+constexpr Real outline = Real(2.5);      ///< pixels around a stroke that is too light for paper
+
+void append(std::vector<float>& floats, const Vec3& v) {
+  floats.insert(floats.end(), {v.x(), v.y(), v.z()});
+}
+void append(std::vector<float>& floats, const Colour& c) {
+  floats.insert(floats.end(), {c.x(), c.y(), c.z(), c.w()});
+}
+
+void append_line(std::vector<float>& floats, const drawing::Line& line, const Colour& colour,
+                 Real width) {
+  append(floats, line.from);
+  append(floats, line.to);
+  append(floats, colour);
+  floats.insert(floats.end(),
+                {width, line.stroke.dashed ? 1.0F : 0.0F, line.stroke.arrow ? 1.0F : 0.0F});
+}
+
+std::vector<float> line_records(const Drawing& drawing, float scale) {
+  std::vector<float> floats;
+  for (const drawing::Line& line : drawing.lines) {
+    const Real width = line.stroke.width * scale;
+    if (drawing::needs_outline(line.stroke.role)) {
+      append_line(floats, line, role_colour(Role::Text), width + outline * scale);
+    }
+    append_line(floats, line, role_colour(line.stroke.role), width);
+  }
+  return floats;
+}
+
+std::vector<float> dot_records(const Drawing& drawing, float scale) {
+  std::vector<float> floats;
+  for (const drawing::Point& point : drawing.points) {
+    if (drawing::needs_outline(point.role)) {
+      append(floats, point.position);
+      append(floats, role_colour(Role::Text));
+      floats.push_back((point.radius + outline) * scale);
+    }
+    append(floats, point.position);
+    append(floats, role_colour(point.role));
+    floats.push_back(point.radius * scale);
+  }
+  return floats;
+}
+
+std::vector<float> triangle_records(const Drawing& drawing) {
+  std::vector<float> floats;
+  for (const drawing::Polygon& polygon : drawing.polygons) {
+    const Colour colour = role_colour(polygon.role, polygon.opacity);
+    for (std::size_t i = 2; i < polygon.corners.size(); ++i) {
+      for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
+        append(floats, polygon.corners[corner]);
+        append(floats, colour);
+      }
+    }
+  }
+  return floats;
+}
+
+std::vector<float> ball_records(const Drawing& drawing) {
+  std::vector<float> floats;
+  for (const drawing::Ball& ball : drawing.balls) {
+    append(floats, ball.center);
+    floats.push_back(ball.radius);
+    append(floats, role_colour(ball.role, ball.opacity));
+  }
+  return floats;
+}
+
+/// Fills a buffer and says what a record consists of. @return the number of records
+GLsizei upload(const VertexArray& layout, const Buffer& buffer, const std::vector<float>& floats,
+               std::initializer_list<GLint> parts, GLuint divisor) {
+  GLint record = 0;
+  for (const GLint part : parts) record += part;
+  glBindVertexArray(layout.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(floats.size() * sizeof(float)),
+               floats.data(), GL_STREAM_DRAW);
+  GLuint place = 0;
+  std::uintptr_t offset = 0;
+  for (const GLint part : parts) {
+    glEnableVertexAttribArray(place);
+    glVertexAttribPointer(place, part, GL_FLOAT, GL_FALSE,
+                          record * static_cast<GLsizei>(sizeof(float)),
+                          reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(place, divisor);
+    offset += static_cast<std::uintptr_t>(part) * sizeof(float);
+    ++place;
+  }
+  return static_cast<GLsizei>(floats.size()) / record;
+}
+
+void set_camera(const Shader& shader, const Projection& projection) {
+  shader.use();
+  shader.set("camera", projection.matrix());
+  shader.set("eye", projection.eye());
+}
+
+void begin_blending() {
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+}
+
+void end_blending() {
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace
+
+Colour as_colour(drawing::Color color, float opacity) {
+  constexpr float most = 255;
+  return {static_cast<float>(color.red) / most, static_cast<float>(color.green) / most,
+          static_cast<float>(color.blue) / most, opacity};
+}
+
+Colour role_colour(Role role, float opacity) { return as_colour(drawing::color(role), opacity); }
+
+InkRenderer::InkRenderer()
+    : line_shader_("line", ink::line_vertex, ink::line_fragment),
+      dot_shader_("dot", ink::dot_vertex, ink::dot_fragment),
+      polygon_shader_("polygon", ink::polygon_vertex, ink::polygon_fragment),
+      ball_shader_("ball", ink::ball_vertex, ink::ball_fragment) {}
+
+void InkRenderer::begin(const Drawing& drawing, float scale) {
+  lines_.count =
+      upload(lines_.layout, lines_.buffer, line_records(drawing, scale), {3, 3, 4, 3}, 1);
+  dots_.count = upload(dots_.layout, dots_.buffer, dot_records(drawing, scale), {3, 4, 1}, 1);
+  triangles_.count =
+      upload(triangles_.layout, triangles_.buffer, triangle_records(drawing), {3, 4}, 0);
+  balls_.count = upload(balls_.layout, balls_.buffer, ball_records(drawing), {4, 4}, 1);
+}
+
+void InkRenderer::draw_areas(const Projection& projection) const {
+  glEnable(GL_DEPTH_TEST);
+  begin_blending();
+  set_camera(ball_shader_, projection);
+  // Balls hide what is drawn behind them later: their depth counts.
+  glDepthMask(GL_TRUE);
+  glBindVertexArray(balls_.layout.name());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls_.count);
+  glDepthMask(GL_FALSE);
+  set_camera(polygon_shader_, projection);
+  glBindVertexArray(triangles_.layout.name());
+  glDrawArrays(GL_TRIANGLES, 0, triangles_.count);
+  end_blending();
+}
+
+void InkRenderer::draw_both(const Shader& shader, const Batch& batch, const Projection& projection,
+                            Size canvas) const {
+  if (batch.count == 0) return;
+  set_camera(shader, projection);
+  shader.set("forward", projection.forward());
+  shader.set("nearest", projection.nearest());
+  shader.set("canvas", Vec2(static_cast<float>(canvas.width), static_cast<float>(canvas.height)));
+  glBindVertexArray(batch.layout.name());
+  glDepthFunc(GL_GREATER);
+  shader.set("opacity", hidden_opacity);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, batch.count);
+  glDepthFunc(GL_LEQUAL);
+  shader.set("opacity", 1.0F);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, batch.count);
+}
+
+void InkRenderer::draw_strokes(const Projection& projection, Size canvas) const {
+  glEnable(GL_DEPTH_TEST);
+  begin_blending();
+  draw_both(line_shader_, lines_, projection, canvas);
+  draw_both(dot_shader_, dots_, projection, canvas);
+  end_blending();
+}
+
+}  // namespace cs550::viewer

@@ -1,0 +1,49 @@
+#pragma once
+/// @file ink_renderer.hpp
+/// Drawings in three dimensions: lines and dots of constant width, polygons, balls.
+
+#include "drawing/drawing.hpp"
+#include "viewer/camera.hpp"
+#include "viewer/gl/handle.hpp"
+
+namespace cs550::viewer {
+
+/// A palette's colour for the graphics card.
+Colour as_colour(drawing::Color color, float opacity = 1);
+/// The colour of a role.
+Colour role_colour(drawing::Role role, float opacity = 1);
+
+/// Draws what a Drawing holds, save its labels, which are text.
+class InkRenderer {
+ public:
+  InkRenderer();
+
+  /// Prepares a frame. @param scale pixels per pixel of the drawing: above 1 on a fine screen
+  void begin(const drawing::Drawing& drawing, float scale);
+  /// Balls and polygons; after opaque solids.
+  void draw_areas(const Projection& projection) const;
+  /// Lines and dots, those behind something fainter; after everything else.
+  void draw_strokes(const Projection& projection, Size canvas) const;
+
+ private:
+  /// A buffer of equal records and how many they are.
+  struct Batch {
+    VertexArray layout;
+    Buffer buffer;
+    GLsizei count = 0;
+  };
+
+  void draw_both(const Shader& shader, const Batch& batch, const Projection& projection,
+                 Size canvas) const;
+
+  Shader line_shader_;
+  Shader dot_shader_;
+  Shader polygon_shader_;
+  Shader ball_shader_;
+  Batch lines_;
+  Batch dots_;
+  Batch triangles_;
+  Batch balls_;
+};
+
+}  // namespace cs550::viewer

@@ -1,0 +1,24 @@
+#pragma once
+/// @file solid.hpp
+/// A body as it is shown.
+
+#include <memory>
+#include <vector>
+
+#include "cs550/half_edge_mesh.hpp"
+#include "viewer/gl/shader.hpp"
+
+namespace cs550::viewer {
+
+/// How meshes are shared.
+using MeshPtr = std::shared_ptr<const HalfEdgeMesh>;
+
+/// A mesh at a place, in a colour. An opacity below 1 shows what is behind.
+struct Solid {
+  MeshPtr mesh;                  ///< body frame; nothing is drawn without
+  Pose pose;                     ///< body → world
+  Colour colour = {1, 1, 1, 1};  ///< of its faces; edges are darker
+  bool is_ground = false;        ///< has a grid of metres, throws no shadow
+};
+
+}  // namespace cs550::viewer

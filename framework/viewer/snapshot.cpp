@@ -1,0 +1,80 @@
+#include "viewer/snapshot.hpp"
+
+#include <array>
+#include <cstdio>
+#include <iostream>
+
+#include "viewer/animation.hpp"
+#include "viewer/app.hpp"
+#include "viewer/gl/context_egl.hpp"
+
+namespace cs550::viewer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Panels find their places in the first frames: tables and scrollbars know their size afterwards.
+constexpr int settling_frames = 3;
+
+/// A viewer that draws to memory.
+class Studio {
+ public:
+  explicit Studio(const Options& options)
+      : interface_(nullptr, 1), canvas_(options.size), app_(options, interface_) {
+    app_.hide_times();
+    for (int i = 1; i < settling_frames; ++i) app_.draw(canvas_);
+  }
+
+  Picture take() {
+    app_.draw(canvas_);
+    return read_picture(canvas_);
+  }
+  void advance() { app_.advance(); }
+
+ private:
+  Interface interface_;
+  Canvas canvas_;
+  App app_;
+};
+
+std::string frame_name(int number) {
+  std::array<char, 16> name{};
+  std::snprintf(name.data(), name.size(), "%04d.png", number);
+  return name.data();
+}
+
+void write_frames(Studio& studio, const fs::path& folder, int count) {
+  for (int i = 0; i < count; ++i) {
+    if (i > 0) studio.advance();
+    write_png(studio.take(), folder / frame_name(i));
+  }
+}
+
+}  // namespace
+
+Picture take_picture(const Options& options) { return Studio(options).take(); }
+
+void write_pictures(const Options& options) {
+  const HeadlessContext context;
+  Studio studio(options);
+  if (!options.snapshot.empty()) {
+    write_png(studio.take(), options.snapshot);
+    std::cout << options.snapshot.string() << '\n';
+  }
+  if (!options.frames.empty()) {
+    write_frames(studio, options.frames, options.frame_count);
+    std::cout << options.frames.string() << ": " << options.frame_count << " frames\n";
+  }
+  if (options.gif.empty()) return;
+  if (options.frames.empty()) {
+    const TemporaryFolder folder;
+    write_frames(studio, folder.path(), options.frame_count);
+    write_animation(folder.path(), options.gif);
+  } else {
+    write_animation(options.frames, options.gif);
+  }
+  std::cout << options.gif.string() << '\n';
+}
+
+}  // namespace cs550::viewer

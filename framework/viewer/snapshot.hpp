@@ -1,0 +1,18 @@
+#pragma once
+/// @file snapshot.hpp
+/// Pictures without a window.
+
+#include "viewer/options.hpp"
+#include "viewer/picture.hpp"
+
+namespace cs550::viewer {
+
+/// The picture that the options ask for. Needs a current OpenGL context.
+/// @throws std::invalid_argument for a setting that does not exist
+Picture take_picture(const Options& options);
+
+/// Writes all files that the options ask for and prints their names.
+/// @throws std::runtime_error, std::invalid_argument that say what is wrong
+void write_pictures(const Options& options);
+
+}  // namespace cs550::viewer

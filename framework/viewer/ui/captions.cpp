@@ -1,0 +1,111 @@
+#include "viewer/ui/captions.hpp"
+
+#include <algorithm>
+
+namespace cs550::viewer {
+namespace {
+
+using drawing::LegendEntry;
+
+ImU32 packed(drawing::Color color, int opacity = 255) {
+  return IM_COL32(color.red, color.green, color.blue, opacity);
+}
+
+/// A colour in which text can be read on a light ground.
+drawing::Color readable(drawing::Role role) {
+  constexpr drawing::Color black = {0, 0, 0};
+  if (role == drawing::Role::Text || role == drawing::Role::Axis) return drawing::color(role);
+  return drawing::mix(drawing::color(role), black, drawing::needs_outline(role) ? 0.7 : 0.35);
+}
+
+void haloed_text(ImDrawList* list, const Typeface& face, ImVec2 at, ImU32 colour,
+                 const char* text) {
+  const float size = face.size;
+  for (const float x : {-1.3F, 0.0F, 1.3F}) {
+    for (const float y : {-1.3F, 0.0F, 1.3F}) {
+      if (x != 0 || y != 0) list->AddText(face.font, size, {at.x + x, at.y + y}, halo, text);
+    }
+  }
+  list->AddText(face.font, size, at, colour, text);
+}
+
+void draw_sample(ImDrawList* list, const LegendEntry& entry, ImVec2 at, float length, float size) {
+  const float middle = at.y + size * 0.55F;
+  const ImU32 colour = packed(drawing::color(entry.stroke.role));
+  if (entry.filled) {
+    list->AddRectFilled({at.x + length * 0.25F, middle - size * 0.4F},
+                        {at.x + length * 0.75F, middle + size * 0.4F}, colour, 2);
+    return;
+  }
+  const float width = std::clamp(entry.stroke.width, 1.5F, 4.0F);
+  const float gap = entry.stroke.dashed ? length / 5 : 0;
+  if (drawing::needs_outline(entry.stroke.role)) {
+    list->AddLine({at.x, middle}, {at.x + length, middle}, ink, width + 2);
+  }
+  if (gap > 0) {
+    for (const float start : {0.0F, 2 * gap, 4 * gap}) {
+      list->AddLine({at.x + start, middle}, {at.x + start + gap, middle}, colour, width);
+    }
+  } else {
+    list->AddLine({at.x, middle}, {at.x + length, middle}, colour, width);
+  }
+  if (entry.stroke.arrow) {
+    list->AddTriangleFilled({at.x + length + 3, middle}, {at.x + length - 5, middle - 4.5F},
+                            {at.x + length - 5, middle + 4.5F}, colour);
+  }
+}
+
+}  // namespace
+
+void show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
+                 const Fonts& fonts) {
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  list->PushClipRect({area.left, area.top}, {area.left + area.width, area.top + area.height});
+  for (const drawing::Label& label : drawing.labels) {
+    if (!projection.is_in_front(label.position)) continue;
+    const Vec2 pixel = projection.pixel(label.position);
+    const ImVec2 at(std::floor(pixel.x() + 7), std::floor(pixel.y() - fonts.small.size - 3));
+    haloed_text(list, fonts.small, at, packed(readable(label.role)), label.text.c_str());
+  }
+  list->PopClipRect();
+}
+
+void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts& fonts) {
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  const float size = fonts.small.size;
+  const float line = size + 6;
+  const float sample = 2 * size;
+  const float margin = 16;
+  const float wrap = area.width - 2 * margin;
+  float top = area.top + area.height - margin;
+  for (auto note = drawing.notes.rbegin(); note != drawing.notes.rend(); ++note) {
+    const float height =
+        fonts.small.font->CalcTextSizeA(size, FLT_MAX, wrap, note->c_str()).y + line - size;
+    top -= height;
+    list->AddText(fonts.small.font, size, {area.left + margin, top}, ink, note->c_str(), nullptr,
+                  wrap);
+  }
+  for (auto entry = drawing.legend.rbegin(); entry != drawing.legend.rend(); ++entry) {
+    top -= line;
+    draw_sample(list, *entry, {area.left + margin, top}, sample, size);
+    haloed_text(list, fonts.small, {area.left + margin + sample + 10, top}, ink,
+                entry->text.c_str());
+  }
+}
+
+void show_problem(const std::string& problem, const Area& area, const Fonts& fonts) {
+  ImDrawList* list = ImGui::GetForegroundDrawList();
+  const float size = fonts.text.size;
+  const float padding = 18;
+  const float wrap = std::min(area.width - 6 * padding, 32 * size);
+  const ImVec2 text = fonts.text.font->CalcTextSizeA(size, FLT_MAX, wrap, problem.c_str());
+  const Vec2 middle = area.center();
+  const ImVec2 corner(std::floor(middle.x() - text.x / 2), std::floor(middle.y() - text.y / 2));
+  const ImVec2 upper(corner.x - padding, corner.y - padding);
+  const ImVec2 lower(corner.x + text.x + padding, corner.y + text.y + padding);
+  list->AddRectFilled(upper, lower, paper, 6);
+  list->AddRect(upper, lower, warning_ink, 6, 0, 1.5F);
+  list->AddText(fonts.text.font, size, corner, warning_ink, problem.c_str(), nullptr, wrap);
+}
+
+}  // namespace cs550::viewer

@@ -1,0 +1,21 @@
+#pragma once
+/// @file captions.hpp
+/// Text in and below the picture: labels, legend, notes.
+
+#include "drawing/drawing.hpp"
+#include "viewer/camera.hpp"
+#include "viewer/ui/theme.hpp"
+
+namespace cs550::viewer {
+
+/// Writes the labels of a drawing beside what they name, with a light rim.
+void show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
+                 const Fonts& fonts);
+
+/// Writes legend and notes into the lower left corner of an area.
+void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts& fonts);
+
+/// Writes a sentence into the middle of an area, where a picture would be.
+void show_problem(const std::string& problem, const Area& area, const Fonts& fonts);
+
+}  // namespace cs550::viewer

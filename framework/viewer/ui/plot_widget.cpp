@@ -1,0 +1,254 @@
+#include "viewer/ui/plot_widget.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "viewer/knobs.hpp"
+
+namespace cs550::viewer {
+namespace {
+
+using drawing::Plot;
+using drawing::Series;
+using drawing::SeriesStyle;
+
+/// What one axis shows, and where.
+struct Axis {
+  double lower = 0;
+  double upper = 1;
+  float start = 0;  ///< pixel of the lower end
+  float end = 1;    ///< pixel of the upper end
+  bool logarithmic = false;
+
+  double shown(double value) const { return logarithmic ? std::log10(value) : value; }
+  bool can_show(double value) const { return std::isfinite(value) && (!logarithmic || value > 0); }
+  float pixel(double value) const {
+    return start + static_cast<float>((shown(value) - lower) / (upper - lower)) * (end - start);
+  }
+};
+
+ImU32 packed(drawing::Color color) { return IM_COL32(color.red, color.green, color.blue, 255); }
+
+/// 1, 2 or 5 times a power of ten, about a `count`-th of a span.
+double tick_step(double span, int count) {
+  const double rough = span / count;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough * 0.999) return factor * power;
+  }
+  return 10 * power;
+}
+
+std::string tick_text(double value, const Axis& axis) {
+  if (axis.logarithmic) return "1e" + std::to_string(static_cast<int>(std::lround(value)));
+  std::array<char, 32> text{};
+  const double magnitude = std::abs(value);
+  if (magnitude >= 1e6) {
+    std::snprintf(text.data(), text.size(), "%.3gM", value / 1e6);
+  } else if (magnitude >= 1e4) {
+    std::snprintf(text.data(), text.size(), "%.4gk", value / 1e3);
+  } else {
+    return short_number(value);
+  }
+  return text.data();
+}
+
+template <class Visit>
+void for_each_value(const Plot& plot, const Visit& visit) {
+  for (const Series& series : plot.series) {
+    for (const Vec2& value : series.values) {
+      visit(static_cast<double>(value.x()), static_cast<double>(value.y()));
+    }
+  }
+}
+
+void widen(Axis& axis, double value) {
+  if (!axis.can_show(value)) return;
+  axis.lower = std::min(axis.lower, axis.shown(value));
+  axis.upper = std::max(axis.upper, axis.shown(value));
+}
+
+/// Room above and below the curves; a flat curve lies in the middle.
+void pad(Axis& axis, double share) {
+  if (!(axis.lower <= axis.upper)) axis.lower = 0, axis.upper = 1;
+  const double span = axis.upper - axis.lower;
+  const double room = span > 0 ? share * span : std::max(1e-6, 0.1 * std::abs(axis.upper));
+  if (axis.lower != 0) axis.lower -= room;
+  axis.upper += room;
+}
+
+/// The horizontal and the vertical axis of a plot inside a rectangle.
+std::array<Axis, 2> axes_of(const Plot& plot, ImVec2 lower_left, ImVec2 upper_right) {
+  const double none = HUGE_VAL;
+  Axis x{none, -none, lower_left.x, upper_right.x, false};
+  Axis y{none, -none, lower_left.y, upper_right.y, plot.logarithmic};
+  for_each_value(plot, [&](double horizontal, double vertical) {
+    if (!y.can_show(vertical)) return;
+    widen(x, horizontal);
+    widen(y, vertical);
+  });
+  for (const Series& series : plot.series) {
+    if (series.style == SeriesStyle::Bars) widen(y, 0);
+  }
+  for (const drawing::PlotMark& mark : plot.marks) {
+    widen(mark.vertical ? x : y, static_cast<double>(mark.at));
+  }
+  if (!(x.lower < x.upper)) {
+    if (!std::isfinite(x.lower)) x.lower = 0;
+    x.upper = x.lower + 1;
+  }
+  // Quantities that are never negative are compared from zero.
+  if (!y.logarithmic && y.lower > 0 && y.lower < 0.6 * y.upper) y.lower = 0;
+  pad(y, 0.08);
+  return {x, y};
+}
+
+void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& fonts) {
+  const float size = fonts.small.size;
+  const double y_step = y.logarithmic ? std::max(1.0, std::ceil((y.upper - y.lower) / 4))
+                                      : tick_step(y.upper - y.lower, 4);
+  for (double tick = std::ceil(y.lower / y_step) * y_step; tick <= y.upper; tick += y_step) {
+    const float at =
+        y.start + static_cast<float>((tick - y.lower) / (y.upper - y.lower)) * (y.end - y.start);
+    list->AddLine({x.start, std::floor(at) + 0.5F}, {x.end, std::floor(at) + 0.5F}, hairline);
+    const std::string text = tick_text(std::abs(tick) < y_step * 1e-6 ? 0 : tick, y);
+    const float width = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
+    list->AddText(fonts.small.font, size, {x.start - width - 6, at - size * 0.55F}, quiet_ink,
+                  text.c_str());
+  }
+  const double x_step = tick_step(x.upper - x.lower, 5);
+  for (double tick = std::ceil(x.lower / x_step) * x_step; tick <= x.upper + x_step * 1e-6;
+       tick += x_step) {
+    const std::string text = tick_text(std::abs(tick) < x_step * 1e-6 ? 0 : tick, x);
+    const float width = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
+    const float at = std::clamp(x.pixel(tick) - width / 2, x.start - 8, x.end - width);
+    list->AddText(fonts.small.font, size, {at, y.start + 3}, quiet_ink, text.c_str());
+  }
+}
+
+void draw_curve(ImDrawList* list, const Series& series, const Axis& x, const Axis& y) {
+  const float width = 1.8F;
+  std::vector<ImVec2> run;
+  int piece = 0;
+  const auto finish = [&] {
+    if (run.size() > 1 && !series.dashed) {
+      list->AddPolyline(run.data(), static_cast<int>(run.size()),
+                        packed(drawing::color(series.role)), 0, width);
+    }
+    run.clear();
+  };
+  for (const Vec2& value : series.values) {
+    if (!y.can_show(static_cast<double>(value.y()))) {
+      finish();
+      continue;
+    }
+    const ImVec2 here(x.pixel(static_cast<double>(value.x())),
+                      y.pixel(static_cast<double>(value.y())));
+    if (!run.empty() && series.style == SeriesStyle::Steps) run.push_back({here.x, run.back().y});
+    if (!run.empty() && series.dashed && (piece++ / 2) % 2 == 0) {
+      list->AddLine(run.back(), here, packed(drawing::color(series.role)), width);
+    }
+    run.push_back(here);
+  }
+  finish();
+}
+
+void draw_series(ImDrawList* list, const Series& series, const Axis& x, const Axis& y) {
+  if (series.style == SeriesStyle::Curve || series.style == SeriesStyle::Steps) {
+    draw_curve(list, series, x, y);
+  }
+  const auto count = static_cast<float>(std::max<std::size_t>(series.values.size(), 1));
+  const float bar = std::clamp((x.end - x.start) / count * 0.35F, 0.75F, 7.0F);
+  for (const Vec2& value : series.values) {
+    if (!y.can_show(static_cast<double>(value.y()))) continue;
+    const ImVec2 at(x.pixel(static_cast<double>(value.x())),
+                    y.pixel(static_cast<double>(value.y())));
+    if (series.style == SeriesStyle::Dots)
+      list->AddCircleFilled(at, 2.6F, packed(drawing::color(series.role)));
+    if (series.style == SeriesStyle::Bars) {
+      const float zero = y.logarithmic ? y.start : y.pixel(0);
+      list->AddRectFilled({at.x - bar, std::min(at.y, zero)}, {at.x + bar, std::max(at.y, zero)},
+                          packed(drawing::color(series.role)));
+    }
+  }
+}
+
+void draw_marks(ImDrawList* list, const Plot& plot, const Axis& x, const Axis& y,
+                const Fonts& fonts) {
+  const float size = fonts.small.size;
+  for (const drawing::PlotMark& mark : plot.marks) {
+    const auto value = static_cast<double>(mark.at);
+    const ImU32 colour = packed(drawing::color(mark.role));
+    if (mark.vertical) {
+      const float at = x.pixel(value);
+      list->AddLine({at, y.start}, {at, y.end}, colour, 1.5F);
+      list->AddText(fonts.small.font, size, {at + 4, y.end + 1}, quiet_ink, mark.text.c_str());
+    } else if (y.can_show(value)) {
+      const float at = y.pixel(value);
+      list->AddLine({x.start, at}, {x.end, at}, colour, 1.5F);
+      const float width = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, mark.text.c_str()).x;
+      list->AddText(fonts.small.font, size, {x.end - width - 2, at - size - 2}, quiet_ink,
+                    mark.text.c_str());
+    }
+  }
+}
+
+/// Title to the left, what the colours mean to the right of it or, if that is too long, below.
+/// @return height in pixels
+float draw_heading(ImDrawList* list, const Plot& plot, ImVec2 at, float width, const Fonts& fonts) {
+  const float text = fonts.text.size;
+  const float size = fonts.small.size;
+  list->AddText(fonts.text.font, text, at, ink, plot.title.c_str());
+  if (!plot.y_label.empty()) {
+    const float used = fonts.text.font->CalcTextSizeA(text, FLT_MAX, 0, plot.title.c_str()).x;
+    list->AddText(fonts.small.font, size, {at.x + used + 8, at.y + (text - size)}, quiet_ink,
+                  plot.y_label.c_str());
+  }
+  if (plot.series.size() < 2) return text + 7;
+  ImVec2 place(at.x, at.y + text + 5);
+  for (const Series& series : plot.series) {
+    const float name = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, series.name.c_str()).x;
+    const float mark = 16;
+    if (place.x > at.x && place.x + mark + name > at.x + width) {
+      place = {at.x, place.y + size + 3};
+    }
+    const float middle = place.y + size * 0.55F;
+    list->AddLine({place.x, middle}, {place.x + 11, middle}, packed(drawing::color(series.role)),
+                  3);
+    list->AddText(fonts.small.font, size, {place.x + mark, place.y}, quiet_ink,
+                  series.name.c_str());
+    place.x += mark + name + 12;
+  }
+  return place.y + size + 6 - at.y;
+}
+
+}  // namespace
+
+void show_plot(const Plot& plot, float height, const Fonts& fonts) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float size = fonts.small.size;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float heading = draw_heading(list, plot, corner, width, fonts);
+  const float label = plot.x_label.empty() ? 0 : size + 2;
+
+  const ImVec2 lower_left(corner.x + size * 3.4F, corner.y + height - size - 4 - label);
+  const ImVec2 upper_right(corner.x + width - 2, corner.y + heading);
+  const auto [x, y] = axes_of(plot, lower_left, upper_right);
+  list->AddRectFilled({x.start, y.end}, {x.end, y.start}, paper, 3);
+  draw_grid(list, x, y, fonts);
+  list->PushClipRect({x.start - 1, y.end - 1}, {x.end + 1, y.start + 1}, true);
+  for (const Series& series : plot.series) draw_series(list, series, x, y);
+  draw_marks(list, plot, x, y, fonts);
+  list->PopClipRect();
+  if (!plot.x_label.empty()) {
+    const float text = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, plot.x_label.c_str()).x;
+    list->AddText(fonts.small.font, size, {(x.start + x.end - text) / 2, y.start + size + 3},
+                  quiet_ink, plot.x_label.c_str());
+  }
+  ImGui::Dummy({width, height});
+}
+
+}  // namespace cs550::viewer

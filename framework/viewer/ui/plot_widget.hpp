@@ -1,0 +1,13 @@
+#pragma once
+/// @file plot_widget.hpp
+/// Curves in a panel.
+
+#include "drawing/plot.hpp"
+#include "viewer/ui/theme.hpp"
+
+namespace cs550::viewer {
+
+/// Draws a plot in the present window, as wide as it is. @param height pixels
+void show_plot(const drawing::Plot& plot, float height, const Fonts& fonts);
+
+}  // namespace cs550::viewer

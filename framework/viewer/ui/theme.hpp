@@ -1,0 +1,36 @@
+#pragma once
+/// @file theme.hpp
+/// How the panels look.
+
+#include <imgui/imgui.h>
+
+namespace cs550::viewer {
+
+/// A font at a size.
+struct Typeface {
+  ImFont* font = nullptr;
+  float size = 0;  ///< pixels
+};
+
+/// The fonts of the panels; the plain ones of Dear ImGui where no other is installed.
+struct Fonts {
+  Typeface text;   ///< panels
+  Typeface title;  ///< headings
+  Typeface small;  ///< axes of plots, labels in the picture
+};
+
+/// Sets colours, sizes and fonts of the present Dear ImGui context. @param scale 1 on a screen of
+/// about 100 dots per inch, more on a finer one
+Fonts apply_theme(float scale);
+
+/// Colours that widgets of our own share with those of Dear ImGui.
+/// @{
+inline constexpr ImU32 ink = IM_COL32(27, 30, 35, 255);
+inline constexpr ImU32 quiet_ink = IM_COL32(96, 102, 112, 255);
+inline constexpr ImU32 hairline = IM_COL32(200, 204, 210, 255);
+inline constexpr ImU32 paper = IM_COL32(255, 255, 255, 255);
+inline constexpr ImU32 halo = IM_COL32(255, 255, 255, 210);
+inline constexpr ImU32 warning_ink = IM_COL32(178, 70, 0, 255);
+/// @}
+
+}  // namespace cs550::viewer
