@@ -64,7 +64,7 @@ void serialize(Archive& archive, Label& label) {
 }
 template <class Archive>
 void serialize(Archive& archive, LegendEntry& entry) {
-  archive(entry.text, entry.stroke, entry.filled);
+  archive(entry.text, entry.stroke, entry.mark);
 }
 template <class Archive>
 void serialize(Archive& archive, Drawing& drawing) {

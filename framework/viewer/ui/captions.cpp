@@ -32,9 +32,13 @@ void haloed_text(ImDrawList* list, const Typeface& face, ImVec2 at, ImU32 colour
 void draw_sample(ImDrawList* list, const LegendEntry& entry, ImVec2 at, float length, float size) {
   const float middle = at.y + size * 0.55F;
   const ImU32 colour = packed(drawing::color(entry.stroke.role));
-  if (entry.filled) {
+  if (entry.mark == drawing::LegendMark::Patch) {
     list->AddRectFilled({at.x + length * 0.25F, middle - size * 0.4F},
                         {at.x + length * 0.75F, middle + size * 0.4F}, colour, 2);
+    return;
+  }
+  if (entry.mark == drawing::LegendMark::Dot) {
+    list->AddCircleFilled({at.x + length * 0.5F, middle}, size * 0.35F, colour);
     return;
   }
   const float width = std::clamp(entry.stroke.width, 1.5F, 4.0F);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drawing/manifold_drawing.hpp"
+
 namespace cs550::viewer {
 namespace {
 
@@ -39,20 +41,6 @@ void add_edges(Drawing& drawing, const HalfEdgeMesh& mesh, const Pose& pose, con
     drawing.lines.push_back({pose.to_world(mesh.vertex(mesh.origin(e))),
                              pose.to_world(mesh.vertex(mesh.edge(e).vertex)), stroke});
   }
-}
-
-/// "A face 3 · B vertex 5".
-std::string feature_text(FeatureId id) {
-  struct Names {
-    const char* a;
-    const char* b;
-  };
-  constexpr Names names[] = {{"", ""},           {"face", "vertex"}, {"edge", "edge"},
-                             {"vertex", "face"}, {"vertex", "face"}, {"edge", "edge"},
-                             {"face", "vertex"}, {"edge", "edge"}};
-  const Names& kind = names[static_cast<std::size_t>(id.kind())];
-  return std::string("A ") + kind.a + " " + std::to_string(id.of_a()) + " · B " + kind.b + " " +
-         std::to_string(id.of_b());
 }
 
 /// The largest length among some vectors; 1 if all are zero.
@@ -110,7 +98,7 @@ void add_contacts(Drawing& drawing, const Overlays& overlays, const WorldFrame& 
         }
       }
       if (overlays.feature_ids) {
-        drawing.labels.push_back({place, feature_text(point.feature), Role::Text});
+        drawing.labels.push_back({place, drawing::feature_text(point.feature), Role::Text});
       }
     }
   }
@@ -118,7 +106,7 @@ void add_contacts(Drawing& drawing, const Overlays& overlays, const WorldFrame& 
 
 void add_legend(Drawing& drawing, const Overlays& overlays) {
   const auto add = [&](bool wanted, const char* text, const Stroke& stroke) {
-    if (wanted) drawing.legend.push_back({text, stroke, false});
+    if (wanted) drawing.legend.push_back({text, stroke});
   };
   add(overlays.contacts, "contact normal, A to B", arrow(Role::Axis));
   add(overlays.impulses, "impulse on B", arrow(Role::Expected));
