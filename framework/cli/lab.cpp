@@ -1,6 +1,5 @@
 // ./cs550 lab N: the graded tests of one lab on the student's code, and what helps to pass them.
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -118,21 +117,16 @@ int reset_lab(const LabOptions& options) {
   return Good;
 }
 
-/// The scene that shows what a lab bought.
-std::string milestone(int lab) {
-  constexpr std::array scenes{
-      "free_spin", "bunny_and_teapot", "bunny_and_teapot", "box_pile", "incline", "bounce", "wall"};
-  return scenes[static_cast<std::size_t>(lab - 1) % scenes.size()];
-}
-
+/// The student's labs, all together, against the recorded reference.
 int run_engine(const LabOptions& options) {
-  if (!build("student", "cs550_cli_student")) return Failed;
-  std::cout << "Your own engine, all your labs together. A stage that is still to be written is\n"
-               "skipped and named at the end.\n\n"
+  if (!build("student", "milestones_student")) return Failed;
+  std::cout << coloured("Your own engine, labs 1 to " + std::to_string(options.lab), Colour::Bold)
+            << "\n\n"
             << std::flush;
-  return run({built_program("student", "cs550_student"), "demo", milestone(options.lab)}).good()
-             ? Good
-             : Failed;
+  const bool reached =
+      run({built_program("student", "milestones_student"), "--lab", std::to_string(options.lab)})
+          .good();
+  return reached ? Good : Failed;
 }
 
 int run_lab(LabOptions options) {
@@ -170,7 +164,9 @@ Action declare_lab(CLI::App& app) {
       app.add_flag("--debug", options->debug, "then open gdb where the first failing test fails");
   auto* reset = app.add_flag("--reset", options->reset,
                              "put the starter back; your file is kept beside it as a backup");
-  auto* run = app.add_flag("--run", options->run, "run a scene with your own engine");
+  auto* run =
+      app.add_flag("--run", options->run,
+                   "run the lab's scenes in your own engine, and compare with the reference");
   debug->excludes(asan);
   for (CLI::Option* other : {asan, debug, reset, run}) hint->excludes(other);
   for (CLI::Option* other : {step, asan, debug, run}) reset->excludes(other);

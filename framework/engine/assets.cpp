@@ -1,4 +1,4 @@
-#include "assets.hpp"
+#include "cs550/assets.hpp"
 
 #include <cstdlib>
 

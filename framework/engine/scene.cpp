@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "assets.hpp"
+#include "cs550/assets.hpp"
 #include "cs550/not_implemented.hpp"
 #include "nearest_word.hpp"
 #include "scene_bodies.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "assets.hpp"
+#include "cs550/assets.hpp"
 #include "cs550/mesh_io.hpp"
 #include "nearest_word.hpp"
 

@@ -1,0 +1,39 @@
+# Milestones: what each lab adds to the assembled engine, compared with recorded runs of the
+# reference in framework/assets/trajectories/.
+#   milestones           on the reference; the target update_trajectories writes the records anew
+#   milestones_student   on the student's labs, all together
+cs550_given_library(cs550_milestones milestones cs550_engine)
+target_include_directories(cs550_milestones PUBLIC "${PROJECT_SOURCE_DIR}/framework")
+
+function(cs550_add_milestone_program target)
+  add_executable(${target} "${PROJECT_SOURCE_DIR}/framework/milestones/program/main.cpp")
+  target_link_libraries(${target} PRIVATE cs550_milestones CLI11::CLI11 cs550_warnings)
+endfunction()
+
+cs550_add_milestone_program(milestones)
+cs550_link_reference_labs(milestones)
+add_custom_target(update_trajectories COMMAND milestones --update)
+
+cs550_add_milestone_program(milestones_student)
+cs550_link_student_labs(milestones_student)
+set_target_properties(milestones_student PROPERTIES EXCLUDE_FROM_ALL TRUE)
+
+# A record from which the reference has strayed is stale: students need the other half of the
+# tolerances. Without all solutions there is nothing to hold the records against.
+set(missing_solutions "")
+foreach(number IN LISTS CS550_LABS)
+  cs550_has_variant(has_solution ${number} reference)
+  if(NOT has_solution)
+    list(APPEND missing_solutions ${number})
+  endif()
+endforeach()
+foreach(number IN LISTS CS550_LABS)
+  if(NOT missing_solutions)
+    add_test(NAME milestone.Lab${number} COMMAND milestones --lab ${number} --share 0.5)
+    set_tests_properties(milestone.Lab${number} PROPERTIES LABELS "lab${number};milestone"
+                         TIMEOUT 120)
+  endif()
+  add_test(NAME assembled.Lab${number} COMMAND milestones_student --lab ${number})
+  set_tests_properties(assembled.Lab${number} PROPERTIES LABELS "lab${number};student"
+                       TIMEOUT 120)
+endforeach()

@@ -1,0 +1,69 @@
+// Runs the milestones on the labs that it is linked with, and compares them with the records.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <fstream>
+#include <iostream>
+
+#include "milestones/record.hpp"
+
+namespace {
+
+using namespace cs550;
+using namespace cs550::milestones;
+
+Scene scene_of(const Milestone& milestone) {
+  SceneResult found = find_scene(milestone.scene);
+  if (!found) throw std::runtime_error(found.error);
+  return found.scene;
+}
+
+/// `lab4_ghosts: Four shapes fly ...`, then what came of it.
+bool show(const Milestone& milestone, double share) {
+  std::cout << milestone.name() << std::flush;
+  Comparison outcome;
+  try {
+    const Scene scene = scene_of(milestone);
+    std::cout << ": " << scene.title << std::flush;
+    outcome = compare(run(milestone, scene), read_record(record_file(milestone)), share);
+  } catch (const std::exception& missing) {
+    outcome.sentence = missing.what();
+  }
+  std::cout << '\n' << (outcome.agrees ? "reached: " : "not reached: ") << outcome.sentence << '\n';
+  return outcome.agrees;
+}
+
+void write_anew(const Milestone& milestone) {
+  const Track track = run(milestone, scene_of(milestone));
+  if (!track.problem.empty()) throw std::runtime_error(milestone.name() + ": " + track.problem);
+  std::ofstream stream(record_file(milestone));
+  stream << to_csv(to_record(track)) << std::flush;
+  if (!stream) throw std::runtime_error("cannot write " + record_file(milestone).string());
+  std::cout << "Wrote " << record_file(milestone).string() << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("What each lab adds to the assembled engine, compared with the recorded reference");
+  int lab = 0;
+  bool update = false;
+  double share = 1;
+  app.add_option("--lab", lab, "only this lab's");
+  app.add_flag("--update", update, "write the records anew");
+  app.add_option("--share", share, "how much of the tolerances may be used, from 0 to 1");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    bool all_reached = true;
+    for (const Milestone& milestone : lab > 0 ? milestones_of(lab) : all_milestones()) {
+      if (update) {
+        write_anew(milestone);
+      } else {
+        all_reached = show(milestone, share) && all_reached;
+      }
+    }
+    return all_reached ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+}

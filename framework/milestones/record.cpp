@@ -1,0 +1,147 @@
+#include "record.hpp"
+
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+#include "cs550/assets.hpp"
+
+namespace cs550::milestones {
+namespace {
+
+/// "teapot: position x (m)": the name of one number of a quantity.
+std::string column_name(const Quantity& quantity, std::size_t i) {
+  static const char* const of_vector[] = {" x", " y", " z"};
+  static const char* const of_orientation[] = {" qw", " qx", " qy", " qz"};
+  std::string name = quantity.name;
+  if (quantity.is_orientation()) return name + of_orientation[i];
+  if (quantity.values.size() == 3) name += of_vector[i];
+  return name + " (" + quantity.unit + ')';
+}
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream stream(line);
+  for (std::string word; std::getline(stream, word, ';');) words.push_back(word);
+  return words;
+}
+
+std::string in_words(const std::vector<double>& values) {
+  std::ostringstream text;
+  text << std::setprecision(5);
+  for (const double value : values) text << (text.tellp() > 0 ? ", " : "") << value;
+  return values.size() > 1 ? '(' + text.str() + ')' : text.str();
+}
+
+/// The largest distance of all quantities, as a share of its tolerance.
+struct Worst {
+  double share = 0;
+  std::string name;
+};
+
+std::string departure(const Quantity& mine, const std::vector<double>& recorded, double time) {
+  std::ostringstream text;
+  text << std::setprecision(3) << "it departs from the record at t = " << time
+       << " s: " << mine.name << "\nexpected " << in_words(recorded) << ", got "
+       << in_words(mine.values);
+  if (!mine.is_orientation()) text << ' ' << mine.unit;
+  text << "; apart by " << distance(mine.values, recorded) << ' ' << mine.unit << ", allowed are "
+       << mine.tolerance << ' ' << mine.unit;
+  return text.str();
+}
+
+std::string agreement(const Worst& worst, double until) {
+  std::ostringstream text;
+  text << std::setprecision(2) << "it agrees with the record for all of its " << until << " s";
+  if (!worst.name.empty()) {
+    text << "\nfarthest from it: " << worst.name << ", by " << static_cast<int>(100 * worst.share)
+         << " % of what is allowed";
+  }
+  return text.str();
+}
+
+}  // namespace
+
+std::filesystem::path record_file(const Milestone& milestone) {
+  return assets_folder() / "trajectories" / (milestone.name() + ".csv");
+}
+
+Record to_record(const Track& track) {
+  Record record;
+  record.columns = {"time (s)"};
+  if (!track.observations.empty()) {
+    for (const Quantity& quantity : track.observations.front()) {
+      for (std::size_t i = 0; i < quantity.values.size(); ++i) {
+        record.columns.push_back(column_name(quantity, i));
+      }
+    }
+  }
+  for (std::size_t row = 0; row < track.times.size(); ++row) {
+    record.rows.push_back({track.times[row]});
+    for (const Quantity& quantity : track.observations[row]) {
+      record.rows.back().insert(record.rows.back().end(), quantity.values.begin(),
+                                quantity.values.end());
+    }
+  }
+  return record;
+}
+
+std::string to_csv(const Record& record) {
+  std::ostringstream text;
+  text << std::setprecision(6);
+  const auto write_row = [&](const auto& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) text << (i > 0 ? ";" : "") << row[i];
+    text << '\n';
+  };
+  write_row(record.columns);
+  for (const std::vector<double>& row : record.rows) write_row(row);
+  return text.str();
+}
+
+Record read_record(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  Record record;
+  std::string line;
+  if (std::getline(stream, line)) record.columns = cells(line);
+  while (std::getline(stream, line)) {
+    std::vector<double> row;
+    for (const std::string& cell : cells(line)) row.push_back(std::stod(cell));
+    if (row.size() != record.columns.size()) break;
+    record.rows.push_back(row);
+  }
+  if (record.rows.empty() || !stream.eof()) {
+    throw std::runtime_error(file.string() + " is no record of a run");
+  }
+  return record;
+}
+
+Comparison compare(const Track& track, const Record& record, double share) {
+  if (!track.observations.empty() && to_record(track).columns != record.columns) {
+    return {false, 0, "the record has other columns than the run: it must be made anew"};
+  }
+  Worst worst;
+  double until = 0;
+  const std::size_t common = std::min(track.times.size(), record.rows.size());
+  for (std::size_t row = 0; row < common; ++row) {
+    auto next = record.rows[row].begin() + 1;
+    for (const Quantity& mine : track.observations[row]) {
+      const auto size = static_cast<std::ptrdiff_t>(mine.values.size());
+      const std::vector<double> recorded(next, next + size);
+      next += size;
+      const double used = distance(mine.values, recorded) / mine.tolerance;
+      if (!(used <= share)) {  // so that NaN departs
+        return {false, until, departure(mine, recorded, track.times[row])};
+      }
+      if (used > worst.share) worst = {used, mine.name};
+    }
+    until = track.times[row];
+  }
+  if (!track.problem.empty()) return {false, until, track.problem};
+  if (track.times.size() != record.rows.size()) {
+    return {false, until, "the record is of another length: it must be made anew"};
+  }
+  return {true, until, agreement(worst, until)};
+}
+
+}  // namespace cs550::milestones
