@@ -18,7 +18,7 @@ namespace {
 
 /// Beside solutions and hidden tests: what needs the reference, or is about making this repository.
 constexpr const char* instructors_only[] = {".ci",           "CONTRIBUTING.md", "tests/autograder",
-                                            "tests/cli",     "tests/engine",    "tests/framework",
+                                            "tests/cli",     "tests/engine",    "tests/milestones",
                                             "tests/mutants", "tests/benchmarks"};
 constexpr const char* students_readme = "framework/cli/students_readme.md";
 constexpr const char* file_list = ".starters/files.txt";

@@ -6,6 +6,7 @@
 #   cs550_link_reference_labs(target)        all of them: the reference, or the stub without one
 #   cs550_link_fast_labs(target)             the same, with fast kernels where they exist
 #   cs550_link_student_labs(target)          all of them: the student's
+# CS550_RUNS_ON_STUBS: whether "the reference" is in part a stub.
 
 function(cs550_link_lab target number variant)
   if(CS550_ISOLATE_LABS)
@@ -48,6 +49,14 @@ function(cs550_link_other_labs target own_number)
     endif()
   endforeach()
 endfunction()
+
+# Whether a lab has no reference here, as in a students' copy.
+set(CS550_RUNS_ON_STUBS FALSE)
+foreach(number IN LISTS CS550_LABS)
+  if(NOT "reference" IN_LIST CS550_LAB${number}_VARIANTS)
+    set(CS550_RUNS_ON_STUBS TRUE)
+  endif()
+endforeach()
 
 function(cs550_link_reference_labs target)
   cs550_link_each_lab(${target} reference stub)
