@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -65,6 +66,13 @@ fs::path reset_to_starter(const std::string& lab_name) {
   }
   write_text(file, starter);
   return backup;
+}
+
+bool has_newer_file(const fs::path& folder, fs::file_time_type time) {
+  const auto files = fs::recursive_directory_iterator(folder);
+  return std::any_of(begin(files), end(files), [time](const fs::directory_entry& entry) {
+    return entry.is_regular_file() && entry.last_write_time() > time;
+  });
 }
 
 std::string read_text(const fs::path& file) {

@@ -22,6 +22,9 @@ bool is_untouched(const std::string& lab_name);
 /// @return the backup; empty when the file was the starter already
 std::filesystem::path reset_to_starter(const std::string& lab_name);
 
+/// Whether a file in a folder, or further down, was written after a moment.
+bool has_newer_file(const std::filesystem::path& folder, std::filesystem::file_time_type moment);
+
 /// The whole of a file. Throws std::runtime_error when it cannot be read.
 std::string read_text(const std::filesystem::path& file);
 

@@ -8,6 +8,7 @@
 #include "lab_files.hpp"
 #include "process.hpp"
 #include "project.hpp"
+#include "quiet_build.hpp"
 
 namespace cs550::cli {
 
@@ -23,13 +24,6 @@ fs::path result_file(const std::string& lab_name) {
 }
 
 std::string student_target(int lab) { return "lab" + std::to_string(lab) + "_student"; }
-
-bool has_newer_file(const fs::path& folder, fs::file_time_type time) {
-  const auto files = fs::recursive_directory_iterator(folder);
-  return std::any_of(begin(files), end(files), [time](const fs::directory_entry& entry) {
-    return entry.is_regular_file() && entry.last_write_time() > time;
-  });
-}
 
 /// A test that is blocked waits for another lab's file.
 bool waits_for_other_labs(const LabResult& result) {
@@ -66,35 +60,6 @@ LabResult from_json(const Json& json) {
                                row.at("seconds")});
   }
   return result;
-}
-
-/// The compiler starts in the build folder: "../../labs/..." is labs/ for the reader.
-std::string from_the_root(const std::string& line) {
-  const std::size_t start = line.find_first_not_of("./");
-  return line[0] == '.' && start != std::string::npos ? line.substr(start) : line;
-}
-
-/// The first line of a build's log that names an error; the log's last line when none does.
-std::string first_error(const fs::path& log) {
-  std::ifstream lines(log);
-  std::string last;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find("error: ") != std::string::npos) return from_the_root(line);
-    if (!line.empty()) last = line;
-  }
-  return last;
-}
-
-/// Builds the graded program with nothing on the screen.
-/// @return the first error; empty when all is well
-std::string build_quietly(int lab) {
-  const fs::path log = project_root() / "build/results" / ("lab" + std::to_string(lab) + ".log");
-  fs::create_directories(log.parent_path());
-  const Ending ending =
-      run({project_root() / "cs550", "build", "student", student_target(lab)}, {{}, log});
-  const std::string error = ending.good() ? "" : first_error(log);
-  fs::remove(log);
-  return error;
 }
 
 }  // namespace
@@ -142,7 +107,7 @@ LabResult result_of(const std::string& lab_name) {
   if (const std::optional<LabResult> known = remembered_result(lab_name)) return *known;
   const int lab = lab_number(lab_name);
   LabResult result = result_of_starter(lab_name);
-  result.compile_error = build_quietly(lab);
+  result.compile_error = build_quietly(student_target(lab));
   if (result.compile_error.empty()) {
     result.verdicts = grade("student", lab, graded_tests(lab_name));
   }

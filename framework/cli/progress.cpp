@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "engine_score.hpp"
 #include "handout.hpp"
 #include "hints.hpp"
 #include "lab_files.hpp"
@@ -38,13 +39,24 @@ struct Progress {
   std::vector<LabResult> labs;
   std::set<std::string> untouched;  ///< labs whose file is still the starter
   std::optional<std::size_t> next;
+  std::set<int> milestones;  ///< labs whose milestones the assembled engine reaches
 };
 
 bool is_finished(const LabResult& lab) { return lab.earned() == lab.points(); }
 
-void say_what_runs(const std::string& lab_name) {
+void say_what_runs(const std::string& what) {
   if (isatty(STDERR_FILENO) == 0) return;
-  std::cerr << "\rGrading " << padded(title(lab_name) + " ...", 40) << '\r' << std::flush;
+  std::cerr << '\r' << padded(what + " ...", 48) << '\r' << std::flush;
+}
+
+/// The labs that were begun, up to the first that was not: the engine can run no further.
+std::vector<LabResult> begun(const Progress& progress) {
+  std::vector<LabResult> labs;
+  for (const LabResult& lab : progress.labs) {
+    if (progress.untouched.count(lab.lab_name) != 0) break;
+    labs.push_back(lab);
+  }
+  return labs;
 }
 
 /// Nothing is built for a lab that was not begun, unless it is the next one.
@@ -58,10 +70,12 @@ Progress look_at_labs() {
       progress.labs.push_back(result_of_starter(name));
       continue;
     }
-    if (!remembered_result(name)) say_what_runs(name);
+    if (!remembered_result(name)) say_what_runs("Grading " + title(name));
     progress.labs.push_back(result_of(name));
     if (is_next && !is_finished(progress.labs.back())) progress.next = progress.labs.size() - 1;
   }
+  say_what_runs("Running your engine");
+  progress.milestones = milestones_reached(begun(progress));
   return progress;
 }
 
@@ -99,6 +113,21 @@ std::string first_lines(const std::string& text, int count) {
   return result;
 }
 
+/// The second score: do the labs work together?
+void print_engine(const Progress& progress) {
+  const int reached = static_cast<int>(progress.milestones.size());
+  const int all = static_cast<int>(progress.labs.size());
+  std::cout << padded("Your engine, assembled", 27) << bar(reached, all) << points(reached, all)
+            << "  milestones";
+  for (const LabResult& lab : progress.labs) {
+    const int number = lab_number(lab.lab_name);
+    if (progress.milestones.count(number) != 0) continue;
+    if (is_finished(lab)) std::cout << "; lab " << number << " --run";
+    break;
+  }
+  std::cout << '\n';
+}
+
 void print_labs(const Progress& progress) {
   int earned = 0;
   int all = 0;
@@ -114,13 +143,15 @@ void print_labs(const Progress& progress) {
                         Colour::Bold)
             << (elsewhere > 0 ? "  and " + std::to_string(elsewhere) + " by instructor" : "")
             << '\n';
+  print_engine(progress);
 }
 
 /// The next step, and what stands in its way.
 /// @param lines at most so many of the reason
 void print_next(const Progress& progress, int lines) {
   if (!progress.next) {
-    std::cout << "\nEvery test passes. To see your engine at work: ./cs550 lab 7 --run\n";
+    std::cout << "\nEvery test passes. To see your engine at work: ./cs550 lab "
+              << lab_number(progress.labs.back().lab_name) << " --run\n";
     return;
   }
   const LabResult& lab = progress.labs[*progress.next];
@@ -166,14 +197,14 @@ int print_hint(const Progress& progress) {
 }
 
 void print_overview(const Progress& progress) {
-  constexpr int lines_of_reason = 10;  // all of it fits into 24 lines
+  constexpr int lines_of_reason = 9;  // all of it fits into 24 lines
   print_labs(progress);
   print_next(progress, lines_of_reason);
 }
 
 constexpr int whole_message = 1000;
 
-/// When each lab file was last saved. Asking the file system is enough for seven files, and works
+/// When each lab file was last saved. Asking the file system is enough for so few files, and works
 /// where file events do not, as on Windows drives under WSL.
 std::map<std::string, fs::file_time_type> times_of_saving() {
   std::map<std::string, fs::file_time_type> times;

@@ -77,11 +77,10 @@ int run_starter(const StarterOptions& options) {
 
 Action declare_starter(CLI::App& app) {
   const auto options = std::make_shared<StarterOptions>();
-  constexpr int labs = 7;
   app.add_option("DIR", options->folder, "where the copy goes: a new or an empty folder")
       ->required();
   app.add_option("--release-solutions", options->released, "with the solutions of labs 1 to K")
-      ->check(CLI::Range(0, labs));
+      ->check(CLI::NonNegativeNumber);
   app.add_flag("--update", options->update,
                "renew the students' copy in DIR; lab files that were changed stay as they are");
   return [options] { return run_starter(*options); };
