@@ -1,11 +1,12 @@
 /// @file half_edge_mesh.cpp
-/// Lab 2, reference: from triangles to a closed mesh of convex polygons.
+/// Lab 2, reference, L2.1 to L2.5: from triangles to a closed mesh.
 
 #include "cs550/half_edge_mesh.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
+
+#include "newell.hpp"
 
 namespace cs550 {
 
@@ -13,10 +14,6 @@ namespace {
 
 /// Twice the area of a triangle, over the square of its longest edge, below which it has no area.
 constexpr Real least_relative_area = Real(1e-7);
-
-/// Dents are measured along the longer edge, which magnifies the error of a short one: so much more
-/// than the distance of a vertex from a plane is let pass.
-constexpr Real dent_slack = 4;
 
 Index count_of(std::size_t size) { return static_cast<Index>(size); }
 
@@ -173,7 +170,7 @@ HalfEdgeMesh link(std::span<const Vec3> vertices, const std::vector<Side>& sides
   return mesh;
 }
 
-// ---------------------------------------------------------------- L2.4, L2.5 planes
+// ---------------------------------------------------------------- L2.4 inside and outside
 
 /// Six times the signed volume: the sum of the tetrahedra that the triangles span with one vertex.
 double six_volumes(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
@@ -185,288 +182,6 @@ double six_volumes(std::span<const Vec3> vertices, std::span<const Triangle> tri
   }
   return sum;
 }
-
-Plane newell_plane(const std::vector<Vec3>& polygon) {
-  // Relative to a point of the polygon, so that a body far from the origin loses no digits.
-  Vec3 centroid = Vec3::Zero();
-  for (const Vec3& point : polygon) centroid += point - polygon.front();
-  centroid = polygon.front() + centroid / Real(polygon.size());
-
-  Vec3 normal = Vec3::Zero();
-  Vec3 a = polygon.back() - centroid;
-  for (const Vec3& point : polygon) {
-    const Vec3 b = point - centroid;
-    normal += a.cross(b);
-    a = b;
-  }
-  normal.normalize();
-  return {normal, normal.dot(centroid)};
-}
-
-// ---------------------------------------------------------------- L2.6, L2.7 merging
-
-/// The half-edges around a face or around several that are to become one, counter-clockwise.
-using Outline = std::vector<Index>;
-
-Outline outline_of(const HalfEdgeMesh& mesh, Index face) {
-  Outline outline;
-  for (Index e : face_edges(mesh, face)) outline.push_back(e);
-  return outline;
-}
-
-/// Replaces a half-edge of the outline by the way round the face behind it. Where the outline then
-/// runs along an edge and straight back, it did so along a chain of shared edges: they go.
-void absorb_face_behind(Index seam, const HalfEdgeMesh& mesh, Outline& outline) {
-  std::rotate(outline.begin(), std::find(outline.begin(), outline.end(), seam) + 1, outline.end());
-  outline.pop_back();
-  const Index twin = mesh.edge(seam).twin;
-  for (Index e = mesh.edge(twin).next; e != twin; e = mesh.edge(e).next) {
-    if (!outline.empty() && outline.back() == mesh.edge(e).twin) {
-      outline.pop_back();
-    } else {
-      outline.push_back(e);
-    }
-  }
-  while (outline.size() > 1 && outline.front() == mesh.edge(outline.back()).twin) {
-    outline.pop_back();
-    outline.erase(outline.begin());
-  }
-}
-
-/// Faces that are to become one.
-struct Union {
-  Outline outline;
-  std::vector<Index> faces;
-
-  bool contains(Index face) const {
-    return std::find(faces.begin(), faces.end(), face) != faces.end();
-  }
-};
-
-/// One pass over the edges of a mesh.
-class CoplanarMerger {
- public:
-  CoplanarMerger(const HalfEdgeMesh& mesh, Real tolerance) : mesh_(mesh) {
-    Bounds bounds;
-    for (const Vec3& vertex : mesh.vertices) bounds.include(vertex);
-    slack_ = tolerance * bounds.extent().maxCoeff();
-  }
-
-  HalfEdgeMesh run() {
-    for (Index e : edges_flattest_first()) {
-      if (is_removed(e)) continue;
-      if (const std::optional<Union> merged = grow_across(e)) try_merge(*merged);
-    }
-    return compact();
-  }
-
- private:
-  bool is_removed(Index e) const { return mesh_.edge(e).face == no_index; }
-
-  /// Geometry alone decides the order, so that the numbering of triangles cannot change the result.
-  std::vector<Index> edges_flattest_first() const {
-    std::vector<std::tuple<Real, Index, Index, Index>> keyed;
-    for (Index e = 0; e < mesh_.edge_count(); e += 2) {
-      const Vec3& left = mesh_.face(mesh_.edge(e).face).plane.normal;
-      const Vec3& right = mesh_.face(mesh_.edge(e ^ 1).face).plane.normal;
-      const auto [low, high] = std::minmax({mesh_.edge(e).vertex, mesh_.origin(e)});
-      keyed.emplace_back((left - right).squaredNorm(), low, high, e);
-    }
-    std::sort(keyed.begin(), keyed.end());
-    std::vector<Index> edges;
-    for (const auto& key : keyed) edges.push_back(std::get<3>(key));
-    return edges;
-  }
-
-  /// The corners of an outline, from its lowest vertex on: the same outline gives the same bits.
-  std::vector<Vec3> corners(const Outline& outline, const std::vector<Index>& without = {}) const {
-    std::vector<Index> loop;
-    for (Index e : outline) {
-      const Index v = mesh_.origin(e);
-      if (std::find(without.begin(), without.end(), v) == without.end()) loop.push_back(v);
-    }
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-    std::vector<Vec3> points;
-    for (Index v : loop) points.push_back(mesh_.vertex(v));
-    return points;
-  }
-
-  bool is_flat(const std::vector<Vec3>& polygon, const Plane& plane) const {
-    return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& point) {
-      return std::abs(plane.distance(point)) <= slack_;
-    });
-  }
-
-  /// Whether a polygon turns inward at b, between its neighbours a and c: the longer of the two edges
-  /// ends well outside the line of the shorter.
-  bool is_dent(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) const {
-    const Vec3 in = b - a;
-    const Vec3 out = c - b;
-    const Real shorter = std::min(in.norm(), out.norm());
-    return normal.dot(out.cross(in)) > dent_slack * slack_ * shorter;
-  }
-
-  /// Whether a polygon may be a face: flat, convex, and with all other vertices behind it.
-  bool is_face(const std::vector<Vec3>& polygon) const {
-    const std::size_t n = polygon.size();
-    if (n < 3) return false;
-    const Plane plane = newell_plane(polygon);
-    if (!is_flat(polygon, plane)) return false;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (is_dent(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], plane.normal)) {
-        return false;
-      }
-    }
-    return std::all_of(mesh_.vertices.begin(), mesh_.vertices.end(),
-                       [&](const Vec3& vertex) { return plane.distance(vertex) <= slack_; });
-  }
-
-  /// A half-edge of the outline at a dent, with a face behind it that can fill the dent.
-  Index edge_at_dent(const Union& merged, const Vec3& normal) const {
-    const std::size_t n = merged.outline.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Index in = merged.outline[i], out = merged.outline[(i + 1) % n];
-      if (!is_dent(mesh_.vertex(mesh_.origin(in)), mesh_.vertex(mesh_.origin(out)),
-                   mesh_.vertex(mesh_.edge(out).vertex), normal)) {
-        continue;
-      }
-      for (Index e : {in, out}) {
-        if (!merged.contains(mesh_.edge(mesh_.edge(e).twin).face)) return e;
-      }
-    }
-    return no_index;
-  }
-
-  /// The two faces at an edge, and those needed to fill the dents of their outline: a flat face
-  /// cut into a fan has no two neighbours that are convex together. Nothing if that is not flat.
-  std::optional<Union> grow_across(Index e) const {
-    Union merged{outline_of(mesh_, mesh_.edge(e).face), {mesh_.edge(e).face}};
-    for (Index seam = e; seam != no_index;) {
-      const Index face = mesh_.edge(mesh_.edge(seam).twin).face;
-      absorb_face_behind(seam, mesh_, merged.outline);
-      merged.faces.push_back(face);
-      if (merged.outline.size() < 3) return std::nullopt;
-
-      const std::vector<Vec3> polygon = corners(merged.outline);
-      const Plane plane = newell_plane(polygon);
-      const bool looks_one_way =
-          std::all_of(merged.faces.begin(), merged.faces.end(),
-                      [&](Index f) { return mesh_.face(f).plane.normal.dot(plane.normal) > 0; });
-      if (!looks_one_way || !is_flat(polygon, plane)) return std::nullopt;
-      seam = edge_at_dent(merged, plane.normal);
-    }
-    return merged;
-  }
-
-  /// The half-edges of an outline that leave a vertex which only two faces are left to share.
-  std::vector<Index> edges_after_straight_vertices(const Outline& outline) const {
-    std::vector<Index> result;
-    Index in = outline.back();
-    for (Index out : outline) {
-      if (mesh_.edge(mesh_.edge(out).twin).next == mesh_.edge(in).twin) result.push_back(out);
-      in = out;
-    }
-    return result;
-  }
-
-  /// Merges if all faces that change are faces still: the united one, and its neighbours at the
-  /// vertices that go.
-  void try_merge(const Union& merged) {
-    const std::vector<Index> straight = edges_after_straight_vertices(merged.outline);
-    std::vector<Index> vertices;
-    for (Index e : straight) vertices.push_back(mesh_.origin(e));
-
-    if (!is_face(corners(merged.outline, vertices))) return;
-    for (Index e : straight) {
-      const Index neighbour = mesh_.edge(mesh_.edge(e).twin).face;
-      if (!is_face(corners(outline_of(mesh_, neighbour), vertices))) return;
-    }
-    unite(merged);
-    for (Index e : straight) remove_origin(e);
-  }
-
-  /// Links the outline into the loop of one face; what it does not use is removed.
-  void unite(const Union& merged) {
-    for (Index f : merged.faces) {
-      for (Index e : outline_of(mesh_, f)) mesh_.edges[e].face = no_index;
-      mesh_.faces[f].edge = no_index;
-    }
-    const Index face = *std::min_element(merged.faces.begin(), merged.faces.end());
-    Index prev = merged.outline.back();
-    for (Index e : merged.outline) {
-      mesh_.edges[e].face = face;
-      mesh_.edges[e].prev = prev;
-      mesh_.edges[prev].next = e;
-      prev = e;
-    }
-    mesh_.faces[face].edge = prev;
-    mesh_.faces[face].plane = newell_plane(corners(merged.outline));
-  }
-
-  /// Removes a vertex of degree two: the half-edges into it are lengthened past it.
-  void remove_origin(Index out) {
-    const Index in = mesh_.edge(out).prev;
-    for (const auto& [kept, gone] : {std::pair(in, out), std::pair(in ^ 1, out ^ 1)}) {
-      mesh_.faces[mesh_.edge(kept).face].edge = kept;
-      mesh_.edges[gone].face = no_index;
-    }
-    mesh_.edges[in].vertex = mesh_.edge(out).vertex;
-    mesh_.edges[in].next = mesh_.edge(out).next;
-    mesh_.edges[mesh_.edge(out).next].prev = in;
-    mesh_.edges[in ^ 1].prev = mesh_.edge(out ^ 1).prev;
-    mesh_.edges[mesh_.edge(out ^ 1).prev].next = in ^ 1;
-  }
-
-  /// The mesh without what was removed; the rest keeps its order.
-  HalfEdgeMesh compact() const {
-    std::vector<Index> new_edge(mesh_.edges.size(), no_index);
-    std::vector<Index> new_face(mesh_.faces.size(), no_index);
-    std::vector<Index> new_vertex(mesh_.vertices.size(), no_index);
-    HalfEdgeMesh result;
-
-    for (Index e = 0; e < mesh_.edge_count(); ++e) {
-      if (is_removed(e)) continue;
-      new_edge[e] = result.edge_count();
-      new_vertex[mesh_.edge(e).vertex] = 0;  // used
-      result.edges.push_back(mesh_.edge(e));
-    }
-    for (Index f = 0; f < mesh_.face_count(); ++f) {
-      if (mesh_.face(f).edge == no_index) continue;
-      new_face[f] = result.face_count();
-      result.faces.push_back({.edge = new_edge[mesh_.face(f).edge], .plane = {}});
-    }
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      if (new_vertex[v] == no_index) continue;
-      new_vertex[v] = result.vertex_count();
-      result.vertices.push_back(mesh_.vertex(v));
-    }
-
-    for (HalfEdge& edge : result.edges) {
-      edge = {.vertex = new_vertex[edge.vertex],
-              .next = new_edge[edge.next],
-              .prev = new_edge[edge.prev],
-              .twin = new_edge[edge.twin],
-              .face = new_face[edge.face]};
-    }
-    result.vertex_edge.resize(result.vertices.size());
-    for (Index e = 0; e < result.edge_count(); ++e) result.vertex_edge[result.origin(e)] = e;
-    for (Index f = 0; f < result.face_count(); ++f) {
-      result.faces[f].edge = lowest_edge(result, f);
-      result.faces[f].plane = face_plane(result, f);
-    }
-    return result;
-  }
-
-  /// The half-edge of a face from its lowest vertex: where a loop starts, whatever its history.
-  static Index lowest_edge(const HalfEdgeMesh& mesh, Index face) {
-    const Outline outline = outline_of(mesh, face);
-    return *std::min_element(outline.begin(), outline.end(),
-                             [&](Index a, Index b) { return mesh.origin(a) < mesh.origin(b); });
-  }
-
-  HalfEdgeMesh mesh_;  ///< keeps all vertices: the removed ones bound the error
-  Real slack_;         ///< m
-};
 
 }  // namespace
 
@@ -486,16 +201,25 @@ MeshBuild build_half_edge_mesh(std::span<const Vec3> vertices,
 Plane face_plane(const HalfEdgeMesh& mesh, Index face) {
   std::vector<Vec3> polygon;
   for (Index e : face_edges(mesh, face)) polygon.push_back(mesh.vertex(mesh.origin(e)));
-  return newell_plane(polygon);
-}
-
-HalfEdgeMesh merge_coplanar_faces(const HalfEdgeMesh& mesh, Real tolerance) {
-  HalfEdgeMesh result = mesh;
-  for (;;) {
-    HalfEdgeMesh merged = CoplanarMerger(result, tolerance).run();
-    if (merged.face_count() == result.face_count()) return result;
-    result = std::move(merged);
-  }
+  return lab2::newell_plane(polygon);
 }
 
 }  // namespace cs550
+
+cs550::Plane lab2::newell_plane(const std::vector<cs550::Vec3>& polygon) {
+  using namespace cs550;
+  // Relative to a point of the polygon, so that a body far from the origin loses no digits.
+  Vec3 centroid = Vec3::Zero();
+  for (const Vec3& point : polygon) centroid += point - polygon.front();
+  centroid = polygon.front() + centroid / Real(polygon.size());
+
+  Vec3 normal = Vec3::Zero();
+  Vec3 a = polygon.back() - centroid;
+  for (const Vec3& point : polygon) {
+    const Vec3 b = point - centroid;
+    normal += a.cross(b);
+    a = b;
+  }
+  normal.normalize();
+  return {normal, normal.dot(centroid)};
+}
