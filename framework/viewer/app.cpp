@@ -151,7 +151,11 @@ Projection App::projection() const { return {camera_, display_size(), picture_ar
 void App::hear_mouse() {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 mouse = mouse_position();
-  if (world_ != nullptr) hear_drag_of_body(mouse);
+  if (world_ != nullptr) {
+    hear_drag_of_body(mouse);
+  } else {
+    hear_drag_of_handle(mouse);
+  }
   if (io.WantCaptureMouse || drag_depth_) return;
   const Vec2 change(io.MouseDelta.x, io.MouseDelta.y);
   const bool shifts = ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
@@ -182,12 +186,38 @@ void App::hear_drag_of_body(const Vec2& mouse) {
   }
   if (!drag_depth_) return;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    const Vec3 ray = seen.ray(mouse);
-    world_->drag_to(seen.eye() + *drag_depth_ / ray.dot(seen.forward()) * ray);
+    world_->drag_to(dragged_to(mouse));
   } else {
     world_->let_go();
     drag_depth_.reset();
   }
+}
+
+/// The tip of an arrow, the middle of a body: what a page lets the user move.
+void App::hear_drag_of_handle(const Vec2& mouse) {
+  constexpr Real reach = 18;  // pixels
+  const std::optional<Vec3> handle = page_->handle();
+  if (!handle) return;
+  const Projection seen = projection();
+  const bool pressed =
+      ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::GetIO().WantCaptureMouse;
+  if (pressed && seen.is_in_front(*handle) &&
+      (seen.pixel(*handle) - mouse).norm() < reach * interface_.scale()) {
+    drag_depth_ = (*handle - seen.eye()).dot(seen.forward());
+  }
+  if (!drag_depth_) return;
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    page_->move_handle(dragged_to(mouse));
+  } else {
+    drag_depth_.reset();
+  }
+}
+
+/// The point under the mouse at the distance at which the drag began.
+Vec3 App::dragged_to(const Vec2& mouse) const {
+  const Projection seen = projection();
+  const Vec3 ray = seen.ray(mouse);
+  return seen.eye() + *drag_depth_ / ray.dot(seen.forward()) * ray;
 }
 
 // --- panels ----------------------------------------------------------------------------------

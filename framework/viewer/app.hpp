@@ -46,6 +46,8 @@ class App {
  private:
   void hear_mouse();
   void hear_drag_of_body(const Vec2& mouse);
+  void hear_drag_of_handle(const Vec2& mouse);
+  Vec3 dragged_to(const Vec2& mouse) const;
   void pass_time();
   void show_panel();
   void show_pages();

@@ -61,6 +61,13 @@ void Camera::pan(const Vec2& pixels, const Area& area) {
 
 void Camera::zoom(Real factor) { distance = std::clamp(distance * factor, Real(1e-3), Real(1e4)); }
 
+Camera seen_from(Real yaw, Real pitch) {
+  Camera camera;
+  camera.yaw = yaw;
+  camera.pitch = pitch;
+  return camera;
+}
+
 Camera fitted(Camera camera, const Vec3& center, Real radius) {
   camera.target = center;
   camera.distance = radius / std::sin(field_of_view / 2);

@@ -38,6 +38,9 @@ struct Camera {
   void zoom(Real factor);
 };
 
+/// A camera that looks from a side; where it is follows from fitted(). @param yaw, pitch rad
+Camera seen_from(Real yaw, Real pitch);
+
 /// The angle that the shorter side of a picture spans (rad).
 inline constexpr Real field_of_view = Real(0.56);
 

@@ -24,6 +24,7 @@ struct Content {
   drawing::Drawing drawing;          ///< lines, dots, polygons, labels, legend, notes
   std::vector<drawing::Plot> plots;  ///< beside the picture
   std::vector<Fact> facts;           ///< numbers on the panel
+  int step_count = 0;                ///< how many steps the page's walk has
   Focus focus;                       ///< what the camera sees at first
   std::string problem;               ///< why there is no picture: an unwritten or broken stage
 };

@@ -1,5 +1,6 @@
 #include "viewer/knobs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <sstream>
@@ -109,6 +110,18 @@ void KnobSetter::choice(const Knob& knob, int& value, std::span<const char* cons
   refuse("one of " + alternatives(names));
 }
 
+void KnobSetter::moves(const Knob& knob, std::vector<int>& value,
+                       std::span<const char* const> names) {
+  if (!is_meant(knob)) return;
+  value.clear();
+  std::istringstream words(text_);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto name = std::find(names.begin(), names.end(), word);
+    if (name == names.end()) refuse("a list of " + alternatives(names) + ", as in next,twin,next");
+    value.push_back(static_cast<int>(name - names.begin()));
+  }
+}
+
 void KnobSetter::expect_found() const {
   if (found_) return;
   std::string list;
@@ -141,6 +154,14 @@ void KnobLister::toggle(const Knob& knob, bool& value) {
 }
 void KnobLister::choice(const Knob& knob, int& value, std::span<const char* const> names) {
   add(knob, names[static_cast<std::size_t>(value)], alternatives(names));
+}
+void KnobLister::moves(const Knob& knob, std::vector<int>& value,
+                       std::span<const char* const> names) {
+  std::string list;
+  for (const int move : value) {
+    list += (list.empty() ? "" : ",") + std::string(names[static_cast<std::size_t>(move)]);
+  }
+  add(knob, list, "a list of " + alternatives(names));
 }
 
 }  // namespace cs550::viewer

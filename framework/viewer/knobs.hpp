@@ -37,6 +37,9 @@ class KnobVisitor {
   virtual void toggle(const Knob& knob, bool& value) = 0;
   /// @param value place in the list of names
   virtual void choice(const Knob& knob, int& value, std::span<const char* const> names) = 0;
+  /// A list of moves, each a place in the list of names.
+  virtual void moves(const Knob& knob, std::vector<int>& value,
+                     std::span<const char* const> names) = 0;
   /// @}
 };
 
@@ -51,6 +54,8 @@ class KnobSetter final : public KnobVisitor {
   void vector(const Knob& knob, Vec3& value, Real most) override;
   void toggle(const Knob& knob, bool& value) override;
   void choice(const Knob& knob, int& value, std::span<const char* const> names) override;
+  void moves(const Knob& knob, std::vector<int>& value,
+             std::span<const char* const> names) override;
 
   /// Call after the visit. @throws std::invalid_argument that lists the names there are, unless one
   /// of them was meant
@@ -75,6 +80,8 @@ class KnobLister final : public KnobVisitor {
   void vector(const Knob& knob, Vec3& value, Real most) override;
   void toggle(const Knob& knob, bool& value) override;
   void choice(const Knob& knob, int& value, std::span<const char* const> names) override;
+  void moves(const Knob& knob, std::vector<int>& value,
+             std::span<const char* const> names) override;
 
   /// All lines.
   const std::string& text() const { return text_; }

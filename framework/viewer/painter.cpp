@@ -9,7 +9,7 @@ void Painter::paint(const Content& content, const Projection& projection, const 
   std::vector<Solid> solids = content.solids;
   open_view(solids, projection.eye());
   solids_.begin(solids, content.focus);
-  ink_.begin(content.drawing, scale);
+  ink_.begin(content.drawing, scale, projection.eye());
   canvas.begin_scene();
   glClear(GL_DEPTH_BUFFER_BIT);
   backdrop_.draw(static_cast<float>(canvas.size().height));

@@ -37,8 +37,8 @@ void serialize(Archive& archive, Fact& fact) {
 
 template <class Archive>
 void serialize(Archive& archive, Content& content) {
-  archive(content.solids, content.drawing, content.plots, content.facts, content.focus,
-          content.problem);
+  archive(content.solids, content.drawing, content.plots, content.facts, content.step_count,
+          content.focus, content.problem);
 }
 
 }  // namespace cs550::viewer

@@ -2,8 +2,8 @@
 /// @file page.hpp
 /// One subject of the viewer: what can be set, and what is shown.
 
-#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +38,10 @@ class Page {
   virtual Camera first_view() const { return {}; }
   /// One step on: of time, of a walk, of an algorithm. Wraps around where there is an end.
   virtual void advance() = 0;
+  /// A point in the picture that the user may drag, if there is one (world, m).
+  virtual std::optional<Vec3> handle() const { return {}; }
+  /// Where it was dragged to.
+  virtual void move_handle(const Vec3& /*point*/) {}
 };
 
 /// Which page, whose code.

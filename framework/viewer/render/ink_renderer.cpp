@@ -1,5 +1,6 @@
 #include "viewer/render/ink_renderer.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 
 #include "viewer/render/ink_shaders.hpp"
@@ -10,8 +11,9 @@ namespace {
 using drawing::Drawing;
 using drawing::Role;
 
-constexpr float hidden_opacity = 0.22F;  ///< of strokes behind something
-constexpr Real outline = Real(2.5);      ///< pixels around a stroke that is too light for paper
+constexpr float hidden_opacity = 0.22F;       ///< of strokes behind something
+constexpr Real covering_opacity = Real(0.7);  ///< of polygons that hide strokes behind them
+constexpr Real outline = Real(2.5);  ///< pixels around a stroke that is too light for paper
 
 void append(std::vector<float>& floats, const Vec3& v) {
   floats.insert(floats.end(), {v.x(), v.y(), v.z()});
@@ -56,18 +58,45 @@ std::vector<float> dot_records(const Drawing& drawing, float scale) {
   return floats;
 }
 
-std::vector<float> triangle_records(const Drawing& drawing) {
+bool covers(const drawing::Polygon& polygon) { return polygon.opacity >= covering_opacity; }
+
+Real distance(const drawing::Polygon& polygon, const Vec3& eye) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& corner : polygon.corners) sum += corner - eye;
+  return sum.norm() / static_cast<Real>(std::max<std::size_t>(polygon.corners.size(), 1));
+}
+
+/// Polygons that cover, then the others; each from back to front.
+std::vector<const drawing::Polygon*> in_order(const Drawing& drawing, const Vec3& eye) {
+  std::vector<const drawing::Polygon*> order;
+  for (const drawing::Polygon& polygon : drawing.polygons) order.push_back(&polygon);
+  std::stable_sort(order.begin(), order.end(), [&](const auto* a, const auto* b) {
+    if (covers(*a) != covers(*b)) return covers(*a);
+    return distance(*a, eye) > distance(*b, eye);
+  });
+  return order;
+}
+
+std::vector<float> triangle_records(std::span<const drawing::Polygon* const> polygons) {
   std::vector<float> floats;
-  for (const drawing::Polygon& polygon : drawing.polygons) {
-    const Colour colour = role_colour(polygon.role, polygon.opacity);
-    for (std::size_t i = 2; i < polygon.corners.size(); ++i) {
+  for (const drawing::Polygon* polygon : polygons) {
+    const Colour colour = role_colour(polygon->role, polygon->opacity);
+    for (std::size_t i = 2; i < polygon->corners.size(); ++i) {
       for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
-        append(floats, polygon.corners[corner]);
+        append(floats, polygon->corners[corner]);
         append(floats, colour);
       }
     }
   }
   return floats;
+}
+
+GLsizei count_covering_vertices(const Drawing& drawing) {
+  std::size_t count = 0;
+  for (const drawing::Polygon& polygon : drawing.polygons) {
+    if (covers(polygon) && polygon.corners.size() > 2) count += 3 * (polygon.corners.size() - 2);
+  }
+  return static_cast<GLsizei>(count);
 }
 
 std::vector<float> ball_records(const Drawing& drawing) {
@@ -137,12 +166,13 @@ InkRenderer::InkRenderer()
       polygon_shader_("polygon", ink::polygon_vertex, ink::polygon_fragment),
       ball_shader_("ball", ink::ball_vertex, ink::ball_fragment) {}
 
-void InkRenderer::begin(const Drawing& drawing, float scale) {
+void InkRenderer::begin(const Drawing& drawing, float scale, const Vec3& eye) {
   lines_.count =
       upload(lines_.layout, lines_.buffer, line_records(drawing, scale), {3, 3, 4, 3}, 1);
   dots_.count = upload(dots_.layout, dots_.buffer, dot_records(drawing, scale), {3, 4, 1}, 1);
-  triangles_.count =
-      upload(triangles_.layout, triangles_.buffer, triangle_records(drawing), {3, 4}, 0);
+  triangles_.count = upload(triangles_.layout, triangles_.buffer,
+                            triangle_records(in_order(drawing, eye)), {3, 4}, 0);
+  covering_ = count_covering_vertices(drawing);
   balls_.count = upload(balls_.layout, balls_.buffer, ball_records(drawing), {4, 4}, 1);
 }
 
@@ -154,10 +184,11 @@ void InkRenderer::draw_areas(const Projection& projection) const {
   glDepthMask(GL_TRUE);
   glBindVertexArray(balls_.layout.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls_.count);
-  glDepthMask(GL_FALSE);
   set_camera(polygon_shader_, projection);
   glBindVertexArray(triangles_.layout.name());
-  glDrawArrays(GL_TRIANGLES, 0, triangles_.count);
+  glDrawArrays(GL_TRIANGLES, 0, covering_);
+  glDepthMask(GL_FALSE);
+  glDrawArrays(GL_TRIANGLES, covering_, triangles_.count - covering_);
   end_blending();
 }
 

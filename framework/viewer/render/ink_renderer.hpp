@@ -19,7 +19,8 @@ class InkRenderer {
   InkRenderer();
 
   /// Prepares a frame. @param scale pixels per pixel of the drawing: above 1 on a fine screen
-  void begin(const drawing::Drawing& drawing, float scale);
+  /// @param eye from where it is seen (m)
+  void begin(const drawing::Drawing& drawing, float scale, const Vec3& eye);
   /// Balls and polygons; after opaque solids.
   void draw_areas(const Projection& projection) const;
   /// Lines and dots, those behind something fainter; after everything else.
@@ -43,6 +44,7 @@ class InkRenderer {
   Batch lines_;
   Batch dots_;
   Batch triangles_;
+  GLsizei covering_ = 0;  ///< vertices of polygons that hide what is behind them; they come first
   Batch balls_;
 };
 

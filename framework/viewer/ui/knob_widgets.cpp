@@ -68,4 +68,21 @@ void KnobWidgets::choice(const Knob& knob, int& value, std::span<const char* con
   ImGui::Combo(hidden_label(knob).c_str(), &value, names.data(), static_cast<int>(names.size()));
 }
 
+/// A button for each move, and one that takes the last move back.
+void KnobWidgets::moves(const Knob& knob, std::vector<int>& value,
+                        std::span<const char* const> names) {
+  if (!is_open_) return;
+  end_row();
+  ImGui::PushID(knob.name);
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const auto count = static_cast<float>(names.size() + 1);
+  const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (ImGui::Button(names[i], {width, 0})) value.push_back(static_cast<int>(i));
+    ImGui::SameLine();
+  }
+  if (ImGui::Button("back", {width, 0}) && !value.empty()) value.pop_back();
+  ImGui::PopID();
+}
+
 }  // namespace cs550::viewer

@@ -17,6 +17,8 @@ class KnobWidgets final : public KnobVisitor {
   void vector(const Knob& knob, Vec3& value, Real most) override;
   void toggle(const Knob& knob, bool& value) override;
   void choice(const Knob& knob, int& value, std::span<const char* const> names) override;
+  void moves(const Knob& knob, std::vector<int>& value,
+             std::span<const char* const> names) override;
 
  private:
   /// Writes the label and leaves the rest of the line to the widget.

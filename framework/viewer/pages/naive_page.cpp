@@ -1,0 +1,71 @@
+// Lab 6: a stack of boxes by impulses that are never taken back.
+#include "cs550/naive_solver.hpp"
+#include "drawing/impulse_drawing.hpp"
+#include "viewer/pages/lab_page.hpp"
+#include "viewer/pages/stack.hpp"
+#include "viewer/units.hpp"
+
+namespace cs550::viewer {
+namespace {
+
+struct NaiveSettings {
+  StackSettings stack;
+  int passes = 30;
+  int step = 8;
+
+  bool operator==(const NaiveSettings&) const = default;
+};
+
+void describe(NaiveSettings& settings, KnobVisitor& visit) {
+  visit.section("Passes");
+  visit.whole({"step", "shown pass", ""}, settings.step, -1, 200);
+  visit.whole({"passes", "passes", ""}, settings.passes, 1, 200);
+  viewer::describe(settings.stack, visit);
+  visit.number({"restitution", "restitution", ""}, settings.stack.restitution, 0, 1);
+}
+
+Content show(const NaiveSettings& settings) {
+  Stack stack = make_stack(settings.stack);
+  Content content;
+  content.step_count = settings.passes + 1;
+  const int step = shown_step(settings.step, content.step_count);
+
+  std::vector<std::vector<Real>> history;
+  drawing::Convergence errors{"approach", {approach_error(stack)}, false};
+  Stack shown = stack;
+  for (int pass = 1; pass <= settings.passes; ++pass) {
+    resolve_contacts_naive(stack.rows, stack.bodies);
+    if (pass == step) shown = stack;
+    errors.errors.push_back(approach_error(stack));
+    std::vector<Real>& impulses = history.emplace_back();
+    for (const ContactRow& row : stack.rows) impulses.push_back(row.normal_impulse);
+  }
+  content.solids = stack_solids(shown);
+  const Real scale = drawing::impulse_scale(stack.rows, Real(0.75));
+  content.drawing = drawing::draw_impulses(shown.rows, shown.centers, scale);
+  content.plots = {drawing::plot_convergence({&errors, 1}, "m/s"), drawing::plot_impulses(history)};
+  content.facts = {
+      {"pass", std::to_string(step)},
+      {"fastest approach", quantity(static_cast<double>(approach_error(shown)), "m/s")},
+      {"contacts", std::to_string(shown.rows.size())}};
+  content.focus = {stack.centers[stack.centers.size() / 2], Real(0.75) * stack.centers.back().z()};
+  content.focus.radius = std::max(content.focus.radius, Real(1.2));
+  return content;
+}
+
+}  // namespace
+
+std::unique_ptr<Page> make_naive_page(Isolation isolation) {
+  LabPageParts<NaiveSettings> parts;
+  parts.lab = 6;
+  parts.story =
+      "Each contact that approaches gets an impulse, one after the other. Every impulse disturbs "
+      "its "
+      "neighbours, and none is ever taken back: the stack converges slowly.";
+  parts.first_view = seen_from(Real(-1.1), Real(0.25));
+  parts.describe = describe;
+  parts.show = show;
+  return std::make_unique<LabPage<NaiveSettings>>(parts, isolation);
+}
+
+}  // namespace cs550::viewer

@@ -1,0 +1,58 @@
+#include "viewer/pages/shapes.hpp"
+
+#include <stdexcept>
+
+#include "cs550/mesh_io.hpp"
+#include "engine/assets.hpp"
+#include "viewer/render/ink_renderer.hpp"
+
+namespace cs550::viewer {
+namespace {
+
+HalfEdgeMesh scaled(HalfEdgeMesh mesh, Real factor) {
+  for (Vec3& vertex : mesh.vertices) vertex *= factor;
+  for (Face& face : mesh.faces) face.plane.offset *= factor;
+  return mesh;
+}
+
+}  // namespace
+
+ShapePtr recorded_shape(int name) {
+  constexpr std::array<const char*, 7> files{"unit_box.json",  "regular_tetrahedron.json",
+                                             "prism6.json",    "dodecahedron.json",
+                                             "hull16.json",    "hull32.json",
+                                             "icosphere2.json"};
+  const auto file = assets_folder() / "meshes" / files.at(static_cast<std::size_t>(name));
+  const MeshResult loaded = load_mesh_json(file);
+  if (!loaded.error.empty()) throw std::runtime_error(loaded.error);
+  const ShapeResult measured = make_shape(loaded.mesh);
+  if (!measured) throw std::runtime_error(measured.error);
+  // The same radius for all: pages need not be told how large a shape is.
+  const ShapeResult result = make_shape(scaled(loaded.mesh, 1 / measured.shape->radius));
+  if (!result) throw std::runtime_error(result.error);
+  return result.shape;
+}
+
+Pose pose_from(const Vec3& position, const Vec3& turn_degrees) {
+  const Vec3 turn = pi / 180 * turn_degrees;
+  const Quat orientation = rotation_exp({0, 0, turn.z()}) * rotation_exp({0, turn.y(), 0}) *
+                           rotation_exp({turn.x(), 0, 0});
+  return {position, orientation};
+}
+
+Solid solid_of(const PosedShape& body, drawing::Role role, float opacity) {
+  Solid solid;
+  solid.mesh = std::make_shared<const HalfEdgeMesh>(body.mesh());
+  solid.pose = body.pose;
+  solid.colour = role_colour(role, opacity);
+  return solid;
+}
+
+Focus focus_on(const drawing::Drawing& drawing, std::span<const PosedShape> bodies) {
+  Bounds all = drawing::bounds(drawing::finite_part(drawing));
+  for (const PosedShape& body : bodies) all.include(world_bounds(body));
+  if (!(all.lower.array() <= all.upper.array()).all()) return {};
+  return focus_of(all);
+}
+
+}  // namespace cs550::viewer

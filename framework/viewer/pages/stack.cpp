@@ -1,0 +1,128 @@
+#include "viewer/pages/stack.hpp"
+
+#include <algorithm>
+
+#include "drawing/palette.hpp"
+#include "viewer/pages/shapes.hpp"
+#include "viewer/palette.hpp"
+#include "viewer/render/ink_renderer.hpp"
+
+namespace cs550::viewer {
+namespace {
+
+const Vec3 half_extents(Real(0.5), Real(0.5), Real(0.3));  // m
+constexpr Real gravity = Real(9.81);                       // m/s²
+constexpr Real ground_thickness = Real(0.2);               // m, half
+
+BodyVelocity falling_box(Real mass) {
+  const Vec3 squared = half_extents.cwiseAbs2();
+  const Vec3 inertia =
+      mass / 3 *
+      Vec3(squared.y() + squared.z(), squared.x() + squared.z(), squared.x() + squared.y());
+  BodyVelocity body;
+  body.inverse_mass = 1 / mass;
+  body.world_inverse_inertia = inertia.cwiseInverse().asDiagonal();
+  body.v = {0, 0, -gravity * stack_step};
+  return body;
+}
+
+/// Four rows between a body and the one on top of it.
+void add_rows(Stack& stack, Index lower, const StackSettings& settings) {
+  const auto below = static_cast<std::size_t>(lower);
+  const Real height = stack.centers[below + 1].z() - half_extents.z();
+  for (const Real x : {Real(-1), Real(1)}) {
+    for (const Real y : {Real(-1), Real(1)}) {
+      const Vec3 point(x * half_extents.x(), y * half_extents.y(), height);
+      ContactRow row;
+      row.body_a = lower;
+      row.body_b = lower + 1;
+      row.n = Vec3::UnitZ();
+      row.u = Vec3::UnitX();
+      row.r_a = point - stack.centers[below];
+      row.r_b = point - stack.centers[below + 1];
+      row.friction = settings.friction;
+      row.restitution = settings.restitution;
+      stack.rows.push_back(row);
+    }
+  }
+}
+
+Vec3 relative_velocity(const ContactRow& row, const Stack& stack) {
+  const BodyVelocity& a = stack.bodies[static_cast<std::size_t>(row.body_a)];
+  const BodyVelocity& b = stack.bodies[static_cast<std::size_t>(row.body_b)];
+  return b.v + b.w.cross(row.r_b) - a.v - a.w.cross(row.r_a);
+}
+
+/// A unit box of half-edges, stretched.
+MeshPtr box_mesh(const Vec3& half) {
+  HalfEdgeMesh mesh = recorded_shape(Box)->mesh;
+  const Vec3 corner = mesh.vertex(0).cwiseAbs();
+  for (Vec3& vertex : mesh.vertices) vertex = vertex.cwiseQuotient(corner).cwiseProduct(half);
+  for (Face& face : mesh.faces) {
+    face.plane.offset = face.plane.normal.dot(mesh.vertex(mesh.edge(face.edge).vertex));
+  }
+  return std::make_shared<const HalfEdgeMesh>(std::move(mesh));
+}
+
+}  // namespace
+
+void describe(StackSettings& settings, KnobVisitor& visit) {
+  visit.section("Stack");
+  visit.whole({"boxes", "boxes", ""}, settings.boxes, 1, 10);
+  visit.number({"top_mass", "mass of the top", "kg"}, settings.top_mass, Real(0.1), 100);
+  visit.number({"push", "sideways push", "m/s"}, settings.push, -2, 2);
+  visit.number({"friction", "friction", ""}, settings.friction, 0, 2);
+}
+
+Stack make_stack(const StackSettings& settings) {
+  Stack stack;
+  stack.bodies.emplace_back();
+  stack.centers.emplace_back(0, 0, -ground_thickness);
+  for (int i = 0; i < settings.boxes; ++i) {
+    const bool is_top = i + 1 == settings.boxes;
+    stack.bodies.push_back(falling_box(is_top ? settings.top_mass : 1));
+    if (is_top) stack.bodies.back().v.x() += settings.push;
+    stack.centers.emplace_back(0, 0, static_cast<Real>(2 * i + 1) * half_extents.z());
+    add_rows(stack, i, settings);
+  }
+  return stack;
+}
+
+std::vector<Solid> stack_solids(const Stack& stack) {
+  std::vector<Solid> solids;
+  const MeshPtr box = box_mesh(half_extents);
+  for (std::size_t i = 1; i < stack.centers.size(); ++i) {
+    Solid solid;
+    solid.mesh = box;
+    solid.pose.position = stack.centers[i];
+    solid.colour = body_colour(2, static_cast<Index>(i));
+    solid.colour.w() = 0.55F;
+    solids.push_back(solid);
+  }
+  Solid ground;
+  ground.mesh = box_mesh({3, 3, ground_thickness});
+  ground.pose.position = stack.centers[0];
+  ground.colour = ground_colour();
+  ground.is_ground = true;
+  solids.push_back(ground);
+  return solids;
+}
+
+Real approach_velocity(const ContactRow& row, const Stack& stack) {
+  return row.n.dot(relative_velocity(row, stack));
+}
+
+Real approach_error(const Stack& stack) {
+  Real error = 0;
+  for (const ContactRow& row : stack.rows) {
+    error = std::max(error, -approach_velocity(row, stack));
+  }
+  return error;
+}
+
+Vec2 slip_velocity(const ContactRow& row, const Stack& stack) {
+  const Vec3 relative = relative_velocity(row, stack);
+  return {row.u.dot(relative), row.v().dot(relative)};
+}
+
+}  // namespace cs550::viewer

@@ -1,0 +1,52 @@
+#pragma once
+/// @file stack.hpp
+/// The contact problem that the pages of labs 6 and 7 solve: boxes on top of each other. It is made
+/// by hand, so that it needs no lab's code.
+
+#include <vector>
+
+#include "cs550/contact_row.hpp"
+#include "viewer/content.hpp"
+#include "viewer/knobs.hpp"
+
+namespace cs550::viewer {
+
+/// What the stack is like.
+struct StackSettings {
+  int boxes = 5;              ///< on top of each other
+  Real top_mass = 1;          ///< of the uppermost box (kg); the others have 1 kg
+  Real push = Real(0.2);      ///< sideways velocity of the uppermost box (m/s)
+  Real friction = Real(0.5);  ///< μ
+  Real restitution = 0;       ///< e
+
+  bool operator==(const StackSettings&) const = default;
+};
+
+/// Visits them.
+void describe(StackSettings& settings, KnobVisitor& visit);
+
+/// A moment after gravity acted for one step and before any contact did.
+struct Stack {
+  std::vector<BodyVelocity> bodies;  ///< the ground first
+  std::vector<Vec3> centers;         ///< of mass (m)
+  std::vector<ContactRow> rows;      ///< four under each box
+};
+
+/// Length of the step that gravity acted for (s).
+inline constexpr Real stack_step = Real(1) / 60;
+
+Stack make_stack(const StackSettings& settings);
+
+/// The boxes and the ground, for the painter.
+std::vector<Solid> stack_solids(const Stack& stack);
+
+/// The largest speed at which a contact still approaches: what a solver should bring to zero (m/s).
+Real approach_error(const Stack& stack);
+
+/// n·(velocity of B − velocity of A) at a row (m/s).
+Real approach_velocity(const ContactRow& row, const Stack& stack);
+
+/// Velocity of B relative to A at a row, along u and v (m/s).
+Vec2 slip_velocity(const ContactRow& row, const Stack& stack);
+
+}  // namespace cs550::viewer
