@@ -1,0 +1,74 @@
+#!/bin/sh
+# Builds the book into build/docs: html/index.html and cs550.pdf. Run by `./cs550 docs`, which has installed
+# the tools and built the program that draws the figures.
+#
+#   docs/build_book.sh FIGURE_PROGRAM
+set -eu
+
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd -P)
+cd "$root"
+figure_program=$1
+docs=build/docs
+mathjax=/usr/share/javascript/mathjax
+
+# Figures: one line of figures.txt each, a name and how it is made.
+draw_figures() {
+  rm -rf "$docs/figures"
+  mkdir -p "$docs/figures" "$docs/data"
+  "$figure_program" --data "$docs/data" --figures "$docs/figures"
+  while read -r name tool; do
+    case $name in '' | '#'*) continue ;; esac
+    case $tool in
+      draw) ;;
+      plot) gnuplot -e "data='$docs/data'; name='$name'; output='$docs/figures/$name.svg'" \
+        docs/figures/plots/style.gp "docs/figures/plots/$name.gp" ;;
+      diagram) dot -Tsvg "docs/figures/diagrams/$name.dot" -o "$docs/figures/$name.svg" ;;
+      *) echo "figures.txt: $name is made by '$tool', which nobody knows" >&2; return 1 ;;
+    esac
+    [ -s "$docs/figures/$name.svg" ] || { echo "figures.txt: nothing has drawn $name" >&2; return 1; }
+  done <docs/figures/figures.txt
+  for figure in labs/lab*/figure.svg; do
+    lab=${figure#labs/}
+    cp "$figure" "$docs/figures/${lab%%_*}.svg"
+  done
+}
+
+# The parts of MathJax that the pages use: 2 MB of 54.
+copy_mathjax() {
+  for part in MathJax.js extensions jax/element jax/input/TeX jax/output/SVG; do
+    mkdir -p "$docs/html/mathjax/$(dirname "$part")"
+    cp -RL "$mathjax/$part" "$docs/html/mathjax/$(dirname "$part")/"
+  done
+}
+
+print_pdf() {
+  for browser in chromium chromium-browser google-chrome; do
+    command -v "$browser" >/dev/null && break
+    browser=
+  done
+  if [ -z "$browser" ]; then
+    echo "No PDF: that needs a browser. Debian: apt-get install chromium"
+    return
+  fi
+  python3 docs/tools/make_print.py "$docs"
+  profile=$(mktemp -d)
+  sandbox=
+  [ "$(id -u)" != 0 ] || sandbox=--no-sandbox  # the browser refuses root otherwise
+  "$browser" --headless $sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking \
+    --disable-component-update --disable-sync --user-data-dir="$profile" --virtual-time-budget=60000 \
+    --no-pdf-header-footer --print-to-pdf="$root/$docs/cs550.pdf" "file://$root/$docs/html/print.html" \
+    >"$docs/pdf.log" 2>&1 || { cat "$docs/pdf.log" >&2; return 1; }
+  rm -rf "$profile" "$docs/html/print.html"
+}
+
+rm -rf "$docs/html"
+draw_figures
+python3 docs/tools/make_pages.py "$docs/pages"
+doxygen docs/Doxyfile
+cp -R "$docs/figures" "$docs/html/figures"
+copy_mathjax
+print_pdf
+
+echo "$docs/html/index.html: $(find "$docs/html" -maxdepth 1 -name '*.html' | wc -l) pages," \
+  "$(find "$docs/figures" -name '*.svg' | wc -l) figures"
+[ ! -s "$docs/cs550.pdf" ] || echo "$docs/cs550.pdf"

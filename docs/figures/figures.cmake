@@ -1,0 +1,5 @@
+# The program that draws the book's figures, on the best code that was given. Not part of `all`.
+file(GLOB figure_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cpp")
+add_executable(book_figures EXCLUDE_FROM_ALL ${figure_sources})
+target_link_libraries(book_figures PRIVATE cs550_engine cs550_drawing CLI11::CLI11 cs550_warnings)
+cs550_link_each_lab(book_figures reference assembled stub)  # in a students' copy: their own

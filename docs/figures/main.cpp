@@ -1,0 +1,103 @@
+/// @file main.cpp
+/// book_figures: draws the pictures of the book and measures its tables.
+///
+///   book_figures --figures DIR --data DIR [--only NAME]
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include "cs550/not_implemented.hpp"
+#include "figure.hpp"
+
+namespace cs550::book {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Item>
+void add(std::vector<Item>& all, std::vector<Item> more) {
+  for (Item& item : more) all.push_back(std::move(item));
+}
+
+std::vector<Figure> all_figures() {
+  std::vector<Figure> all;
+  add(all, conventions_figures());
+  add(all, rigid_body_figures());
+  add(all, mesh_figures());
+  add(all, climbing_figures());
+  add(all, gauss_map_figures());
+  add(all, axis_figures());
+  add(all, contact_figures());
+  add(all, solver_figures());
+  add(all, mass_figures());
+  return all;
+}
+
+std::vector<Table> all_tables() {
+  std::vector<Table> all;
+  add(all, rigid_body_tables());
+  add(all, collision_tables());
+  add(all, solver_tables());
+  add(all, scene_tables());
+  return all;
+}
+
+/// Where a lab is not written yet, as in a students' copy, its figure says so.
+drawing::Page unwritten(const NotImplemented& missing) {
+  drawing::Drawing note;
+  note.title = "This figure is drawn by your own code.";
+  note.notes = {missing.what()};
+  drawing::Page page;
+  page.panels = {drawing::Scene{note, drawing::view_from_above()}};
+  page.panel_size = {640, 60};
+  return page;
+}
+
+void draw(const Figure& figure, const fs::path& folder) {
+  std::ofstream file(folder / (figure.name + ".svg"));
+  try {
+    file << drawing::write_svg(figure.draw());
+  } catch (const NotImplemented& missing) {
+    file << drawing::write_svg(unwritten(missing));
+  }
+  if (!file.flush()) throw std::runtime_error("cannot write " + figure.name);
+}
+
+void measure(const Table& table, const fs::path& folder) {
+  std::ofstream file(folder / (table.name + ".dat"));
+  file.precision(9);
+  try {
+    table.measure(file);
+  } catch (const NotImplemented& missing) {
+    file << "# " << missing.what() << "\n0 0 0 0 0 0 0 0\n1 1 1 1 1 1 1 1\n";
+  }
+  if (!file.flush()) throw std::runtime_error("cannot write " + table.name);
+}
+
+}  // namespace
+}  // namespace cs550::book
+
+int main(int argc, char** argv) {
+  using namespace cs550::book;
+  CLI::App app("Draws the pictures of the book and measures its tables.");
+  std::string figures, data, only;
+  app.add_option("--figures", figures, "folder for pictures");
+  app.add_option("--data", data, "folder for tables");
+  app.add_option("--only", only, "one picture or table");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    for (const Figure& figure : all_figures()) {
+      if (!figures.empty() && (only.empty() || only == figure.name)) draw(figure, figures);
+    }
+    for (const Table& table : all_tables()) {
+      if (!data.empty() && (only.empty() || only == table.name)) measure(table, data);
+    }
+  } catch (const std::exception& error) {
+    std::cerr << "book_figures: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
