@@ -44,6 +44,8 @@ include("${PROJECT_SOURCE_DIR}/tests/mutants/tests.cmake" OPTIONAL)
 
 include("${PROJECT_SOURCE_DIR}/tests/cli/tests.cmake" OPTIONAL)
 
+include("${PROJECT_SOURCE_DIR}/tests/docs/tests.cmake" OPTIONAL)
+
 if(EXISTS "${PROJECT_SOURCE_DIR}/tests/fixtures/CMakeLists.txt")
   add_subdirectory("${PROJECT_SOURCE_DIR}/tests/fixtures" "${PROJECT_BINARY_DIR}/fixtures")
 endif()
