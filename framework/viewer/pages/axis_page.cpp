@@ -80,7 +80,7 @@ std::vector<Real> edge_separations(const PosedShape& a, const PosedShape& b,
 }
 
 /// Beside the bodies, in the direction that is to the right of the first view.
-constexpr Real beside = Real(2.9);
+constexpr Real beside = Real(2.6);
 
 Content show(const AxisSettings& settings) {
   const BodyPair bodies(settings.pair);
@@ -114,7 +114,7 @@ Content show(const AxisSettings& settings) {
       {"crossing arcs", std::to_string(pairs.size())}};
   const std::array<PosedShape, 2> both{a, b};
   content.focus = focus_on(content.drawing, both);
-  content.focus.radius *= Real(0.8);  // flat from this side
+  content.focus.radius *= Real(0.9);  // flat from this side
   return content;
 }
 

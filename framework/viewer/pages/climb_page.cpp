@@ -41,8 +41,9 @@ Content show(const ClimbSettings& settings) {
   const int step = shown_step(settings.step, content.step_count);
   const std::span<const Index> walked(path.data(),
                                       static_cast<std::size_t>(path.empty() ? 0 : step + 1));
-  content.drawing = drawing::draw_climb(mesh, settings.direction, walked);
-  content.solids.push_back(solid_of({shape.get(), {}}, Role::Faint, 1));
+  content.drawing =
+      without_faces(drawing::draw_climb(mesh, settings.direction, walked), Role::BodyA);
+  content.solids.push_back(light_solid(mesh));
   content.plots.push_back(drawing::plot_climb(mesh, settings.direction, path));
   content.facts = {{"vertices", std::to_string(mesh.vertex_count())},
                    {"steps", std::to_string(content.step_count - 1)},

@@ -2,6 +2,7 @@
 #include "cs550/constraint_solver.hpp"
 #include "drawing/impulse_drawing.hpp"
 #include "viewer/pages/lab_page.hpp"
+#include "viewer/pages/shapes.hpp"
 #include "viewer/pages/stack.hpp"
 #include "viewer/units.hpp"
 
@@ -65,14 +66,11 @@ drawing::Convergence convergence(const char* name, const Run& run, bool dashed) 
 
 std::vector<std::vector<Real>> impulses_of(const Run& run) {
   std::vector<std::vector<Real>> history;
-  for (const Stack& stack : run) {
-    std::vector<Real>& impulses = history.emplace_back();
-    for (const ContactRow& row : stack.rows) impulses.push_back(row.normal_impulse);
-  }
+  for (const Stack& stack : run) history.push_back(level_impulses(stack));
   return history;
 }
 
-/// Beside the stack, flat on the ground, one length unit for the limit.
+/// Beside the stack, flat on the ground; its radius stands for the limit.
 void add_disk(const ContactRow& row, const Stack& before, Content& content) {
   const Real limit = row.friction * row.normal_impulse;
   if (limit <= 0) return;
@@ -80,8 +78,8 @@ void add_disk(const ContactRow& row, const Stack& before, Content& content) {
       {row.tangent_impulse / limit, Role::Highlight, "friction impulse"}};
   const drawing::Drawing disk =
       drawing::draw_friction_disk(1, impulses, slip_velocity(row, before));
-  const Pose place{{Real(2.1), Real(-0.6), Real(0.02)}, Quat::Identity()};
-  drawing::append(content.drawing, drawing::transformed(disk, place));
+  const Pose place{{Real(1.55), Real(-0.7), Real(0.02)}, Quat::Identity()};
+  drawing::append(content.drawing, drawing::transformed(scaled(disk, Real(0.6)), place));
 }
 
 Content show(const ConstraintSettings& settings) {
@@ -103,8 +101,7 @@ Content show(const ConstraintSettings& settings) {
 
   const std::vector<drawing::Convergence> errors{convergence("cold start", cold, false),
                                                  convergence("warm start", warm, true)};
-  content.plots = {drawing::plot_convergence(errors, "m/s"),
-                   drawing::plot_impulses(impulses_of(run))};
+  content.plots = {drawing::plot_convergence(errors, "m/s"), plot_levels(impulses_of(run))};
   content.facts = {
       {"pass", std::to_string(step)},
       {"fastest approach", quantity(static_cast<double>(approach_error(shown)), "m/s")},

@@ -22,7 +22,7 @@ struct HalfEdgeSettings {
   int solid = 1;
   bool merged = true;
   int fault = None;
-  int edge = 2;
+  int edge = 6;
   std::vector<int> walk;
   int step = -1;
 
@@ -101,7 +101,8 @@ void show_walk(const HalfEdgeSettings& settings, const HalfEdgeMesh& mesh, Conte
   const int step = shown_step(settings.step, content.step_count);
   const Index start = std::min<Index>(settings.edge, mesh.edge_count() - 1);
   const Index edge = walk(mesh, start, {settings.walk.data(), static_cast<std::size_t>(step)});
-  content.drawing = drawing::draw_half_edge(mesh, edge);
+  content.drawing = without_faces(drawing::draw_half_edge(mesh, edge), drawing::Role::Faint);
+  content.solids.push_back(light_solid(mesh));
   content.facts.push_back({"half-edge", std::to_string(edge)});
   if (edge < 0 || edge >= mesh.edge_count()) return;
   const HalfEdge& here = mesh.edge(edge);
@@ -130,7 +131,7 @@ Content show(const HalfEdgeSettings& settings) {
       show_walk(settings, mesh, content);
     }
   }
-  content.focus = focus_on(content.drawing);
+  content.focus = {Vec3::Zero(), Real(1.15)};
   return content;
 }
 

@@ -72,20 +72,6 @@ std::span<const T> until(const std::vector<T>& values, int step) {
   return {values.data(), static_cast<std::size_t>(step) + 1};
 }
 
-/// A drawing made smaller and moved.
-Drawing placed(Drawing drawing, Real scale, const Vec3& position) {
-  for (auto& point : drawing.points) point.position *= scale;
-  for (auto& line : drawing.lines) {
-    line.from *= scale;
-    line.to *= scale;
-  }
-  for (auto& polygon : drawing.polygons) {
-    for (auto& corner : polygon.corners) corner *= scale;
-  }
-  for (auto& label : drawing.labels) label.position *= scale;
-  return drawing::transformed(drawing, {position, Quat::Identity()});
-}
-
 /// One method's column: the box with the trail of a corner, below it the polhode.
 Drawing column(const IntegrationSettings& settings, const Run& run, int step, Role role,
                const std::string& name, Real x) {
@@ -108,7 +94,8 @@ Drawing column(const IntegrationSettings& settings, const Run& run, int step, Ro
   drawing::append(polhode, curve);
   polhode.labels.clear();
   const Real largest = std::sqrt(2 * run.energies.front() / start.inertia.diagonal().minCoeff());
-  drawing::append(result, placed(polhode, Real(1.05) / largest, {x, 0, Real(-1.1)}));
+  drawing::append(result, drawing::transformed(scaled(polhode, Real(1.05) / largest),
+                                               {{x, 0, Real(-1.2)}, Quat::Identity()}));
   return result;
 }
 

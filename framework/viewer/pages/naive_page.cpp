@@ -37,13 +37,12 @@ Content show(const NaiveSettings& settings) {
     resolve_contacts_naive(stack.rows, stack.bodies);
     if (pass == step) shown = stack;
     errors.errors.push_back(approach_error(stack));
-    std::vector<Real>& impulses = history.emplace_back();
-    for (const ContactRow& row : stack.rows) impulses.push_back(row.normal_impulse);
+    history.push_back(level_impulses(stack));
   }
   content.solids = stack_solids(shown);
   const Real scale = drawing::impulse_scale(stack.rows, Real(0.75));
   content.drawing = drawing::draw_impulses(shown.rows, shown.centers, scale);
-  content.plots = {drawing::plot_convergence({&errors, 1}, "m/s"), drawing::plot_impulses(history)};
+  content.plots = {drawing::plot_convergence({&errors, 1}, "m/s"), plot_levels(history)};
   content.facts = {
       {"pass", std::to_string(step)},
       {"fastest approach", quantity(static_cast<double>(approach_error(shown)), "m/s")},

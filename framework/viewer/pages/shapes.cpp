@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "cs550/assets.hpp"
 #include "cs550/mesh_io.hpp"
-#include "engine/assets.hpp"
 #include "viewer/render/ink_renderer.hpp"
 
 namespace cs550::viewer {
@@ -46,6 +46,39 @@ Solid solid_of(const PosedShape& body, drawing::Role role, float opacity) {
   solid.pose = body.pose;
   solid.colour = role_colour(role, opacity);
   return solid;
+}
+
+Solid light_solid(const HalfEdgeMesh& mesh) {
+  Solid solid;
+  solid.mesh = std::make_shared<const HalfEdgeMesh>(mesh);
+  solid.colour = {0.80F, 0.87F, 0.93F, 1};
+  return solid;
+}
+
+drawing::Drawing scaled(drawing::Drawing drawing, Real factor) {
+  for (auto& point : drawing.points) point.position *= factor;
+  for (auto& line : drawing.lines) {
+    line.from *= factor;
+    line.to *= factor;
+  }
+  for (auto& polygon : drawing.polygons) {
+    for (auto& corner : polygon.corners) corner *= factor;
+  }
+  for (auto& ball : drawing.balls) {
+    ball.center *= factor;
+    ball.radius *= factor;
+  }
+  for (auto& label : drawing.labels) label.position *= factor;
+  return drawing;
+}
+
+drawing::Drawing without_faces(drawing::Drawing drawing, drawing::Role role) {
+  std::erase_if(drawing.polygons,
+                [&](const drawing::Polygon& polygon) { return polygon.role == role; });
+  std::erase_if(drawing.lines, [&](const drawing::Line& line) {
+    return line.stroke.role == role && !line.stroke.arrow;
+  });
+  return drawing;
 }
 
 Focus focus_on(const drawing::Drawing& drawing, std::span<const PosedShape> bodies) {

@@ -26,6 +26,15 @@ Pose pose_from(const Vec3& position, const Vec3& turn_degrees);
 /// A body for the painter.
 Solid solid_of(const PosedShape& body, drawing::Role role, float opacity);
 
+/// A mesh for the painter, in a light colour on which lines stand out. @param mesh valid
+Solid light_solid(const HalfEdgeMesh& mesh);
+
+/// A drawing made larger or smaller about the origin.
+drawing::Drawing scaled(drawing::Drawing drawing, Real factor);
+
+/// A drawing without the polygons and plain lines of a role: what a shaded body shows better.
+drawing::Drawing without_faces(drawing::Drawing drawing, drawing::Role role);
+
 /// The ball around a drawing and some bodies.
 Focus focus_on(const drawing::Drawing& drawing, std::span<const PosedShape> bodies = {});
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "drawing/palette.hpp"
+#include "drawing/impulse_drawing.hpp"
 #include "viewer/pages/shapes.hpp"
 #include "viewer/palette.hpp"
 #include "viewer/render/ink_renderer.hpp"
@@ -106,6 +106,24 @@ std::vector<Solid> stack_solids(const Stack& stack) {
   ground.is_ground = true;
   solids.push_back(ground);
   return solids;
+}
+
+std::vector<Real> level_impulses(const Stack& stack) {
+  std::vector<Real> sums(stack.bodies.size() - 1, 0);
+  for (const ContactRow& row : stack.rows) {
+    sums[static_cast<std::size_t>(row.body_a)] += row.normal_impulse;
+  }
+  return sums;
+}
+
+drawing::Plot plot_levels(std::span<const std::vector<Real>> history) {
+  drawing::Plot plot = drawing::plot_impulses(history);
+  plot.title = "Normal impulse under each box";
+  plot.y_label = "N·s";
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    plot.series[i].name = "box " + std::to_string(i + 1);
+  }
+  return plot;
 }
 
 Real approach_velocity(const ContactRow& row, const Stack& stack) {

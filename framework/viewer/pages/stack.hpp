@@ -3,6 +3,7 @@
 /// The contact problem that the pages of labs 6 and 7 solve: boxes on top of each other. It is made
 /// by hand, so that it needs no lab's code.
 
+#include <span>
 #include <vector>
 
 #include "cs550/contact_row.hpp"
@@ -42,6 +43,12 @@ std::vector<Solid> stack_solids(const Stack& stack);
 
 /// The largest speed at which a contact still approaches: what a solver should bring to zero (m/s).
 Real approach_error(const Stack& stack);
+
+/// What carries each box: the normal impulses of the four rows under it together (N·s).
+std::vector<Real> level_impulses(const Stack& stack);
+
+/// level_impulses() after each pass.
+drawing::Plot plot_levels(std::span<const std::vector<Real>> history);
 
 /// n·(velocity of B − velocity of A) at a row (m/s).
 Real approach_velocity(const ContactRow& row, const Stack& stack);

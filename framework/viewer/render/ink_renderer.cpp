@@ -13,7 +13,7 @@ using drawing::Role;
 
 constexpr float hidden_opacity = 0.22F;       ///< of strokes behind something
 constexpr Real covering_opacity = Real(0.7);  ///< of polygons that hide strokes behind them
-constexpr Real outline = Real(2.5);  ///< pixels around a stroke that is too light for paper
+constexpr Real outline = Real(1.2);  ///< pixels around a stroke that is too light for paper
 
 void append(std::vector<float>& floats, const Vec3& v) {
   floats.insert(floats.end(), {v.x(), v.y(), v.z()});
@@ -22,23 +22,23 @@ void append(std::vector<float>& floats, const Colour& c) {
   floats.insert(floats.end(), {c.x(), c.y(), c.z(), c.w()});
 }
 
+/// @param rim pixels that the stroke is wider on every side
 void append_line(std::vector<float>& floats, const drawing::Line& line, const Colour& colour,
-                 Real width) {
+                 float scale, float rim) {
   append(floats, line.from);
   append(floats, line.to);
   append(floats, colour);
-  floats.insert(floats.end(),
-                {width, line.stroke.dashed ? 1.0F : 0.0F, line.stroke.arrow ? 1.0F : 0.0F});
+  floats.insert(floats.end(), {line.stroke.width * scale, line.stroke.dashed ? 1.0F : 0.0F,
+                               line.stroke.arrow ? 1.0F : 0.0F, rim});
 }
 
 std::vector<float> line_records(const Drawing& drawing, float scale) {
   std::vector<float> floats;
   for (const drawing::Line& line : drawing.lines) {
-    const Real width = line.stroke.width * scale;
     if (drawing::needs_outline(line.stroke.role)) {
-      append_line(floats, line, role_colour(Role::Text), width + outline * scale);
+      append_line(floats, line, role_colour(Role::Text), scale, outline * scale);
     }
-    append_line(floats, line, role_colour(line.stroke.role), width);
+    append_line(floats, line, role_colour(line.stroke.role), scale, 0);
   }
   return floats;
 }
@@ -168,7 +168,7 @@ InkRenderer::InkRenderer()
 
 void InkRenderer::begin(const Drawing& drawing, float scale, const Vec3& eye) {
   lines_.count =
-      upload(lines_.layout, lines_.buffer, line_records(drawing, scale), {3, 3, 4, 3}, 1);
+      upload(lines_.layout, lines_.buffer, line_records(drawing, scale), {3, 3, 4, 4}, 1);
   dots_.count = upload(dots_.layout, dots_.buffer, dot_records(drawing, scale), {3, 4, 1}, 1);
   triangles_.count = upload(triangles_.layout, triangles_.buffer,
                             triangle_records(in_order(drawing, eye)), {3, 4}, 0);

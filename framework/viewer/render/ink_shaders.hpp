@@ -11,7 +11,7 @@ inline constexpr const char* line_vertex = R"(
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 tint;
-layout(location = 3) in vec3 style;  // width in pixels, dashed, arrow
+layout(location = 3) in vec4 style;  // width in pixels, dashed, arrow, rim in pixels
 
 uniform mat4 camera;
 uniform vec3 eye;
@@ -22,7 +22,7 @@ uniform vec2 canvas;
 out vec2 along;  // pixels from the start and to the end
 out float across;
 flat out vec4 paint;
-flat out vec3 shape;
+flat out vec4 shape;
 
 vec3 lifted(vec3 point) { return eye + 0.996 * (point - eye); }
 
@@ -42,8 +42,8 @@ void main() {
   vec2 direction = span > 1e-4 ? (end_pixel - start_pixel) / span : vec2(1.0, 0.0);
   vec2 side = vec2(-direction.y, direction.x);
 
-  float reach = (style.z > 0.5 ? 2.2 * style.x + 3.0 : 0.5 * style.x) + 1.0;
-  float cap = 0.5 * style.x;
+  float reach = (style.z > 0.5 ? 1.5 * style.x + 3.0 : 0.5 * style.x) + 1.5 * style.w + 1.0;
+  float cap = 0.5 * style.x + 2.5 * style.w;
   bool at_end = gl_VertexID >= 2;
   float lateral = (gl_VertexID % 2 == 0) ? -reach : reach;
   vec2 pixel = (at_end ? end_pixel + direction * cap : start_pixel - direction * cap) + side * lateral;
@@ -62,21 +62,21 @@ uniform float opacity;
 in vec2 along;
 in float across;
 flat in vec4 paint;
-flat in vec3 shape;
+flat in vec4 shape;
 out vec4 colour;
 
 float inside(float distance) { return 1.0 - smoothstep(-0.6, 0.6, distance); }
 
 void main() {
-  float half_width = 0.5 * shape.x;
+  float half_width = 0.5 * shape.x + shape.w;
   float head = shape.z > 0.5 ? min(3.2 * shape.x + 5.0, along.x + along.y) : 0.0;
   // Round ends: the distance from the segment, whose end lies in the arrow's head.
   float beyond = max(max(-along.x, head * 0.8 - along.y), 0.0);
   float cover = inside(length(vec2(beyond, across)) - half_width);
   if (shape.y > 0.5) cover *= inside(abs(mod(along.x, 11.0) - 3.5) - 3.5);
   if (head > 0.0) {
-    float limit = min(along.y * 0.44, (head - along.y) * 8.0);
-    cover = max(cover, inside(abs(across) - limit));
+    float side = (abs(across) - 0.44 * along.y) * 0.915;  // distance from the slanted side
+    cover = max(cover, inside(max(side, along.y - head) - shape.w));
   }
   if (cover <= 0.01) discard;
   colour = vec4(paint.rgb, paint.a * cover * opacity);
@@ -126,17 +126,27 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 tint;
 uniform mat4 camera;
 uniform vec3 eye;
+out vec3 world;
 flat out vec4 paint;
 void main() {
-  gl_Position = camera * vec4(eye + 0.998 * (position - eye), 1.0);
+  world = eye + 0.998 * (position - eye);
+  gl_Position = camera * vec4(world, 1.0);
   paint = tint;
 }
 )";
 
+/// A little light from the side of the sun: neighbouring faces can be told apart.
 inline constexpr const char* polygon_fragment = R"(
+uniform vec3 eye;
+in vec3 world;
 flat in vec4 paint;
 out vec4 colour;
-void main() { colour = paint; }
+void main() {
+  vec3 normal = normalize(cross(dFdx(world), dFdy(world)));
+  if (dot(normal, eye - world) < 0.0) normal = -normal;
+  float light = 0.88 + 0.14 * dot(normal, normalize(vec3(-0.3, -0.7, 1.15)));
+  colour = vec4(paint.rgb * light, paint.a);
+}
 )";
 
 /// A square that faces the eye and holds the outline of the ball.

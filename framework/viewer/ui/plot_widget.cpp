@@ -41,8 +41,7 @@ double tick_step(double span, int count) {
   return 10 * power;
 }
 
-std::string tick_text(double value, const Axis& axis) {
-  if (axis.logarithmic) return "1e" + std::to_string(static_cast<int>(std::lround(value)));
+std::string tick_text(double value) {
   std::array<char, 32> text{};
   const double magnitude = std::abs(value);
   if (magnitude >= 1e6) {
@@ -53,6 +52,29 @@ std::string tick_text(double value, const Axis& axis) {
     return short_number(value);
   }
   return text.data();
+}
+
+/// Places on the axis; on a logarithmic one powers of ten, and twice and five times those where
+/// there would be few.
+std::vector<double> y_ticks(const Axis& y) {
+  std::vector<double> ticks;
+  const double span = y.upper - y.lower;
+  if (!y.logarithmic) {
+    const double step = tick_step(span, 4);
+    for (double tick = std::ceil(y.lower / step) * step; tick <= y.upper; tick += step) {
+      ticks.push_back(std::abs(tick) < step * 1e-6 ? 0 : tick);
+    }
+    return ticks;
+  }
+  const double step = std::max(1.0, std::ceil(span / 5));
+  for (double decade = std::floor(y.lower); decade <= y.upper; decade += step) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double tick = decade + std::log10(factor);
+      const bool wanted = factor == 1 || span < 2;
+      if (wanted && tick >= y.lower && tick <= y.upper) ticks.push_back(tick);
+    }
+  }
+  return ticks;
 }
 
 template <class Visit>
@@ -70,11 +92,13 @@ void widen(Axis& axis, double value) {
   axis.upper = std::max(axis.upper, axis.shown(value));
 }
 
-/// Room above and below the curves; a flat curve lies in the middle.
+/// Room above and below the curves. A curve that is flat but for rounding lies in the middle.
 void pad(Axis& axis, double share) {
   if (!(axis.lower <= axis.upper)) axis.lower = 0, axis.upper = 1;
+  const double middle = std::abs(axis.lower + axis.upper) / 2;
   const double span = axis.upper - axis.lower;
-  const double room = span > 0 ? share * span : std::max(1e-6, 0.1 * std::abs(axis.upper));
+  const bool is_flat = span <= 2e-3 * middle;
+  const double room = is_flat ? std::max(1e-6, 0.1 * middle) : share * span;
   if (axis.lower != 0) axis.lower -= room;
   axis.upper += room;
 }
@@ -107,13 +131,13 @@ std::array<Axis, 2> axes_of(const Plot& plot, ImVec2 lower_left, ImVec2 upper_ri
 
 void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& fonts) {
   const float size = fonts.small.size;
-  const double y_step = y.logarithmic ? std::max(1.0, std::ceil((y.upper - y.lower) / 4))
-                                      : tick_step(y.upper - y.lower, 4);
-  for (double tick = std::ceil(y.lower / y_step) * y_step; tick <= y.upper; tick += y_step) {
+  for (const double tick : y_ticks(y)) {
     const float at =
-        y.start + static_cast<float>((tick - y.lower) / (y.upper - y.lower)) * (y.end - y.start);
-    list->AddLine({x.start, std::floor(at) + 0.5F}, {x.end, std::floor(at) + 0.5F}, hairline);
-    const std::string text = tick_text(std::abs(tick) < y_step * 1e-6 ? 0 : tick, y);
+        std::floor(y.start +
+                   static_cast<float>((tick - y.lower) / (y.upper - y.lower)) * (y.end - y.start)) +
+        0.5F;
+    list->AddLine({x.start, at}, {x.end, at}, hairline);
+    const std::string text = tick_text(y.logarithmic ? std::pow(10.0, tick) : tick);
     const float width = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
     list->AddText(fonts.small.font, size, {x.start - width - 6, at - size * 0.55F}, quiet_ink,
                   text.c_str());
@@ -121,21 +145,43 @@ void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& font
   const double x_step = tick_step(x.upper - x.lower, 5);
   for (double tick = std::ceil(x.lower / x_step) * x_step; tick <= x.upper + x_step * 1e-6;
        tick += x_step) {
-    const std::string text = tick_text(std::abs(tick) < x_step * 1e-6 ? 0 : tick, x);
+    const std::string text = tick_text(std::abs(tick) < x_step * 1e-6 ? 0 : tick);
     const float width = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
     const float at = std::clamp(x.pixel(tick) - width / 2, x.start - 8, x.end - width);
     list->AddText(fonts.small.font, size, {at, y.start + 3}, quiet_ink, text.c_str());
   }
 }
 
+/// A line in pieces; `travelled` counts pixels from the start of the curve.
+void draw_dashes(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, float width,
+                 float& travelled) {
+  constexpr float period = 9;
+  constexpr float dash = 5.5F;
+  const float length = std::hypot(to.x - from.x, to.y - from.y);
+  const auto at = [&](float pixels) {
+    const float share = length > 0 ? pixels / length : 0;
+    return ImVec2(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
+  };
+  for (float place = 0; place < length;) {
+    const float phase = std::fmod(travelled + place, period);
+    const float next = std::min(length, place + (phase < dash ? dash : period) - phase + 0.01F);
+    if (phase < dash) list->AddLine(at(place), at(next), colour, width);
+    place = next;
+  }
+  travelled += length;
+}
+
 void draw_curve(ImDrawList* list, const Series& series, const Axis& x, const Axis& y) {
   const float width = 1.8F;
+  const ImU32 colour = packed(drawing::color(series.role));
   std::vector<ImVec2> run;
-  int piece = 0;
+  float travelled = 0;
   const auto finish = [&] {
-    if (run.size() > 1 && !series.dashed) {
-      list->AddPolyline(run.data(), static_cast<int>(run.size()),
-                        packed(drawing::color(series.role)), 0, width);
+    if (!series.dashed && run.size() > 1) {
+      list->AddPolyline(run.data(), static_cast<int>(run.size()), colour, 0, width);
+    }
+    for (std::size_t i = 1; series.dashed && i < run.size(); ++i) {
+      draw_dashes(list, run[i - 1], run[i], colour, width, travelled);
     }
     run.clear();
   };
@@ -147,9 +193,6 @@ void draw_curve(ImDrawList* list, const Series& series, const Axis& x, const Axi
     const ImVec2 here(x.pixel(static_cast<double>(value.x())),
                       y.pixel(static_cast<double>(value.y())));
     if (!run.empty() && series.style == SeriesStyle::Steps) run.push_back({here.x, run.back().y});
-    if (!run.empty() && series.dashed && (piece++ / 2) % 2 == 0) {
-      list->AddLine(run.back(), here, packed(drawing::color(series.role)), width);
-    }
     run.push_back(here);
   }
   finish();
@@ -201,14 +244,20 @@ float draw_heading(ImDrawList* list, const Plot& plot, ImVec2 at, float width, c
   const float text = fonts.text.size;
   const float size = fonts.small.size;
   list->AddText(fonts.text.font, text, at, ink, plot.title.c_str());
-  if (!plot.y_label.empty()) {
-    const float used = fonts.text.font->CalcTextSizeA(text, FLT_MAX, 0, plot.title.c_str()).x;
-    list->AddText(fonts.small.font, size, {at.x + used + 8, at.y + (text - size)}, quiet_ink,
-                  plot.y_label.c_str());
-  }
-  if (plot.series.size() < 2) return text + 7;
   ImVec2 place(at.x, at.y + text + 5);
+  if (!plot.y_label.empty()) {
+    const float used = fonts.text.font->CalcTextSizeA(text, FLT_MAX, 0, plot.title.c_str()).x + 8;
+    const float label = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, plot.y_label.c_str()).x;
+    const bool fits = used + label <= width;
+    const ImVec2 corner = fits ? ImVec2(at.x + used, at.y + (text - size)) : place;
+    list->AddText(fonts.small.font, size, corner, quiet_ink, plot.y_label.c_str());
+    if (!fits) place.y += size + 3;
+  }
+  const auto named = std::count_if(plot.series.begin(), plot.series.end(),
+                                   [](const Series& series) { return !series.name.empty(); });
+  if (named < 2) return place.y - at.y + 2;
   for (const Series& series : plot.series) {
+    if (series.name.empty()) continue;
     const float name = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, series.name.c_str()).x;
     const float mark = 16;
     if (place.x > at.x && place.x + mark + name > at.x + width) {

@@ -22,8 +22,9 @@ const char* find_font(bool bold) {
 
 Typeface load_font(bool bold, float pixels) {
   // Latin, Greek, punctuation, super- and subscripts, letterlike signs, arrows, mathematics.
-  static constexpr ImWchar ranges[] = {0x0020, 0x024F, 0x0370, 0x03FF, 0x2010, 0x209F, 0x2100,
-                                       0x214F, 0x2190, 0x22FF, 0x25A0, 0x25FF, 0};
+  static constexpr ImWchar ranges[] = {0x0020, 0x024F, 0x0370, 0x03FF, 0x1D00,
+                                       0x1DBF, 0x2010, 0x209F, 0x2100, 0x214F,
+                                       0x2190, 0x22FF, 0x25A0, 0x25FF, 0};
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
   if (const char* file = find_font(bold)) {
     return {atlas->AddFontFromFileTTF(file, pixels, nullptr, ranges), pixels};
