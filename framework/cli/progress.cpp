@@ -273,7 +273,7 @@ int watch() {
   answer('r', progress);
   while (true) {
     char key = KeyByKey::wait();
-    if (key == 'q') return Good;
+    if (key == 'q') break;
     auto now = times_of_saving();
     if (now != saved) key = 'r';
     if (key == 'r') {
@@ -282,6 +282,8 @@ int watch() {
     }
     if (key != 0) answer(key, progress);
   }
+  std::cout << '\n';
+  return Good;
 }
 
 int run_progress(const ProgressOptions& options) {
