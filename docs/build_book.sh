@@ -2,12 +2,13 @@
 # Builds the book into build/docs: html/index.html and cs550.pdf. Run by `./cs550 docs`, which has installed
 # the tools and built the program that draws the figures.
 #
-#   docs/build_book.sh FIGURE_PROGRAM
+#   docs/build_book.sh FIGURE_PROGRAM [VIEWER]
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd -P)
 cd "$root"
 figure_program=$1
+viewer=${2-}
 docs=build/docs
 mathjax=/usr/share/javascript/mathjax
 
@@ -16,16 +17,21 @@ draw_figures() {
   rm -rf "$docs/figures"
   mkdir -p "$docs/figures" "$docs/data"
   "$figure_program" --data "$docs/data" --figures "$docs/figures"
-  while read -r name tool; do
+  while read -r name tool arguments; do
+    file=$docs/figures/$name.svg
     case $name in '' | '#'*) continue ;; esac
     case $tool in
       draw) ;;
-      plot) gnuplot -e "data='$docs/data'; name='$name'; output='$docs/figures/$name.svg'" \
+      plot) gnuplot -e "data='$docs/data'; name='$name'; output='$file'" \
         docs/figures/plots/style.gp "docs/figures/plots/$name.gp" ;;
-      diagram) dot -Tsvg "docs/figures/diagrams/$name.dot" -o "$docs/figures/$name.svg" ;;
+      diagram) dot -Tsvg "docs/figures/diagrams/$name.dot" -o "$file" ;;
+      view)
+        [ -n "$viewer" ] || continue
+        file=$docs/figures/$name.png
+        "$viewer" $arguments --snapshot "$file" </dev/null >/dev/null ;;
       *) echo "figures.txt: $name is made by '$tool', which nobody knows" >&2; return 1 ;;
     esac
-    [ -s "$docs/figures/$name.svg" ] || { echo "figures.txt: nothing has drawn $name" >&2; return 1; }
+    [ -s "$file" ] || { echo "figures.txt: nothing has drawn $name" >&2; return 1; }
   done <docs/figures/figures.txt
   for figure in labs/lab*/figure.svg; do
     lab=${figure#labs/}
@@ -70,5 +76,6 @@ copy_mathjax
 print_pdf
 
 echo "$docs/html/index.html: $(find "$docs/html" -maxdepth 1 -name '*.html' | wc -l) pages," \
-  "$(find "$docs/figures" -name '*.svg' | wc -l) figures"
+  "$(find "$docs/figures" -type f | wc -l) figures"
+[ -n "$viewer" ] || echo "  without pictures of the viewer: ./cs550 doctor --install viewer"
 [ ! -s "$docs/cs550.pdf" ] || echo "$docs/cs550.pdf"

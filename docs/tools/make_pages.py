@@ -6,7 +6,8 @@ reference (groups.dox). Every name that a page mentions in one of the forms belo
 a test, a known mistake, a source file, a citation. What does not is an error.
 
   $x$, $$x$$                       formulas
-  ![alt](figures/name.svg "caption")   a numbered figure; the caption may hold formulas
+  ![alt](figures/name.svg "caption")   a numbered figure; the caption may hold formulas. A .png is taken
+                                   by the viewer, and left out where that was not built
   {fig:name}                       its number, as a link
   {api:hill_climb()}               a function or type of the contract
   {src:engine/step.cpp}            the listing of a given file
@@ -24,6 +25,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
+FIGURE = re.compile(r"!\[([^\]]*)\]\((?:figures/)?([\w-]+)\.(svg|png)(?:\s+\"(.*?)\")?\)", re.S)
 MATH = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.S)
 
 
@@ -75,7 +77,7 @@ class Book:
             elif page.name != "bibliography":
                 page.number = str(chapter)
                 chapter += 1
-            figures = re.findall(r"!\[[^\]]*\]\((?:figures/)?([\w-]+)\.svg", page.text)
+            figures = [name for _, name, kind, _ in FIGURE.findall(page.text) if self.is_there(name, kind)]
             for place, name in enumerate(figures, 1):
                 key = page.name if name == "figure" else name
                 if key in self.figure_number:
@@ -93,7 +95,8 @@ class Book:
             self.write_listing(name, source)
         self.write_layout()
         self.write_groups()
-        unused = set(self.figures) - set(self.figure_number)
+        shown = {name for page in self.pages for _, name, _, _ in FIGURE.findall(page.text)}
+        unused = set(self.figures) - shown
         if unused:
             self.errors.append("figures that no page shows: " + ", ".join(sorted(unused)))
         never = set(self.citations) - self.cited
@@ -112,8 +115,7 @@ class Book:
         (self.output / f"{page.name}.md").write_text(text)
 
     def convert(self, page, text):
-        text = re.sub(r"!\[([^\]]*)\]\((?:figures/)?([\w-]+)\.svg(?:\s+\"(.*?)\")?\)",
-                      lambda m: self.figure(page, *m.groups()), text, flags=re.S)
+        text = FIGURE.sub(lambda m: self.figure(page, *m.groups()), text)
         text = re.sub(r"^## (L(\d)\.(\d) .*)$", r"## \1 {#L\2_\3}", text, flags=re.M)
         text = re.sub(r"<details><summary>(.*?)</summary>",
                       lambda m: raw(f"<details><summary>{self.inline_html(page, m.group(1))}</summary>"), text, flags=re.S)
@@ -183,13 +185,19 @@ class Book:
         source, line = self.tests[name]
         return f"{listing_name(source)}.html#l{line:05}"
 
-    def figure(self, page, alt, name, caption):
+    def is_there(self, name, kind):
+        """Pictures of the viewer may be missing; all others were made, or the build has ended."""
+        return kind == "svg" or (self.output.parent / "figures" / f"{name}.png").exists()
+
+    def figure(self, page, alt, name, kind, caption):
+        if not self.is_there(name, kind):
+            return "*A picture of the viewer belongs here; the viewer was not built with this book.*"
         key = page.name if name == "figure" else name
         if name != "figure" and name not in self.figures:
             self.error(page, f"figure {name} is not in figures.txt")
         number, _ = self.figure_number[key]
-        text = self.inline_html(page, caption or "")
-        return raw(f'<figure id="fig_{key}"><img src="figures/{key}.svg" alt="{escape(" ".join(alt.split()))}"/>'
+        text = self.inline_html(page, caption or alt + ".")
+        return raw(f'<figure id="fig_{key}"><img src="figures/{key}.{kind}" alt="{escape(" ".join(alt.split()))}"/>'
                    f"<figcaption><b>Figure {number}.</b> {text}</figcaption></figure>")
 
     def inline_html(self, page, text):
