@@ -14,6 +14,8 @@ if(support_sources)
   add_library(cs550_test_support STATIC ${support_sources})
   set(scope PUBLIC)
   target_link_libraries(cs550_test_support PRIVATE cs550_warnings)
+  target_compile_definitions(cs550_test_support PRIVATE
+    CS550_PICTURES_DIR="${PROJECT_SOURCE_DIR}/build/results/pictures")
 else()
   add_library(cs550_test_support INTERFACE)
   set(scope INTERFACE)

@@ -8,6 +8,9 @@
 namespace cs550::drawing {
 namespace {
 
+/// Of a walk that goes astray the begin is enough.
+constexpr std::size_t longest_walk = 60;
+
 bool exists(const HalfEdgeMesh& mesh, Index v) { return 0 <= v && v < mesh.vertex_count(); }
 
 Vec3 unit(const Vec3& direction) {
@@ -38,12 +41,15 @@ Polygon support_plane(const Vec3& through, const Vec3& normal, Real half_side) {
 
 Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<const Index> path,
                    Role role) {
+  const std::size_t length = path.size();
+  path = path.first(std::min(length, longest_walk));
   MeshStyle style;
   style.role = Role::BodyA;
-  style.opacity = Real(0.85);
+  style.opacity = Real(0.72);
   style.edge_width = 1;
   Drawing drawing = draw_mesh(mesh, style);
-  drawing.title = "Walk of " + std::to_string(path.size()) + " vertices";
+  drawing.title = "Walk of " + std::to_string(length) + (length == 1 ? " vertex" : " vertices");
+  if (length > longest_walk) drawing.notes.push_back("Only the begin of the walk is drawn.");
   if (mesh.vertices.empty()) return drawing;
 
   const Vec3 up = unit(direction);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cs550::drawing {
 namespace {
@@ -126,9 +127,20 @@ int nearer(const Occluder& a, const Occluder& b, double tolerance) {
   return difference > 0 ? 1 : -1;
 }
 
+/// By middles alone.
+void sort_by_middle(std::vector<Occluder>& occluders) {
+  std::sort(occluders.begin(), occluders.end(), [](const Occluder& a, const Occluder& b) {
+    return std::pair(a.middle_depth, a.index) < std::pair(b.middle_depth, b.index);
+  });
+}
+
 /// Back to front: always the farthest of those behind which nothing is left; of all, in a circle.
 std::vector<Occluder> back_to_front(std::vector<Occluder> occluders, double tolerance) {
   const std::size_t count = occluders.size();
+  if (count > exact_polygons) {
+    sort_by_middle(occluders);
+    return occluders;
+  }
   std::vector<std::vector<std::size_t>> in_front_of(count);
   std::vector<int> behind(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -218,6 +230,7 @@ void place_line(Layers& layers, const Line& line, std::size_t index,
     hidden.push_back(part);
   }
   std::sort(cuts.begin(), cuts.end());
+  if (occluders.size() > exact_polygons) cuts = {0, 1};
 
   BrushStroke stroke{Kind::Line, index, 0, 0};
   std::size_t layer = layers.size();

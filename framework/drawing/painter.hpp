@@ -18,6 +18,9 @@ struct BrushStroke {
   double to = 1;            ///< of a line: where it ends
 };
 
+/// Up to this many polygons the order is exact.
+inline constexpr std::size_t exact_polygons = 1500;
+
 /// The elements of a drawing from back to front. Polygons and balls are ordered by which is nearer
 /// where they overlap on the page (by their middles where that is circular, as for polygons that
 /// pierce each other). A line is cut where its visibility changes, and each part comes just before

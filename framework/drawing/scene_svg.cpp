@@ -227,6 +227,7 @@ void draw_scene(SvgWriter& svg, const Drawing& drawing, const View& view,
   painter.paint(painting_order(drawing, camera));
   painter.paint_labels(area);
   svg.end_group();
+  svg.frame(area, mix(color(Role::Faint), paper, 0.5));
 }
 
 }  // namespace cs550::drawing

@@ -100,17 +100,12 @@ void draw_legend_entry(SvgWriter& svg, const LegendEntry& entry, PagePoint at) {
   svg.text({at.x + legend_swatch + 6, at.y}, entry.text, style);
 }
 
-/// The positions that each scene must show: its own, or those of all.
+/// The positions that each scene must show: its own, or those of the first one.
 std::vector<Vec3> positions_in_view(const Page& page, const Scene& scene) {
-  if (!page.same_scale) return outline_positions(scene.drawing, scene.view);
-  std::vector<Vec3> positions;
-  for (const Panel& panel : page.panels) {
-    const auto* other = std::get_if<Scene>(&panel);
-    if (other == nullptr) continue;
-    const std::vector<Vec3> more = outline_positions(other->drawing, other->view);
-    positions.insert(positions.end(), more.begin(), more.end());
-  }
-  return positions;
+  const auto is_scene = [](const Panel& panel) { return std::holds_alternative<Scene>(panel); };
+  const auto first = std::find_if(page.panels.begin(), page.panels.end(), is_scene);
+  const Scene& framed = page.framed_by_first ? std::get<Scene>(*first) : scene;
+  return outline_positions(framed.drawing, framed.view);
 }
 
 /// What is left of a page when all that is not finite is taken away.
@@ -184,7 +179,7 @@ class PageWriter {
   double write_panel(const Panel& panel, const Layout& layout, double left, double top) {
     svg_.begin_group(alt_text_of(panel));
     write_lines(layout.title, left, top, panel_title_size, true);
-    top += static_cast<double>(title_lines_) * 1.4 * panel_title_size;
+    top += static_cast<double>(title_lines_) * 1.4 * panel_title_size + 4;
     const Rectangle area = {left, top, page_.panel_size.width, page_.panel_size.height};
     if (const auto* scene = std::get_if<Scene>(&panel)) {
       draw_scene(svg_, scene->drawing, scene->view, positions_in_view(page_, *scene), area);

@@ -27,7 +27,7 @@ struct Page {
   std::string alt_text;            ///< what is to be seen, for those who cannot see it
   std::vector<Panel> panels;       ///< from left to right
   std::vector<std::string> notes;  ///< sentences below them
-  bool same_scale = false;         ///< scenes show the same part of space at the same scale
+  bool framed_by_first = false;    ///< every scene shows the part of space that the first one fills
   Size panel_size = {420, 360};    ///< of each panel (pixels)
 };
 

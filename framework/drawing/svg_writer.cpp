@@ -146,6 +146,12 @@ void SvgWriter::rectangle(const Rectangle& area, Color fill, Color outline) {
         << attribute("fill", hex(fill)) << stroke(outline, 1, false) << "/>\n";
 }
 
+void SvgWriter::frame(const Rectangle& area, Color outline) {
+  body_ << "<rect" << attribute("x", area.left) << attribute("y", area.top)
+        << attribute("width", area.width) << attribute("height", area.height)
+        << " rx=\"4\" fill=\"none\"" << stroke(outline, 1, false) << "/>\n";
+}
+
 void SvgWriter::text(PagePoint at, const std::string& text, const TextStyle& style) {
   constexpr const char* anchors[] = {"start", "middle", "end"};
   body_ << "<text" << attribute("x", at.x) << attribute("y", at.y)

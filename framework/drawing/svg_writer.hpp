@@ -52,6 +52,8 @@ class SvgWriter {
   /// Shaded like a ball lit from the upper left.
   void ball(PagePoint center, double radius, Color color, double opacity);
   void rectangle(const Rectangle& area, Color fill, Color outline);
+  /// The outline of an area.
+  void frame(const Rectangle& area, Color outline);
   void text(PagePoint at, const std::string& text, const TextStyle& style);
   /// What follows is cut off outside of an area, until end_group().
   void begin_clipped(const Rectangle& area);

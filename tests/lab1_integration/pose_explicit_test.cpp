@@ -1,7 +1,7 @@
 // L1.6: position, and the explicit rotation with all its faults.
 #include <cs550/graded_test.hpp>
 
-#include "lab1_integration/free_body.hpp"
+#include "lab1_integration/pictures.hpp"
 #include "support/random.hpp"
 #include "support/story.hpp"
 
@@ -30,13 +30,16 @@ GRADED_TEST(Lab1, FreeFallFollowsTheClosedForm, 3, "L1.6") {
       RigidBody body = box(size * Vec3(Real(0.5), Real(0.5), Real(0.5)));
       body.linear_momentum = body.mass * v0;
       body.force = body.mass * g;
+      std::vector<Vec3> path = {body.pose.position};
       for (int i = 0; i < rate; ++i) {
         integrate_momentum(body, h);
         refresh_velocity(body);
         integrate_pose(body, h, method);
+        path.push_back(body.pose.position);
       }
       Story here = story;
       here.given("size", size, "m").given("g", g, "m/s²").given("v₀", v0, "m/s").given("h", h, "s");
+      here.picture([&] { return fall_picture(path, v0, g, h); });
       // Rounding of up to 240 sums to half a unit in the seventh digit; ½·g·h·t is 1000 times more.
       here.expect_near("position after 1 s", body.pose.position,
                        v0 + Real(0.5) * g + Real(0.5) * h * g, 2e-5 * size, "m");
@@ -80,6 +83,7 @@ GRADED_TEST(Lab1, ExplicitStepConvergesAtFirstOrder, 2, "L1.6") {
   story.given("half-extents", racket, "m").given("body ω", Vec3(Real(0.5), 5, Real(0.5)), "rad/s");
   story.when("orientation after 1 s against a Runge–Kutta solution in double precision");
   const RigidBody start = spinning_box(racket, Vec3(Real(0.5), 5, Real(0.5)));
+  story.picture([&] { return tumbling_picture(start, 1, 240, method); });
   FreeRotation exact(start);
   exact.advance(1);
   double coarser = 0;

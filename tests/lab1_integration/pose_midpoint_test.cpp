@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lab1_integration/flips.hpp"
-#include "lab1_integration/free_body.hpp"
+#include "lab1_integration/pictures.hpp"
 #include "support/random.hpp"
 #include "support/story.hpp"
 
@@ -26,6 +26,7 @@ GRADED_TEST(Lab1, MidpointConvergesAtSecondOrder, 2, "L1.7") {
   story.given("half-extents", racket, "m").given("body ω", Vec3(Real(0.5), 5, Real(0.5)), "rad/s");
   story.when("orientation after 1 s against a Runge–Kutta solution in double precision");
   const RigidBody start = spinning_box(racket, Vec3(Real(0.5), 5, Real(0.5)));
+  story.picture([&] { return tumbling_picture(start, 1, 60, method); });
   FreeRotation exact(start);
   exact.advance(1);
   double coarser = 0;
@@ -59,6 +60,7 @@ GRADED_TEST(Lab1, MidpointKeepsTheEnergy, 3, "L1.7") {
     Story story = with_causes(Story("A body that turns freely keeps its energy"));
     story.given("half-extents", racket, "m").given("body ω", spin, "rad/s");
     story.given("rate", at.rate, "Hz").when("20 s without forces");
+    story.picture([&] { return tumbling_picture(spinning_box(racket, spin), 5, at.rate, method); });
     story.expect_at_most("largest change of the energy, relative", worst, at.bound);
   }
 }
@@ -112,7 +114,9 @@ GRADED_TEST(Lab1, TumblingRacketFlipsOnTime, 2, "L1.7") {
   for (const Real size : {Real(0.01), Real(1), Real(100)}) {
     Story story = with_causes(Story("Spun about its middle axis, a box flips at known times"));
     story.given("half-extents", Vec3(size * racket), "m").given("body ω", spin, "rad/s");
-    story.when("12 s at 60 Hz without forces");
+    story.when("12 s at 60 Hz without forces").picture([&] {
+      return tumbling_picture(spinning_box(racket, spin), 4, 60, method);
+    });
     const std::vector<double> got = flip_times(spinning_box(size * racket, spin), 12);
     if (!story.expect_equal("number of flips", got.size(), listed.size())) continue;
     for (std::size_t i = 0; i < listed.size(); ++i)

@@ -49,6 +49,9 @@ GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
     Story here = story;
     here.given("a box of twelve triangles, without number", removed);
     const MeshIssue issue = issue_of(soup);
+    const MeshIssue expected{.error = MeshError::OpenEdge, .edge = {gone[0], gone[1]}};
+    here.picture(
+        [&] { return issue_picture(soup, expected, "an edge at the hole is open", issue); });
     if (!expect_error(here, issue, MeshError::OpenEdge)) return;
     here.expect("the edge lies at the hole", has_side(gone, issue.edge[0], issue.edge[1]));
     const bool exists =
@@ -69,6 +72,10 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 3, "L2.2") {
   crowded.given("a box with a fin at the edge 1–5")
       .likely("all edges are looked at for three triangles before any is looked at for a hole");
   const MeshIssue fin = issue_of(fins);
+  crowded.picture([&] {
+    return issue_picture(fins, {.error = MeshError::NonManifoldEdge, .edge = {1, 5}},
+                         "three triangles meet at the edge 1–5", fin);
+  });
   if (expect_error(crowded, fin, MeshError::NonManifoldEdge)) {
     crowded.expect("the edge is 1–5",
                    std::minmax({fin.edge[0], fin.edge[1]}) == std::minmax({Index(1), Index(5)}));
@@ -85,6 +92,9 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 3, "L2.2") {
             "the two sides of an edge must be (a, b) and (b, a): the same pair, in any order, is "
             "not enough");
     const MeshIssue issue = issue_of(soup);
+    const MeshIssue expected{.error = MeshError::InconsistentWinding,
+                             .triangle = static_cast<Index>(reversed)};
+    here.picture([&] { return issue_picture(soup, expected, "this triangle is reversed", issue); });
     if (!expect_error(here, issue, MeshError::InconsistentWinding)) return;
     if (!expect_shared_edge(here, soup, issue)) return;
     const Index t = static_cast<Index>(reversed);

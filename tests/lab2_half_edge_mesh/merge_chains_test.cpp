@@ -45,6 +45,7 @@ GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 3, "L2.7") {
     const std::optional<HalfEdgeMesh> built = build_or_tell(each.soup, here);
     if (!built) return;
     const HalfEdgeMesh mesh = merge_coplanar_faces(*built);
+    here.picture([&] { return merge_picture(*built, mesh); });
     if (!expect_counts(here, mesh, each.vertices, each.edges, each.faces)) return;
     if (!expect_valid(here, mesh)) return;
     here.expect_near("volume", volume(mesh), volume(*built), 1e-5 * volume(*built), "m³");
@@ -81,6 +82,7 @@ GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
     const std::optional<HalfEdgeMesh> built = build_or_tell(soup, here);
     if (!built) return;
     const HalfEdgeMesh mesh = merge_coplanar_faces(*built, tolerance);
+    here.picture([&] { return merge_picture(*built, mesh); });
     here.expect_at_least("faces", mesh.face_count(), fewest_sides + 2);
     here.expect_at_most("faces", mesh.face_count(), sides + 2);
     // The area of a circle's m-gon is below the circle's by (2π/m)²/6 of it.

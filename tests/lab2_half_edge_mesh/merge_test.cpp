@@ -24,6 +24,7 @@ GRADED_TEST(Lab2, BoxesAndPrismsMergeToTheirPolygons, 4, "L2.6") {
         build_or_tell(prism_soup(n, radius, half_height), here);
     if (!built) return;
     const HalfEdgeMesh mesh = merge_coplanar_faces(*built);
+    here.picture([&] { return merge_picture(*built, mesh); });
     if (!expect_counts(here, mesh, 2 * n, 3 * n, n + 2)) return;
     if (!expect_valid(here, mesh)) return;
 

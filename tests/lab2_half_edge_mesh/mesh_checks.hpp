@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cs550/mesh_validation.hpp"
-#include "lab2_half_edge_mesh/solids.hpp"
+#include "lab2_half_edge_mesh/pictures.hpp"
 #include "support/story.hpp"
 
 namespace cs550::test {
@@ -41,6 +41,7 @@ inline std::optional<HalfEdgeMesh> build_or_tell(const TriangleSoup& soup, const
 /// Whether the given validate() finds nothing to object to.
 inline bool expect_valid(Story& story, const HalfEdgeMesh& mesh, Real tolerance = Real(1e-4)) {
   const std::optional<MeshDefect> defect = validate(mesh, tolerance);
+  if (defect) story.picture([&] { return defect_picture(mesh, *defect); });
   return story.expect_equal("what validate() says", defect ? defect->sentence : "sound",
                             std::string("sound"));
 }

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "cs550/hill_climbing.hpp"
+#include "drawing/climb_drawing.hpp"
 #include "support/fixtures.hpp"
+#include "support/picture.hpp"
 #include "support/random.hpp"
 #include "support/story.hpp"
 
@@ -73,11 +75,51 @@ inline std::vector<Vec3> directions_for(const HalfEdgeMesh& mesh, Random& random
   return directions;
 }
 
+/// From the side, so that a direction points up on the page.
+inline drawing::View seen_upright(const Vec3& direction) {
+  drawing::View view;
+  const Vec3 up = direction.normalized();
+  view.up = up;
+  view.toward_eye = any_perpendicular(up) + Real(0.35) * up;
+  return view;
+}
+
+/// A walk and its dot products.
+inline std::string walk_picture(const HalfEdgeMesh& mesh, const Vec3& direction,
+                                const std::vector<Index>& path) {
+  drawing::Drawing walk = drawing::draw_climb(mesh, direction, path, drawing::Role::Got);
+  walk.title = "Got: your walk, the direction upward";
+  return side_by_side(
+      "The walk to the most extreme vertex",
+      {drawing::Scene{walk, seen_upright(direction)}, drawing::plot_climb(mesh, direction, path)});
+}
+
+/// The most extreme vertex beside the one that was found.
+inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& direction, Index found) {
+  Index highest = 0;
+  for (Index v = 1; v < mesh.vertex_count(); ++v) {
+    if (height(mesh.vertex(v), direction) > height(mesh.vertex(highest), direction)) highest = v;
+  }
+  drawing::Drawing expected =
+      drawing::draw_climb(mesh, direction, std::span(&highest, 1), drawing::Role::Expected);
+  expected.title = "vertex " + std::to_string(highest);
+  drawing::Drawing got =
+      drawing::draw_climb(mesh, direction, std::span(&found, 1), drawing::Role::Got);
+  got.title = "vertex " + std::to_string(found);
+  got.points.push_back({mesh.vertex(highest), drawing::Role::Expected, 4});
+  expected.legend.clear();
+  got.legend.clear();
+  return expected_beside_got("The most extreme vertex, the direction upward", expected, got,
+                             seen_upright(direction),
+                             "No vertex lies beyond the plane through the most extreme one.");
+}
+
 /// Checks that the answer is a vertex as high as any. Returns whether it is.
 inline bool expect_highest(const Story& story, const HalfEdgeMesh& mesh, const Vec3& direction,
                            Index vertex) {
   Story here = story;
   here.given("direction", direction).given("vertices", mesh.vertex_count());
+  here.picture([&] { return highest_picture(mesh, direction, vertex); });
   if (!here.expect("the answer is a vertex of the mesh", is_vertex(mesh, vertex))) return false;
   return here.expect_near("dot(vertex, direction)", height(mesh.vertex(vertex), direction),
                           greatest_height(mesh, direction), height_tolerance(mesh, direction), "m");

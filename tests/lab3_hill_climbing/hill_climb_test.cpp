@@ -40,6 +40,7 @@ GRADED_TEST(Lab3, ClimbEndsOnAPlateau, 4, "L3.2") {
       std::vector<Index> path;
       const Support answer = hill_climb(mesh, Vec3::UnitZ(), start, &path);
       if (!expect_highest(here, mesh, Vec3::UnitZ(), answer.vertex)) return;
+      here.picture([&] { return walk_picture(mesh, Vec3::UnitZ(), path); });
       const bool starts_on_top = mesh.vertex(start).z() > 0;
       if (starts_on_top && !here.expect_equal("the climb stays at", answer.vertex, start)) return;
       if (!here.expect_at_most("vertices on the path", static_cast<double>(path.size()), 2)) return;

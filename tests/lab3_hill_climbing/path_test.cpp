@@ -45,6 +45,7 @@ GRADED_TEST(Lab3, PathGoesUpFromNeighbourToNeighbour, 5, "L3.2") {
       here.given("mesh " + name).given("direction", direction).given("start", start);
       std::vector<Index> path{17, 4, 2020};
       const Support answer = hill_climb(mesh, direction, start, &path);
+      here.picture([&] { return walk_picture(mesh, direction, path); });
       if (!here.expect("the path is not empty", !path.empty())) return;
       if (!here.expect_equal("first vertex of the path", path.front(), start)) return;
       if (!here.expect_equal("last vertex of the path", path.back(), answer.vertex)) return;
@@ -81,6 +82,7 @@ GRADED_TEST(Lab3, VisitsAreTheNeighboursOfThePath, 2, "L3.2") {
     here.given("direction", direction)
         .given("start", start)
         .given("vertices on the path", path.size());
+    here.picture([&] { return walk_picture(mesh, direction, path); });
     // Who remembers what was measured before needs fewer looks than who does not.
     if (!here.expect_at_least("visited", answer.visited, static_cast<double>(seen.size()))) return;
     if (!here.expect_at_most("visited", answer.visited, static_cast<double>(looks))) return;

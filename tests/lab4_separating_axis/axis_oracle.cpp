@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "drawing/gauss_map_drawing.hpp"
 #include "support/fixtures.hpp"
+#include "support/picture.hpp"
 
 namespace cs550::test {
 
@@ -33,14 +35,24 @@ double separation_along(const ExactBody& a, const ExactBody& b, const Vec3d& axi
 
 BestSeparations best_separations(const ExactBody& a, const ExactBody& b) {
   BestSeparations best;
-  for (const Vec3d& n : a.normals) best.face_a = std::max(best.face_a, separation_along(a, b, n));
-  for (const Vec3d& n : b.normals) best.face_b = std::max(best.face_b, separation_along(a, b, -n));
+  double largest = -HUGE_VAL;
+  const auto try_axis = [&](double& best_of_kind, const Vec3d& axis) {
+    const double separation = separation_along(a, b, axis);
+    best_of_kind = std::max(best_of_kind, separation);
+    if (separation > largest) {
+      largest = separation;
+      best.axis = axis;
+    }
+  };
+  for (const Vec3d& n : a.normals) try_axis(best.face_a, n);
+  for (const Vec3d& n : b.normals) try_axis(best.face_b, -n);
   for (const Vec3d& edge_a : a.edges) {
     for (const Vec3d& edge_b : b.edges) {
       const Vec3d cross = edge_a.cross(edge_b);
       if (cross.norm() < 1e-9) continue;
       const Vec3d n = cross.normalized();
-      best.edges = std::max({best.edges, separation_along(a, b, n), separation_along(a, b, -n)});
+      try_axis(best.edges, n);
+      try_axis(best.edges, -n);
     }
   }
   return best;
@@ -132,9 +144,35 @@ bool expect_query_behind_it(Story& here, const TestPair& pair, const SeparatingA
 
 }  // namespace
 
+std::string axis_picture(const TestPair& pair, const SeparatingAxis& got) {
+  const BestSeparations best = best_separations(pair.exact_a(), pair.exact_b());
+  SeparatingAxis wanted;
+  wanted.axis = best.axis.cast<Real>();
+  wanted.separation = static_cast<Real>(best.largest());
+  drawing::Drawing expected = drawing::draw_axis(pair.a, pair.b, wanted, drawing::Role::Expected);
+  expected.title = "Expected: the best axis of all";
+  drawing::Drawing found = drawing::draw_axis(pair.a, pair.b, got, drawing::Role::Got);
+  found.title = "Got: " + drawing::feature_text(got);
+  // Seen across both axes, which then lie in the page.
+  drawing::View view;
+  const Vec3 across = wanted.axis.cross(got.axis);
+  view.toward_eye = across.norm() > Real(1e-3) ? across : any_perpendicular(wanted.axis);
+  view.up = wanted.axis;
+  view.frame = bounds(expected);
+  drawing::View sphere_view;
+  sphere_view.toward_eye = wanted.axis + Real(0.4) * view.toward_eye.normalized();
+  drawing::Drawing sphere = drawing::draw_gauss_maps(pair.a, pair.b, {}, got);
+  add_arrow(sphere, wanted.axis, Real(0.45) * wanted.axis,
+            {drawing::Role::Expected, 4, false, true}, "expected");
+  return side_by_side("The axis that separates most, the expected one upward",
+                      {drawing::Scene{expected, view}, drawing::Scene{found, view},
+                       drawing::Scene{sphere, sphere_view}});
+}
+
 bool expect_best_axis(const Story& story, const TestPair& pair, const SeparatingAxis& answer,
                       Real margin, double tolerance) {
   Story here = about(story, pair);
+  here.picture([&] { return axis_picture(pair, answer); });
   const double allowed = tolerance * double{pair.larger_radius()};
   const double tie = 1.01 * double{tie_tolerance} * double{pair.smaller_radius()};
 

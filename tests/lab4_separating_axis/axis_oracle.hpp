@@ -32,7 +32,8 @@ double separation_along(const ExactBody& a, const ExactBody& b, const Vec3d& axi
 struct BestSeparations {
   double face_a = -HUGE_VAL;
   double face_b = -HUGE_VAL;
-  double edges = -HUGE_VAL;  ///< over both directions of every cross product of two edges
+  double edges = -HUGE_VAL;     ///< over both directions of every cross product of two edges
+  Vec3d axis = Vec3d::UnitZ();  ///< of the largest of all, A → B
 
   double faces() const { return std::max(face_a, face_b); }
   double largest() const { return std::max(faces(), edges); }
@@ -64,6 +65,9 @@ std::vector<ShapePtr> small_shapes(Real factor = 1);
 
 /// Adds the pair to the story.
 Story about(Story story, const TestPair& pair);
+
+/// The best axis beside the one that was found, and that one on the Gauss maps.
+std::string axis_picture(const TestPair& pair, const SeparatingAxis& got);
 
 /// Checks that an answer is what it says: a unit axis that separates by as much as it says, the
 /// queries behind it. Where it is not beyond the margin: that no axis is better.

@@ -1,10 +1,12 @@
 // L4.3: cross products of edges as axes.
 #include <cs550/graded_test.hpp>
 
+#include "drawing/gauss_map_drawing.hpp"
 #include "lab4_separating_axis/axis_oracle.hpp"
 #include "lab4_separating_axis/crossed_shapes.hpp"
 #include "lab4_separating_axis/gauss_map.hpp"
 #include "support/fixtures.hpp"
+#include "support/picture.hpp"
 
 namespace cs550::test {
 namespace {
@@ -59,6 +61,23 @@ ExactEdges exact_edges(const TestPair& pair) {
   return best;
 }
 
+/// The edges that were found with their axis, and their arcs on the Gauss maps.
+std::string edge_query_picture(const TestPair& pair, const EdgeQuery& got) {
+  SeparatingAxis axis;
+  axis.feature = AxisFeature::Edges;
+  axis.edges = got;
+  axis.axis = got.axis;
+  axis.separation = got.separation;
+  drawing::Drawing bodies = drawing::draw_axis(pair.a, pair.b, axis, drawing::Role::Got);
+  bodies.title = "Got: " + drawing::feature_text(axis);
+  drawing::Drawing maps = drawing::draw_gauss_maps(pair.a, pair.b, {}, axis);
+  maps.title = "Their arcs: do they cross, and is the axis there?";
+  drawing::View onto_crossing;
+  onto_crossing.toward_eye = got.axis + Vec3(Real(0.1), Real(-0.2), Real(0.3));
+  return side_by_side("Edges that give the axis",
+                      {drawing::Scene{bodies, {}}, drawing::Scene{maps, onto_crossing}});
+}
+
 /// Checks that an answer is an axis of these two edges that separates by as much as it says.
 bool expect_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answer) {
   const auto is_half_edge = [](const PosedShape& body, Index e) {
@@ -97,6 +116,7 @@ GRADED_TEST(Lab4, EdgeQueryMatchesBruteForceOverAllPairs, 5, "L4.3") {
     const EdgeQuery answer = query_edge_directions(pair.a, pair.b);
     const ExactEdges exact = exact_edges(pair);
     Story here = about(story, pair);
+    here.picture([&] { return edge_query_picture(pair, answer); });
     if (!here.expect("some arcs cross", static_cast<bool>(answer))) return;
     if (!expect_edge_axis(here, pair, answer)) return;
     const double tolerance = rounding * double{pair.larger_radius()};
@@ -156,6 +176,7 @@ GRADED_TEST(Lab4, CrossedEdgesAtAnySize, 4, "L4.3") {
         const EdgeQuery answer = query_edge_directions(crossed.pair.a, crossed.pair.b);
         Story here = about(story, crossed.pair);
         here.given("size", size, "m");
+        here.picture([&] { return edge_query_picture(crossed.pair, answer); });
         if (!here.expect("some arcs cross", static_cast<bool>(answer))) return;
         const double tolerance = rounding * double{size};
         if (!here.expect_near("separation", answer.separation, crossed.separation, tolerance,

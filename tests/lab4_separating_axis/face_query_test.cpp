@@ -1,8 +1,10 @@
 // L4.2: face normals as axes.
 #include <cs550/graded_test.hpp>
 
+#include "drawing/gauss_map_drawing.hpp"
 #include "lab4_separating_axis/axis_oracle.hpp"
 #include "support/fixtures.hpp"
+#include "support/picture.hpp"
 
 namespace cs550::test {
 namespace {
@@ -12,6 +14,41 @@ Story with_causes(Story story) {
       .likely("B's vertices are in B's frame: bring the direction there, or the vertices here")
       .likely("the distance of the vertex from the face's plane, with its sign")
       .likely("the *largest* of these distances is the answer, even if all are negative");
+}
+
+/// The face that separates most beside the one that was found, each with its deepest vertex of B.
+std::string face_query_picture(const TestPair& pair, const FaceQuery& got) {
+  const auto deepest = [&](Index face) {
+    FaceQuery query{face, 0, HUGE_VALF};
+    for (Index v = 0; v < pair.b.mesh().vertex_count(); ++v) {
+      const Real distance = pair.a.plane(face).distance(pair.b.vertex(v));
+      if (distance < query.separation) query = {face, v, distance};
+    }
+    return query;
+  };
+  FaceQuery best = deepest(0);
+  for (Index f = 1; f < pair.a.mesh().face_count(); ++f) {
+    const FaceQuery other = deepest(f);
+    if (other.separation > best.separation) best = other;
+  }
+  const auto drawn = [&](const FaceQuery& query, drawing::Role role) {
+    SeparatingAxis axis;
+    axis.feature = AxisFeature::FaceA;
+    axis.face_a = query;
+    axis.separation = query.separation;
+    const bool exists = query.face >= 0 && query.face < pair.a.mesh().face_count();
+    if (exists) axis.axis = pair.a.plane(query.face).normal;
+    drawing::Drawing drawing = drawing::draw_axis(pair.a, pair.b, axis, role);
+    drawing.title = "face " + std::to_string(query.face) + " of A";
+    return drawing;
+  };
+  const Vec3 normal = pair.a.plane(best.face).normal;
+  drawing::View view;
+  view.up = normal;
+  view.toward_eye = any_perpendicular(normal) + Real(0.3) * normal;
+  return expected_beside_got("The face of A that separates most, its normal upward",
+                             drawn(best, drawing::Role::Expected), drawn(got, drawing::Role::Got),
+                             view);
 }
 
 GRADED_TEST(Lab4, FaceQueryMatchesBruteForce, 4, "L4.2") {
@@ -25,6 +62,7 @@ GRADED_TEST(Lab4, FaceQueryMatchesBruteForce, 4, "L4.2") {
     const TestPair pair = random_pair(random, shapes);
     const FaceQuery answer = query_face_directions(pair.a, pair.b);
     Story here = about(story, pair);
+    here.picture([&] { return face_query_picture(pair, answer); });
     if (!here.expect("the answer names a face of A",
                      answer.face >= 0 && answer.face < pair.a.mesh().face_count()) ||
         !here.expect("and a vertex of B",

@@ -2,7 +2,9 @@
 #include <cs550/graded_test.hpp>
 
 #include "cs550/separating_axis.hpp"
+#include "drawing/gauss_map_drawing.hpp"
 #include "lab4_separating_axis/gauss_map.hpp"
+#include "support/picture.hpp"
 #include "support/random.hpp"
 #include "support/story.hpp"
 
@@ -13,6 +15,16 @@ Story with_causes(Story story) {
   return story.likely("the ends of each arc must lie on both sides of the other arc's plane")
       .likely("two great circles meet twice: the arcs must lie in the same hemisphere")
       .likely("with edge directions in place of the cross products, take both with the same sign");
+}
+
+/// The two arcs, seen from the side on which they lie.
+std::string arcs_picture(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, bool cross) {
+  drawing::View view;
+  view.toward_eye = a + b + c + d;
+  const std::string answer = cross ? "yes" : "no";
+  return side_by_side("Do these arcs cross? Expected: " + answer,
+                      {drawing::Scene{drawing::draw_arc_pair(a, b, c, d), view}},
+                      "What lies on the far side of the sphere is pale.");
 }
 
 /// A second point of the sphere, less than a half circle away.
@@ -40,6 +52,7 @@ GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
     if (expected == Crossing::Yes) ++crossing;
     Story here = story;
     here.given("a", a).given("b", b).given("c", c).given("d", d);
+    here.picture([&] { return arcs_picture(a, b, c, d, expected == Crossing::Yes); });
     const bool got = is_minkowski_face(a, b, c, d);
     if (!here.expect_equal("the arcs cross", got, expected == Crossing::Yes)) return;
   }
@@ -76,6 +89,7 @@ GRADED_TEST(Lab4, ArcsThatTouchOrLieOppositeDoNotCross, 3, "L4.1") {
     Story here = story;
     here.given(arcs.what).given("a", arcs.a).given("b", arcs.b);
     here.given("c", arcs.c).given("d", arcs.d);
+    here.picture([&] { return arcs_picture(arcs.a, arcs.b, arcs.c, arcs.d, arcs.crosses); });
     const bool got = is_minkowski_face(arcs.a, arcs.b, arcs.c, arcs.d);
     if (!here.expect_equal("the arcs cross", got, arcs.crosses)) return;
   }

@@ -1,6 +1,7 @@
 // L5.1: Sutherland & Hodgman's table, corner by corner.
 #include <cs550/graded_test.hpp>
 
+#include "lab5_clipping/pictures.hpp"
 #include "lab5_clipping/polygons.hpp"
 
 namespace cs550::test {
@@ -46,33 +47,41 @@ std::string names_at(const ClipPolygon& polygon, const Vec3& place) {
   return "no corner there";
 }
 
+/// Clips, and checks the corners that are left.
+void expect_clipped(Story& story, const ClipPolygon& polygon, const Plane& plane,
+                    const std::vector<Vec3>& expected, Real tolerance = 0, SourceLine at = {}) {
+  const ClipPolygon got = clip_polygon(polygon, plane, along_plane);
+  story.picture([&] { return clip_picture(polygon, plane, expected, got); });
+  expect_corners(story, got, expected, tolerance, at);
+}
+
 GRADED_TEST(Lab5, ClippingFollowsTheTable, 4, "L5.1") {
   Story story = with_table_causes(Story("A clipped polygon has the corners that the table emits"));
   const ClipPolygon triangle = polygon_of({Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)});
 
   Story untouched = story;
   untouched.given("the unit square").when("clipped to x ≤ 2: front → front, four times");
-  expect_corners(untouched, clip_polygon(unit_square(), {Vec3::UnitX(), 2}, along_plane),
+  expect_clipped(untouched, unit_square(), {Vec3::UnitX(), 2},
                  {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)});
 
   Story halved = story;
   halved.given("the unit square").when("clipped to x ≤ 0.25: all four rows of the table");
-  expect_corners(halved, clip_polygon(unit_square(), {Vec3::UnitX(), Real(0.25)}, along_plane),
+  expect_clipped(halved, unit_square(), {Vec3::UnitX(), Real(0.25)},
                  {Vec3(0, 0, 0), Vec3(Real(0.25), 0, 0), Vec3(Real(0.25), 1, 0), Vec3(0, 1, 0)});
 
   Story one_corner_off = story;
   one_corner_off.given("the triangle (0, 0), (4, 0), (0, 4)").when("clipped to x ≤ 1");
-  expect_corners(one_corner_off, clip_polygon(triangle, {Vec3::UnitX(), 1}, along_plane),
+  expect_clipped(one_corner_off, triangle, {Vec3::UnitX(), 1},
                  {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 3, 0), Vec3(0, 4, 0)});
 
   Story two_corners_off = story;
   two_corners_off.given("the triangle (0, 0), (4, 0), (0, 4)").when("clipped to x ≥ 3");
-  expect_corners(two_corners_off, clip_polygon(triangle, {-Vec3::UnitX(), -3}, along_plane),
+  expect_clipped(two_corners_off, triangle, {-Vec3::UnitX(), -3},
                  {Vec3(3, 0, 0), Vec3(4, 0, 0), Vec3(3, 1, 0)});
 
   Story swallowed = story;
   swallowed.given("the unit square").when("clipped to x ≤ −1: behind → behind, four times");
-  expect_corners(swallowed, clip_polygon(unit_square(), {Vec3::UnitX(), -1}, along_plane), {});
+  expect_clipped(swallowed, unit_square(), {Vec3::UnitX(), -1}, {});
 }
 
 GRADED_TEST(Lab5, CornersOnThePlaneAreKeptOnce, 3, "L5.1") {
@@ -82,38 +91,35 @@ GRADED_TEST(Lab5, CornersOnThePlaneAreKeptOnce, 3, "L5.1") {
 
   Story side = story;
   side.given("the unit square").when("clipped to x ≤ 1, where it has a side");
-  expect_corners(side, clip_polygon(unit_square(), {Vec3::UnitX(), 1}, along_plane),
+  expect_clipped(side, unit_square(), {Vec3::UnitX(), 1},
                  {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)});
 
   Story other_side = story;
   other_side.given("the unit square").when("clipped to x ≤ 0: all but one side is cut off");
-  expect_corners(other_side, clip_polygon(unit_square(), {Vec3::UnitX(), 0}, along_plane),
-                 {Vec3(0, 0, 0), Vec3(0, 1, 0)});
+  expect_clipped(other_side, unit_square(), {Vec3::UnitX(), 0}, {Vec3(0, 0, 0), Vec3(0, 1, 0)});
 
   Story halved = story;
   halved.given("the diamond (±1, 0), (0, ±1)").when("clipped to x ≤ 0, through two corners");
-  expect_corners(halved, clip_polygon(diamond, {Vec3::UnitX(), 0}, along_plane),
-                 {north, west, south});
+  expect_clipped(halved, diamond, {Vec3::UnitX(), 0}, {north, west, south});
 
   Story through_one = story;
   through_one.given("the triangle (0, 0), (4, 0), (0, 4)")
       .when("clipped to x ≥ y, through the corner (0, 0) and a side");
   const Real half = std::sqrt(Real(0.5));
-  expect_corners(through_one,
-                 clip_polygon(polygon_of({Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)}),
-                              {Vec3(-half, half, 0), 0}, along_plane),
-                 {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(2, 2, 0)}, Real(1e-6));
+  expect_clipped(through_one, polygon_of({Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)}),
+                 {Vec3(-half, half, 0), 0}, {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(2, 2, 0)},
+                 Real(1e-6));
 
   Story touched = story;
   touched.given("the diamond (±1, 0), (0, ±1)").when("clipped to x ≥ 1, where it has a corner");
-  expect_corners(touched, clip_polygon(diamond, {-Vec3::UnitX(), -1}, along_plane), {east});
+  expect_clipped(touched, diamond, {-Vec3::UnitX(), -1}, {east});
 }
 
 GRADED_TEST(Lab5, EmptyPolygonsStayEmptyAndOthersUntouched, 1, "L5.1") {
   Story story = with_table_causes(Story("A plane that does not meet a polygon changes nothing"));
   Story empty = story;
   empty.given("a polygon without corners").when("clipped");
-  expect_corners(empty, clip_polygon(ClipPolygon(), {Vec3::UnitX(), 0}, along_plane), {});
+  expect_clipped(empty, ClipPolygon(), {Vec3::UnitX(), 0}, {});
 
   Random random(51);
   Story untouched = story;

@@ -4,6 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "lab5_clipping/pictures.hpp"
+
 namespace cs550::test {
 
 ShapePtr scaled_shape(const std::string& fixture, Real scale) {
@@ -200,6 +202,7 @@ bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const 
   }
   if (all_found) return true;
   story.given("positions may differ by", tolerance, "m");
+  story.picture([&] { return contact_picture(a, b, expected, manifold); });
   return story.expect_equal("contact points, half-way between the anchors (m)", show(got),
                             show(wanted), at);
 }

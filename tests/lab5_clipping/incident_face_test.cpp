@@ -2,6 +2,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "lab5_clipping/contacts.hpp"
+#include "lab5_clipping/pictures.hpp"
 
 namespace cs550::test {
 namespace {
@@ -30,9 +31,13 @@ GRADED_TEST(Lab5, IncidentFaceIsTheMostAntiParallel, 3, "L5.2") {
       here.given(std::string("shape ") + name).given("reference normal", normal);
       if (!here.expect("the face exists", face >= 0 && face < shape->mesh.face_count())) return;
       double smallest = 2;
+      Index incident = no_index;
       for (Index f = 0; f < shape->mesh.face_count(); ++f) {
-        smallest = std::min(smallest, static_cast<double>(normal.dot(body.plane(f).normal)));
+        const double cosine = static_cast<double>(normal.dot(body.plane(f).normal));
+        if (cosine < smallest) incident = f;
+        smallest = std::min(smallest, cosine);
       }
+      here.picture([&] { return incident_picture(body, normal, incident, face); });
       // Two faces whose cosines differ by rounding are both right.
       if (!here.expect_near("cosine of the angle between the normals",
                             static_cast<double>(normal.dot(body.plane(face).normal)), smallest,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lab5_clipping/contacts.hpp"
+#include "lab5_clipping/pictures.hpp"
 
 namespace cs550::test {
 
@@ -56,6 +57,7 @@ inline bool expect_depth(Story story, const PosedShape& a, const PosedShape& b,
   if (!story.expect_at_least("points of the manifold", manifold.points.size(), 1, "", at)) {
     return false;
   }
+  story.picture([&] { return manifold_picture(a, b, manifold, axis.axis); });
   const double tolerance = static_cast<double>(depth_tolerance(a, b));
   const Real size = a.shape->radius + b.shape->radius;
   return story.expect_near("deepest point, against the largest separation of all axes",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab5_clipping/contacts.hpp"
+#include "lab5_clipping/pictures.hpp"
 
 namespace cs550::test {
 
@@ -80,6 +81,9 @@ inline bool expect_good_reductions(Story story, Random& random, Real size, int c
     const double share = ring_area(kept, ring.normal) / best;
     Story here = story;
     here.given("points", ring.points.size());
+    here.picture([&] {
+      return reduction_picture(ring.points, {kept.begin(), kept.end()}, ring.normal);
+    });
     if (!here.expect_at_most("points kept", kept.size(), max_manifold_points) ||
         !here.expect_at_least("area, as a share of what the best four points have", share,
                               least_share)) {

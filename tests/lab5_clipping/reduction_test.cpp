@@ -23,7 +23,11 @@ GRADED_TEST(Lab5, ReductionKeepsTheDeepestPoint, 1, "L5.5") {
     const auto kept = reduce_manifold(ring.points, ring.normal);
     bool found = false;
     for (const ContactPoint& point : kept) found |= point.feature == ring.deepest().feature;
-    if (!story.expect("the deepest point is kept", found)) return;
+    Story here = story;
+    here.picture([&] {
+      return reduction_picture(ring.points, {kept.begin(), kept.end()}, ring.normal);
+    });
+    if (!here.expect("the deepest point is kept", found)) return;
   }
 }
 

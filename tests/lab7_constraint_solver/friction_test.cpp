@@ -1,6 +1,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "dense_contact.hpp"
+#include "pictures.hpp"
 #include "support/story.hpp"
 
 namespace cs550::test {
@@ -29,6 +30,8 @@ GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 2, "L7.7") {
     Story slide = story;
     slide.given("direction of the slip", angle, "rad");
     const Vec2 impulse = meeting.row.tangent_impulse;
+    slide.picture(
+        [&] { return friction_picture(3, in_plane(angle, -3), impulse, in_plane(angle, 30)); });
     if (!slide.expect_near("(λ_u, λ_v)", Vec3(impulse.x(), impulse.y(), 0), in_plane(angle, -3),
                            1e-5, "N·s") ||
         !slide.expect_near("velocity after", meeting.b.v, in_plane(angle, 30 - 1.5), 1e-5, "m/s")) {
@@ -55,6 +58,7 @@ GRADED_TEST(Lab7, FrictionIsScaledBackOntoTheDisk, 1, "L7.7") {
     contact.given("accumulated", Story::show(Vec3(accumulated.x(), accumulated.y(), 0), "N·s"));
     const Vec2 sum = meeting.row.tangent_impulse;
     const Vec2 change = sum - accumulated;
+    contact.picture([&] { return friction_picture(normal / 2, expected, sum, velocity); });
     contact.expect_near("(λ_u, λ_v)", Vec3(sum.x(), sum.y(), 0), expected, 1e-5, "N·s");
     contact.expect_near("velocity after", meeting.b.v,
                         before.b.v + Vec3(change.x(), change.y(), 0) / 2, 1e-5, "m/s");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "pictures.hpp"
 #include "solver_world.hpp"
 #include "support/random.hpp"
 
@@ -76,6 +77,8 @@ GRADED_TEST(Lab7, ATowerOfTenBoxesStandsStill, 2, "L7.8", Long) {
     for (int i = 0; i < 10; ++i) places.emplace_back(0, 0, Real(0.5) + static_cast<Real>(i));
     const BodyId top = add_boxes(world, places, 0, variation).back();
     const Vec3 start = world.body(top).pose.position;
+    const World at_start = world;
+    story.picture([&] { return standing_picture(at_start, world); });
     if (!run_world(world, story, 1)) return;
     const Vec3 settled = world.body(top).pose.position;
     if (!run_world(world, story, 59)) return;
@@ -108,6 +111,8 @@ GRADED_TEST(Lab7, APyramidOfTwentyRowsStandsStill, 2, "L7.8", Long) {
   const std::vector<BodyId> boxes = add_boxes(world, places, Real(0.01), variation);
   std::vector<Vec3> start;
   for (const BodyId box : boxes) start.push_back(world.body(box).pose.position);
+  const World at_start = world;
+  story.picture([&] { return standing_picture(at_start, world); });
 
   if (!run_world(world, story, 5)) return;
   double squares = 0;
@@ -140,6 +145,8 @@ GRADED_TEST(Lab7, ALightBoxCarriesOneAThousandTimesHeavier, 1, "L7.6") {
   heavy.density *= 1000;
   const BodyId top = world.add_body(heavy);
   Story story = property;
+  const World at_start = world;
+  story.picture([&] { return standing_picture(at_start, world); });
   double lowest = 0;
   for (int i = 0; i < 600; ++i) {
     if (!step_world(world, story)) return;

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "support/picture.hpp"
+
 namespace cs550::test {
 
 namespace {
@@ -33,6 +35,11 @@ Story& Story::seed(std::uint32_t seed) { return given("seed", seed); }
 
 Story& Story::likely(const std::string& cause) {
   causes_.push_back(cause);
+  return *this;
+}
+
+Story& Story::picture(std::function<std::string()> draw) {
+  draw_ = std::move(draw);
   return *this;
 }
 
@@ -92,6 +99,8 @@ void Story::report(const std::string& what, const std::string& got, const std::s
   text << "  expected  " << expected << '\n';
   text << "  got       " << got << '\n';
   list(text, "likely    ", causes_);
+  const std::string file = draw_ ? write_picture(draw_) : "";
+  if (!file.empty()) list(text, "picture   ", {file});
   ADD_FAILURE_AT(at.file, at.line) << text.str();
 }
 

@@ -4,6 +4,7 @@
 /// what was expected and what came out with units, and what most likely went wrong.
 
 #include <cstdint>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ class Story {
   Story& seed(std::uint32_t seed);
   /// What most likely went wrong, in the student's terms.
   Story& likely(const std::string& cause);
+  /// A picture as SVG, drawn only when a check of this story fails: what the function refers to must
+  /// live until then. The first failure of a test writes its picture (picture.hpp).
+  Story& picture(std::function<std::string()> draw);
 
   // Each check returns whether it held, so that a loop can stop at its first failure.
 
@@ -80,6 +84,7 @@ class Story {
   std::vector<std::string> givens_;
   std::vector<std::string> actions_;
   std::vector<std::string> causes_;
+  std::function<std::string()> draw_;
 };
 
 }  // namespace cs550::test
