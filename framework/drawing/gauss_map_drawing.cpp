@@ -38,8 +38,6 @@ void add_arc(Drawing& drawing, const GaussArc& arc, const Stroke& stroke) {
   add_curve(drawing, arc_points(arc.from, arc.to), stroke);
 }
 
-std::string meters(Real value) { return number_text(static_cast<double>(value), 4) + " m"; }
-
 Line edge_line(const PosedShape& body, Index e, const Stroke& stroke) {
   return {body.vertex(body.mesh().origin(e)), body.vertex(body.mesh().edge(e).vertex), stroke};
 }
@@ -199,8 +197,8 @@ Drawing draw_axis(const PosedShape& a, const PosedShape& b, const SeparatingAxis
   drawing.labels.push_back({b.pose.position, "B", Role::BodyB});
   drawing.title = "Axis of " + feature_text(axis);
   drawing.alt_text = "Bodies A and B, and the axis of " + feature_text(axis) + ": separation " +
-                     meters(axis.separation) + ".";
-  drawing.notes.push_back("Separation " + meters(axis.separation) + '.');
+                     length_text(static_cast<double>(axis.separation)) + ".";
+  drawing.notes.push_back("Separation " + length_text(static_cast<double>(axis.separation)) + '.');
 
   Vec3 from = Real(0.5) * (a.pose.position + b.pose.position);
   switch (axis.feature) {

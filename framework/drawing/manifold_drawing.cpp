@@ -8,10 +8,6 @@
 namespace cs550::drawing {
 namespace {
 
-std::string millimeters(Real value) {
-  return number_text(1000 * static_cast<double>(value)) + " mm";
-}
-
 /// Points of a plane in the order of their angle about their middle.
 std::vector<Vec3> around(std::vector<Vec3> points, const Vec3& normal) {
   const Vec3 center = middle(points);
@@ -79,7 +75,7 @@ Drawing draw_manifold(const Pose& a, const Pose& b, const Manifold& manifold, Ro
     drawing.points.push_back({on_a, Role::BodyA, 3});
     drawing.points.push_back({on_b, Role::BodyB, 3});
     drawing.points.push_back({at, role, Real(5.5)});
-    drawing.labels.push_back({at, millimeters(point.separation), Role::Text});
+    drawing.labels.push_back({at, length_text(static_cast<double>(point.separation)), Role::Text});
     add_arrow(drawing, at, length * manifold.normal, {Role::Axis, 2, false, true});
   }
   if (!middles.empty()) {
@@ -120,7 +116,8 @@ Drawing draw_reduction(std::span<const ContactPoint> points, std::span<const Con
   for (const ContactPoint& point : points) {
     all.push_back(point.anchor_a);
     drawing.points.push_back({point.anchor_a, Role::Axis, 3});
-    drawing.labels.push_back({point.anchor_a, millimeters(point.separation), Role::Axis});
+    drawing.labels.push_back(
+        {point.anchor_a, length_text(static_cast<double>(point.separation)), Role::Axis});
   }
   if (normal.norm() > Real(0.5) && all.size() > 2) {
     add_closed_curve(drawing, around(all, normal.normalized()),

@@ -75,7 +75,7 @@ std::string escape_xml(const std::string& text) {
 double text_width(const std::string& text, double size) {
   const auto letters = text.size() - static_cast<std::size_t>(std::count_if(
                                          text.begin(), text.end(), is_continuation_byte));
-  return 0.54 * size * static_cast<double>(letters);
+  return 0.6 * size * static_cast<double>(letters);
 }
 
 std::vector<std::string> wrap(const std::string& text, double size, double width) {

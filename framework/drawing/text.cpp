@@ -20,6 +20,10 @@ std::string number_text(double value, int digits) {
   return std::signbit(value) && magnitude != "0" ? "−" + magnitude : magnitude;
 }
 
+std::string length_text(double meters) {
+  return std::abs(meters) < 0.1 ? number_text(1000 * meters) + " mm" : number_text(meters) + " m";
+}
+
 std::string power_of_ten_text(int exponent) {
   if (std::abs(exponent) <= 3) return number_text(std::pow(10.0, exponent), 4);
   std::string text = "10";

@@ -69,6 +69,8 @@ TEST(Plot, ConvergenceHasOneValuePerPass) {
 TEST(Text, NumbersAreWrittenAsPeopleWriteThem) {
   EXPECT_EQ(number_text(-0.4259, 3), "−0.426");
   EXPECT_EQ(number_text(-0.0), "0");
+  EXPECT_EQ(length_text(-0.0123), "−12.3 mm");
+  EXPECT_EQ(length_text(1.25), "1.25 m");
   EXPECT_EQ(power_of_ten_text(-2), "0.01");
   EXPECT_EQ(power_of_ten_text(-12), "10⁻¹²");
 }

@@ -160,7 +160,7 @@ std::string axis_picture(const TestPair& pair, const SeparatingAxis& got) {
   view.up = wanted.axis;
   view.frame = bounds(expected);
   drawing::View sphere_view;
-  sphere_view.toward_eye = wanted.axis + Real(0.4) * view.toward_eye.normalized();
+  sphere_view.toward_eye = wanted.axis + view.toward_eye.normalized();
   drawing::Drawing sphere = drawing::draw_gauss_maps(pair.a, pair.b, {}, got);
   add_arrow(sphere, wanted.axis, Real(0.45) * wanted.axis,
             {drawing::Role::Expected, 4, false, true}, "expected");

@@ -21,8 +21,8 @@ Story with_causes(Story story) {
 std::string arcs_picture(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, bool cross) {
   drawing::View view;
   view.toward_eye = a + b + c + d;
-  const std::string answer = cross ? "yes" : "no";
-  return side_by_side("Do these arcs cross? Expected: " + answer,
+  const std::string title = "Do these arcs cross? Expected: ";
+  return side_by_side(title + (cross ? "yes, got: no" : "no, got: yes"),
                       {drawing::Scene{drawing::draw_arc_pair(a, b, c, d), view}},
                       "What lies on the far side of the sphere is pale.");
 }

@@ -13,6 +13,15 @@
 
 namespace cs550::test {
 
+/// A direction points up on the page.
+inline drawing::View seen_from_the_side(const Vec3& upward) {
+  drawing::View view;
+  if (!(upward.norm() > 0)) return view;
+  view.up = upward.normalized();
+  view.toward_eye = any_perpendicular(view.up) + Real(0.4) * view.up;
+  return view;
+}
+
 /// What a plane should leave of a polygon beside what it left, seen along the polygon's normal.
 inline std::string clip_picture(const ClipPolygon& before, const Plane& plane,
                                 const std::vector<Vec3>& expected, const ClipPolygon& got) {
@@ -34,8 +43,10 @@ inline std::string contact_picture(const PosedShape& a, const PosedShape& b,
     wanted.points.push_back({point, drawing::Role::Expected, Real(5.5)});
   }
   wanted.title = std::to_string(expected.size()) + " contact points";
-  return expected_beside_got("Contact points", wanted,
-                             drawing::draw_contact(a, b, got, drawing::Role::Got));
+  const Vec3 upward = b.pose.position - a.pose.position;
+  return expected_beside_got("Contact points, B above A", wanted,
+                             drawing::draw_contact(a, b, got, drawing::Role::Got),
+                             seen_from_the_side(upward));
 }
 
 /// A manifold that is not what it should be, seen across its normal.
@@ -46,10 +57,8 @@ inline std::string manifold_picture(const PosedShape& a, const PosedShape& b, co
   add_arrow(drawing, a.pose.position, length * axis, {drawing::Role::Expected, 3, false, true},
             "axis");
   drawing.title = "Got: " + drawing.title + ", the separating axis upward";
-  drawing::View view;
-  view.up = axis;
-  view.toward_eye = any_perpendicular(axis) + Real(0.25) * axis;
-  return side_by_side("The manifold of two bodies", {drawing::Scene{drawing, view}});
+  return side_by_side("The manifold of two bodies",
+                      {drawing::Scene{drawing, seen_from_the_side(axis)}});
 }
 
 /// The points that were kept, seen along the normal.
