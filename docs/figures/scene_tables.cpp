@@ -104,6 +104,10 @@ void rebounds(std::ostream& out) {
   }
 }
 
+double invariant_of(const World& world) {
+  return energy(world, h / static_cast<Real>(world.settings().substeps)).invariant;
+}
+
 constexpr const char* shown_scenes[] = {"bounce", "dominoes", "stack10", "wall"};
 
 /// time, invariant energy over its start, one column for each of shown_scenes
@@ -112,12 +116,12 @@ void energy_scenes(std::ostream& out) {
   std::vector<double> start;
   for (const char* name : shown_scenes) {
     worlds.push_back(make_world(find_scene(name).scene));
-    start.push_back(energy(worlds.back(), h / 4).invariant);
+    start.push_back(invariant_of(worlds.back()));
   }
   for (int i = 0; i <= 240; ++i) {
     out << i / 60.0;
     for (std::size_t k = 0; k < worlds.size(); ++k) {
-      out << ' ' << energy(worlds[k], h / 4).invariant / start[k];
+      out << ' ' << invariant_of(worlds[k]) / start[k];
       worlds[k].step(h);
     }
     out << '\n';

@@ -85,7 +85,10 @@ while (walker.nextNode()) {
   const tex = walker.currentNode.data.match(/\\\(|\\\[|\\[a-z]+\{|\$[^$\s][^$]*\$/);
   if (tex) faults.push('raw TeX: ' + walker.currentNode.data.trim().slice(0, 80));
 }
-for (const error of document.querySelectorAll('.MathJax_Error, .merror, [fill="red"]')) faults.push('formula: ' + error.textContent);
+// MathJax draws what it does not understand as red text.
+for (const error of document.querySelectorAll('.MathJax_Error, .MathJax_SVG [fill="rgb(204, 0, 0)"]')) {
+  faults.push('formula: ' + error.textContent);
+}
 for (const image of document.images) {
   if (!image.complete || image.naturalWidth === 0) faults.push('image does not load: ' + image.getAttribute('src'));
   if (image.closest('figure') && (image.alt || '').length < 20) faults.push('figure without a description: ' + image.getAttribute('src'));
