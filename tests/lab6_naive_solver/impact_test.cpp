@@ -1,7 +1,7 @@
 // L6.3: the impulse of one contact without restitution.
 #include <cs550/graded_test.hpp>
 
-#include "lab6_naive_solver/collision.hpp"
+#include "lab6_naive_solver/pictures.hpp"
 #include "support/story.hpp"
 
 namespace cs550::test {
@@ -21,11 +21,13 @@ GRADED_TEST(Lab6, InelasticCentralCollision, 3, "L6.3") {
   Collision at{movable(1, Vec3(1, 1, 1)), movable(3, Vec3(1, 1, 1)), touching(x, x, -x, 0)};
   at.a.v = Vec3(5, 0, 0);
   at.row.normal_impulse = Real(0.5);
+  const Collision before = at;
   collide(at);
 
   Story story = with_causes(Story("Bodies that do not bounce go on together"));
   story.given("1 kg at 5 m/s into 3 kg at rest").given("e", 0).when("one pass");
   story.likely("the row gathers its impulses: add, do not overwrite");
+  story.picture([&] { return collision_picture(before, at); });
   // v = (1 · 5 + 3 · 0)/(1 + 3).
   story.expect_near("v_A", at.a.v, Vec3(Real(1.25), 0, 0), 1e-6, "m/s");
   story.expect_near("v_B", at.b.v, Vec3(Real(1.25), 0, 0), 1e-6, "m/s");
@@ -44,12 +46,14 @@ GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
   at.b.inverse_mass = Real(0.5);
   at.b.world_inverse_inertia.diagonal() = Vec3(0, Real(1) / Real(1.5), Real(1) / Real(1.5));
   at.row = touching(z, Vec3::Zero(), Vec3(Real(-1.5), 0, 0), 0);
+  const Collision point_and_rod = at;
   collide(at);
 
   Story story =
       with_causes(Story("A blow at the tip moves and turns a rod: V = j/M, ω = 6·j/(M·l)"));
   story.given("point mass of 1 kg at (3, 0, 4) m/s").given("rod of 2 kg and 3 m along x, at rest");
   story.given("e", 0).when("one pass");
+  story.picture([&] { return collision_picture(point_and_rod, at); });
   story.expect_near("impulse", at.row.normal_impulse, 4.0 / 3, 1e-6, "N·s");
   story.expect_near("v of the point mass", at.a.v, Vec3(3, 0, Real(8) / 3), 1e-6, "m/s");
   story.expect_near("V of the rod", at.b.v, Vec3(0, 0, Real(2) / 3), 1e-6, "m/s");
@@ -69,6 +73,7 @@ GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
     collide(boxes);
     Story here = with_causes(Story("After the impulse, V' = V + M⁻¹·Jᵀ·j"));
     here.seed(random.seed()).given("two random boxes of size", size, "m").given("e", 0);
+    here.picture([&] { return collision_picture(before, boxes); });
     const auto expected = [&exact](int first) {
       return Vec3(exact.segment<3>(first).cast<Real>());
     };
@@ -90,6 +95,7 @@ GRADED_TEST(Lab6, BodiesThatSeparateAreLeftAlone, 2, "L6.3") {
     collide(at);
     Story story("Bodies that already part are not pulled back");
     story.seed(random.seed()).given("two overlapping boxes with v_n > 0").when("one pass");
+    story.picture([&] { return collision_picture(before, at); });
     story.likely("only approaching bodies collide: v_n < 0")
         .likely("a contact can push, never pull: j must not become negative");
     bool held = story.expect("A moves as before", same_motion(at.a, before.a));

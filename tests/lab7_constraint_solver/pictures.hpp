@@ -8,6 +8,7 @@
 #include "cs550/world.hpp"
 #include "drawing/impulse_drawing.hpp"
 #include "drawing/mesh_drawing.hpp"
+#include "drawing/text.hpp"
 #include "support/picture.hpp"
 
 namespace cs550::test {
@@ -20,7 +21,7 @@ inline std::string friction_picture(Real limit, const Vec3& expected, const Vec2
   const drawing::DiskImpulse impulses[] = {
       {expected.head<2>(), drawing::Role::Expected, "expected"}, {got, drawing::Role::Got, "got"}};
   const drawing::Drawing disk = drawing::draw_friction_disk(limit, impulses, slip.head<2>());
-  return side_by_side("The friction impulse in the plane of u and v",
+  return side_by_side("Friction impulse along u and v",
                       {drawing::Scene{disk, drawing::view_from_above()}});
 }
 
@@ -38,6 +39,17 @@ inline drawing::Drawing movable_bodies(const World& world, drawing::Role role) {
   return drawing;
 }
 
+/// The farthest that any body has moved, in words.
+inline std::string farthest_move(const World& start, const World& now) {
+  Real farthest = 0;
+  for (std::size_t i = 0; i < start.bodies().size(); ++i) {
+    const Vec3 moved = now.bodies()[i].pose.position - start.bodies()[i].pose.position;
+    if (moved.norm() > farthest) farthest = moved.norm();
+  }
+  return "The body that moved most moved by " +
+         drawing::length_text(static_cast<double>(farthest)) + ".";
+}
+
 /// How bodies stood, and should stand still, beside how they stand now.
 inline std::string standing_picture(const World& start, const World& now) {
   drawing::Drawing expected = movable_bodies(start, drawing::Role::Expected);
@@ -48,7 +60,8 @@ inline std::string standing_picture(const World& start, const World& now) {
   got.alt_text = "The bodies in the end.";
   drawing::View view;
   view.toward_eye = {Real(0.8), -3, Real(0.5)};
-  return expected_beside_got("Bodies that should stand still", expected, got, view);
+  return expected_beside_got("Bodies that should stand still", expected, got, view,
+                             farthest_move(start, now));
 }
 
 }  // namespace cs550::test

@@ -1,0 +1,85 @@
+// A failing check draws, once for each test, and nothing that goes wrong there does any harm.
+
+#include "support/picture.hpp"
+
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "support/story.hpp"
+
+namespace cs550::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for pictures of its own, as long as the test runs.
+class Picture : public testing::Test {
+ protected:
+  Picture() { setenv("CS550_PICTURES", folder_.c_str(), 1); }
+  ~Picture() override {
+    unsetenv("CS550_PICTURES");
+    fs::remove_all(folder_);
+  }
+
+  std::string written() const {
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::ifstream file(folder_ / ("Picture." + test + ".svg"));
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("cs550_pictures_" + std::to_string(getpid()));
+};
+
+TEST_F(Picture, IsNotDrawnWhileTheChecksHold) {
+  Story story("Two is two");
+  story.picture([]() -> std::string { throw std::runtime_error("drawn all the same"); });
+  EXPECT_TRUE(story.expect_equal("two", 2, 2));
+  EXPECT_FALSE(fs::exists(folder_));
+}
+
+TEST_F(Picture, IsWrittenAndNamedByTheFirstFailure) {
+  Story story("Two is three");
+  story.picture([] { return "<svg/>"; });
+  EXPECT_NONFATAL_FAILURE(story.expect_equal("two", 2, 3), "picture   ");
+  EXPECT_EQ(written(), "<svg/>");
+  Story second("Two is four");
+  second.picture([] { return "<svg>later</svg>"; });
+  EXPECT_NONFATAL_FAILURE(second.expect_equal("two", 2, 4), "expected  4");
+  EXPECT_EQ(written(), "<svg/>");
+}
+
+TEST_F(Picture, ThatCannotBeDrawnIsLeftOut) {
+  Story story("Two is three");
+  story.picture([]() -> std::string { throw 5; });
+  EXPECT_NONFATAL_FAILURE(story.expect_equal("two", 2, 3), "expected  3");
+  EXPECT_EQ(written(), "");
+}
+
+TEST_F(Picture, ThatCannotBeWrittenIsLeftOut) {
+  std::ofstream(folder_) << "a file where the folder should be";
+  Story story("Two is three");
+  story.picture([] { return "<svg/>"; });
+  EXPECT_NONFATAL_FAILURE(story.expect_equal("two", 2, 3), "expected  3");
+  EXPECT_TRUE(fs::is_regular_file(folder_));
+}
+
+TEST_F(Picture, ShowsTheGotBesideTheExpected) {
+  drawing::Drawing expected;
+  expected.title = "one point";
+  expected.points.push_back({{0, 0, 0}, drawing::Role::Expected, 4});
+  drawing::Drawing got = expected;
+  got.points[0].position.x() = NAN;
+  const std::string svg = expected_beside_got("A point", expected, got);
+  EXPECT_NE(svg.find("Expected: one point"), std::string::npos);
+  EXPECT_NE(svg.find("Got: one point"), std::string::npos);
+  EXPECT_NE(svg.find("not finite"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,57 @@
+#pragma once
+/// @file pictures.hpp
+/// What a failed collision looks like.
+
+#include <algorithm>
+#include <string>
+
+#include "drawing/drawing.hpp"
+#include "lab6_naive_solver/collision.hpp"
+#include "support/picture.hpp"
+
+namespace cs550::test {
+
+/// Two bodies as their centres of mass, their levers to the contact and their velocities.
+/// @param meters_per_speed length of an arrow for 1 m/s
+inline drawing::Drawing draw_collision(const Collision& at, Real meters_per_speed) {
+  using drawing::Role;
+  drawing::Drawing drawing;
+  const Vec3 contact = Vec3::Zero();
+  const auto add_body = [&](const BodyVelocity& body, const Vec3& r, Role role, const char* name) {
+    const Vec3 center = contact - r;
+    drawing.lines.push_back({center, contact, {role, 2, true, false}});
+    drawing.points.push_back({center, role, 7});
+    drawing.labels.push_back({center, name, role});
+    add_arrow(drawing, center, meters_per_speed * body.v, {role, 3, false, true});
+    add_arrow(drawing, contact, meters_per_speed * (body.v + body.w.cross(r)),
+              {role, Real(1.8), false, true});
+  };
+  add_body(at.a, at.row.r_a, Role::BodyA, "A");
+  add_body(at.b, at.row.r_b, Role::BodyB, "B");
+  const Real reach = std::max(at.row.r_a.norm(), at.row.r_b.norm());
+  add_arrow(drawing, contact, Real(0.3) * reach * at.row.n, {Role::Axis, 2, false, true}, "n");
+  drawing.points.push_back({contact, Role::Highlight, 5});
+  drawing.legend = {{"velocity of the centre of mass", {Role::Axis, 3, false, false}},
+                    {"of the contact", {Role::Axis, Real(1.8), false, false}}};
+  return drawing;
+}
+
+/// A collision before and after the pass, at one scale.
+inline std::string collision_picture(const Collision& before, const Collision& after) {
+  const Real fastest = std::max(before.a.v.norm(), before.b.v.norm());
+  const Real reach = std::max(before.row.r_a.norm(), before.row.r_b.norm());
+  // Arrows that begin at neighbouring places must not cover each other.
+  const Real scale = fastest > 0 && reach > 0 ? Real(0.45) * reach / fastest : Real(1);
+  drawing::View view;
+  drawing::Drawing start = draw_collision(before, scale);
+  start.title = "Given: before the impulse";
+  start.alt_text = "Two bodies that meet, with their velocities before the impulse.";
+  view.frame = bounds(start);
+  drawing::Drawing end = draw_collision(after, scale);
+  end.title = "Got: after it";
+  end.alt_text = "The same bodies with their velocities after the impulse.";
+  return side_by_side("A collision: along n the contact must not approach any more",
+                      {drawing::Scene{start, view}, drawing::Scene{end, view}});
+}
+
+}  // namespace cs550::test
