@@ -53,8 +53,10 @@ int main(int argc, char** argv) {
   app.add_option("--share", share, "how much of the tolerances may be used, from 0 to 1");
   CLI11_PARSE(app, argc, argv);
   try {
+    const std::vector<Milestone> milestones = lab > 0 ? milestones_of(lab) : all_milestones();
+    if (milestones.empty()) std::cout << "Lab " << lab << " has no milestone.\n";
     bool all_reached = true;
-    for (const Milestone& milestone : lab > 0 ? milestones_of(lab) : all_milestones()) {
+    for (const Milestone& milestone : milestones) {
       if (update) {
         write_anew(milestone);
       } else {
