@@ -166,9 +166,16 @@ Drawing draw_gauss_maps(const PosedShape& a, const PosedShape& b, std::span<cons
   if (axis.feature != AxisFeature::None) {
     add_arrow(drawing, axis.axis, Real(0.45) * axis.axis, {Role::Axis, 3, false, true}, "axis");
   }
-  drawing.legend = {{"A", {Role::BodyA, 2, false, false}, LegendMark::Line},
-                    {"−B", {Role::BodyB, 2, false, false}, LegendMark::Line},
-                    {"crossings", {Role::Highlight, 3, false, false}, LegendMark::Dot}};
+  drawing.legend = {
+      {"A", {Role::BodyA, 2, false, false}, LegendMark::Line},
+      {"−B", {Role::BodyB, 2, false, false}, LegendMark::Line},
+  };
+  if (!pairs.empty()) {
+    drawing.legend.push_back({"crossings", {Role::Highlight, 3, false, false}, LegendMark::Dot});
+  }
+  if (axis.feature == AxisFeature::Edges) {
+    drawing.legend.push_back({"edges of the axis", {Role::Highlight, 3, false, false}});
+  }
   return drawing;
 }
 
