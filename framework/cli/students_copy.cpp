@@ -18,9 +18,9 @@ namespace {
 
 /// Beside solutions and hidden tests: what needs the reference, or is about making this repository.
 constexpr const char* instructors_only[] = {
-    ".ci",           "CONTRIBUTING.md",  "tests/autograder",
-    "tests/cli",     "tests/engine",     "tests/milestones",
-    "tests/mutants", "tests/benchmarks", "docs/instructors.md"};
+    ".ci",          "CONTRIBUTING.md",    "tests/autograder", "tests/cli",
+    "tests/engine", "tests/milestones",   "tests/mutants",    "tests/benchmarks",
+    "tests/viewer", "docs/instructors.md"};
 constexpr const char* students_readme = "framework/cli/students_readme.md";
 constexpr const char* file_list = ".starters/files.txt";
 constexpr const char* version_file = ".starters/version.txt";

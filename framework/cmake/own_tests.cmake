@@ -40,6 +40,7 @@ if(TARGET tests_autograder)
 endif()
 
 # Absent in the students' copy.
+include("${PROJECT_SOURCE_DIR}/tests/viewer/tests.cmake" OPTIONAL)
 include("${PROJECT_SOURCE_DIR}/tests/mutants/tests.cmake" OPTIONAL)
 
 include("${PROJECT_SOURCE_DIR}/tests/cli/tests.cmake" OPTIONAL)

@@ -53,7 +53,7 @@ App::App(const Options& options, Interface& interface) : options_(options), inte
     page_->describe(setter);
     setter.expect_found();
   }
-  const int default_steps = world_ != nullptr && options.is_headless() ? 60 : 0;
+  const int default_steps = world_ != nullptr ? options.default_steps() : 0;
   const int steps = options.steps.value_or(default_steps);
   if (world_ != nullptr) {
     if (steps > 0) world_->take_steps(steps);

@@ -40,6 +40,8 @@ class App {
   const Page& page() const { return *page_; }
   const Camera& camera() const { return camera_; }
   bool plays() const { return plays_; }
+  /// Where a point is seen (pixels from the top left).
+  Vec2 pixel_of(const Vec3& point) const { return projection().pixel(point); }
   /// The world, or null on the page of a lab.
   WorldPage* world() { return world_; }
 

@@ -28,6 +28,9 @@ struct Options {
   std::filesystem::path gif;       ///< animation
   int frame_count = 120;           ///< of a sequence
 
+  /// Steps of a scene before the first picture, unless the user says how many: a still picture of a
+  /// beginning shows little.
+  int default_steps() const { return is_headless() ? 60 : 0; }
   /// Whether no window is wanted.
   bool is_headless() const { return list || !snapshot.empty() || !frames.empty() || !gif.empty(); }
 };

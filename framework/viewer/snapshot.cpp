@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <iostream>
+#include <stdexcept>
 
 #include "viewer/animation.hpp"
 #include "viewer/app.hpp"
@@ -31,6 +32,8 @@ class Studio {
     return read_picture(canvas_);
   }
   void advance() { app_.advance(); }
+  /// Why the page shows no picture; empty if it does.
+  const std::string& problem() const { return app_.page().content().problem; }
 
  private:
   Interface interface_;
@@ -58,6 +61,11 @@ Picture take_picture(const Options& options) { return Studio(options).take(); }
 void write_pictures(const Options& options) {
   const HeadlessContext context;
   Studio studio(options);
+  if (!studio.problem().empty()) {
+    // Of a student's code the picture shows it; else there is nothing to show.
+    if (!options.student) throw std::invalid_argument(studio.problem());
+    std::cerr << "cs550: the page says: " << studio.problem() << '\n';
+  }
   if (!options.snapshot.empty()) {
     write_png(studio.take(), options.snapshot);
     std::cout << options.snapshot.string() << '\n';

@@ -4,10 +4,9 @@
 // After epoxy, which brings OpenGL's functions.
 #include <GLFW/glfw3.h>
 
+#include <memory>
 #include <stdexcept>
 #include <string>
-
-#include "viewer/app.hpp"
 
 namespace cs550::viewer {
 namespace {
@@ -106,7 +105,7 @@ void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*m
 
 }  // namespace
 
-void run_in_window(const Options& options) {
+void run_in_window(const Options& options, const Observer& observe) {
   const WindowSystem system;
   const Window window(options.size);
   // Before Dear ImGui, which hands on what it hears.
@@ -126,6 +125,7 @@ void run_in_window(const Options& options) {
     app.draw(*canvas);
     canvas->show_in_window();
     glfwSwapBuffers(window.get());
+    if (observe && !observe(app)) break;
   }
 }
 

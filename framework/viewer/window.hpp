@@ -2,12 +2,19 @@
 /// @file window.hpp
 /// The viewer in a window.
 
+#include <functional>
+
+#include "viewer/app.hpp"
 #include "viewer/options.hpp"
 
 namespace cs550::viewer {
 
+/// Sees the viewer after each frame; the window closes when it returns false.
+using Observer = std::function<bool(App& app)>;
+
 /// Opens a window and returns when it is closed.
-/// @throws std::runtime_error that says why there is none
-void run_in_window(const Options& options);
+/// @param observe for tests; a user's window has none
+/// @throws std::runtime_error that says why there is no window
+void run_in_window(const Options& options, const Observer& observe = {});
 
 }  // namespace cs550::viewer

@@ -47,7 +47,10 @@ Answer<Reply> guarded(const Server<Request, Reply>& serve, const Request& reques
 template <class Request, class Reply>
 class Service {
  public:
-  Service(Server<Request, Reply> serve, Isolation isolation) {
+  /// @param limit for each answer of a child
+  Service(Server<Request, Reply> serve, Isolation isolation,
+          std::chrono::milliseconds limit = answer_limit)
+      : limit_(limit) {
     if (isolation == Isolation::Here) {
       here_ = std::move(serve);
       return;
@@ -68,18 +71,20 @@ class Service {
     std::string message;
     const bool sent = child_->channel().send(to_bytes(request));
     const Channel::Wait wait =
-        sent ? child_->channel().receive(message, answer_limit) : Channel::Wait::Closed;
+        sent ? child_->channel().receive(message, limit_) : Channel::Wait::Closed;
     if (wait == Channel::Wait::Received) return from_bytes<Answer<Reply>>(message);
     failure_ = child_->end();
     if (wait == Channel::Wait::TooLate) {
+      const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(limit_);
       failure_ =
-          "no answer in " + std::to_string(answer_limit.count()) + " s: stopped (an endless loop?)";
+          "no answer in " + std::to_string(seconds.count()) + " s: stopped (an endless loop?)";
     }
     child_.reset();
     return {{}, failure_};
   }
 
  private:
+  std::chrono::milliseconds limit_;
   Server<Request, Reply> here_;
   std::unique_ptr<Child> child_;
   std::string failure_;

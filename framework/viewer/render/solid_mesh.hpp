@@ -17,11 +17,17 @@ class SolidMesh {
 
   /// Draws one copy per instance. @param instances buffer, @param first place of the first one
   void draw(const Buffer& instances, int first, int count) const;
+  /// The same with half the triangles, which do not show where edges are.
+  void draw_outline(const Buffer& instances, int first, int count) const;
 
  private:
+  void bind(const Buffer& instances, int first) const;
+
   VertexArray layout_;
   Buffer vertices_;
-  GLsizei vertex_count_;
+  Buffer indices_;
+  GLsizei index_count_ = 0;    ///< of the triangles from each face's middle
+  GLsizei outline_count_ = 0;  ///< of those that follow them, from each face's first corner
 };
 
 }  // namespace cs550::viewer

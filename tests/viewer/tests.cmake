@@ -1,0 +1,16 @@
+# Programs that the viewer's tests run. The sanitizers find leaks in the OpenGL driver, not in us.
+if(CMAKE_CXX_FLAGS_DEBUG MATCHES "fsanitize" OR NOT CS550_HAS_VIEWER)
+  return()
+endif()
+cs550_add_own_tests(viewer cs550_viewer_parts)
+target_compile_definitions(tests_viewer PRIVATE
+  CS550_VIEWER_REFERENCES="${PROJECT_SOURCE_DIR}/tests/viewer/references"
+  CS550_VIEWER_PROGRAM="$<TARGET_FILE:cs550_viewer>"
+  CS550_VIEWER_ON_STARTERS="$<TARGET_FILE:viewer_on_starters>")
+
+# As a student sees it on the first day.
+cs550_add_viewer(viewer_on_starters)
+foreach(number IN LISTS CS550_LABS)
+  cs550_link_lab(viewer_on_starters ${number} stub)
+endforeach()
+add_dependencies(tests_viewer cs550_viewer viewer_on_starters)

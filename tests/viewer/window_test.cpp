@@ -1,0 +1,173 @@
+// The viewer in a window, used by a mouse and keys that xdotool moves, on a screen of its own.
+#include "viewer/window.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <imgui/imgui.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <deque>
+#include <functional>
+
+#include "program.hpp"
+
+namespace cs550::test {
+namespace {
+
+using viewer::App;
+using viewer::Options;
+
+/// A screen that nobody sees.
+class Screen {
+ public:
+  Screen() {
+    int ends[2];
+    if (pipe(ends) != 0) return;
+    server_.emplace(std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0",
+                                             "1400x900x24", "-nolisten", "tcp"},
+                    ends[1]);
+    close(ends[1]);
+    std::string number;
+    for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
+    close(ends[0]);
+    if (!number.empty()) setenv("DISPLAY", (":" + number).c_str(), 1);
+    is_there_ = !number.empty();
+  }
+  bool is_there() const { return is_there_; }
+
+ private:
+  std::optional<Background> server_;
+  bool is_there_ = false;
+};
+
+void xdotool(std::vector<std::string> words) {
+  words.insert(words.begin(), "xdotool");
+  const Outcome outcome = run_program(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
+/// What a person does, and what must be seen some frames later.
+struct Act {
+  std::string name;
+  std::function<void(App&)> act;
+  std::function<bool(App&)> is_done;
+};
+
+/// Lets acts follow each other; one that shows no effect within many frames fails.
+class Play {
+ public:
+  explicit Play(std::deque<Act> acts) : acts_(std::move(acts)) {}
+
+  /// @return whether the window stays open
+  bool next(App& app) {
+    if (acts_.empty()) return true;
+    if (waited_++ == 0) acts_.front().act(app);
+    if (acts_.front().is_done(app)) {
+      acts_.pop_front();
+      waited_ = 0;
+      return true;
+    }
+    constexpr int patience = 400;  // frames
+    if (waited_ < patience) return true;
+    ADD_FAILURE() << acts_.front().name << ": nothing happened";
+    return false;
+  }
+  bool is_over() const { return acts_.empty(); }
+
+ private:
+  std::deque<Act> acts_;
+  int waited_ = 0;
+};
+
+void press_key(const std::string& key) { xdotool({"key", key}); }
+
+void click(int x, int y) {
+  xdotool({"mousemove", std::to_string(x), std::to_string(y), "sleep", "0.2", "mousedown", "1",
+           "sleep", "0.2", "mouseup", "1"});
+}
+
+TEST(Window, IsOpenedUsedResizedAndClosed) {
+  if (!is_installed("Xvfb") || !is_installed("xdotool")) GTEST_SKIP() << "no Xvfb or no xdotool";
+  const Screen screen;
+  ASSERT_TRUE(screen.is_there());
+
+  Options options;
+  options.scene = "bounce";
+  options.size = {900, 620};
+  Real yaw = 0;
+  Vec3 body_at = Vec3::Zero();
+  const auto steps = [](App& app) { return app.world()->frame().step; };
+
+  Play play({
+      {"a first frame",
+       [](App&) {
+         xdotool({"mousemove", "500", "300"});
+       },
+       [](App& app) { return app.world() != nullptr && !app.plays(); }},
+      {"one step", [](App&) { press_key("n"); }, [&](App& app) { return steps(app) == 1; }},
+      {"play", [](App&) { press_key("space"); }, [&](App& app) { return steps(app) > 5; }},
+      {"pause", [](App&) { press_key("space"); }, [](App& app) { return !app.plays(); }},
+      {"reset", [](App&) { press_key("r"); }, [&](App& app) { return steps(app) == 0; }},
+      {"change a setting: the switch of contact points", [](App&) { click(24, 306); },
+       [](App& app) { return !app.page().content().drawing.legend.empty(); }},
+      {"pick a body",
+       [&](App& app) {
+         const Vec2 pixel = app.pixel_of(app.world()->frame().bodies[2].pose.position);
+         click(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+       },
+       [](App& app) { return app.world()->selected() == Index{2}; }},
+      {"press the right button",
+       [&](App& app) {
+         yaw = app.camera().yaw;
+         xdotool({"mousemove", "520", "40", "sleep", "0.1", "mousedown", "3"});
+       },
+       [](App&) { return ImGui::IsMouseDown(ImGuiMouseButton_Right); }},
+      {"turn the camera",
+       [](App&) {
+         xdotool({"mousemove", "440", "60"});
+       },
+       [&](App& app) { return std::abs(app.camera().yaw - yaw) > Real(0.1); }},
+      {"release the button",
+       [](App&) {
+         xdotool({"mouseup", "3"});
+       },
+       [](App&) { return !ImGui::IsMouseDown(ImGuiMouseButton_Right); }},
+      {"throw a box", [](App&) { press_key("b"); },
+       [](App& app) { return app.world()->frame().bodies.size() == 6; }},
+      {"drag a body",
+       [&](App& app) {
+         body_at = app.world()->frame().bodies[2].pose.position;
+         app.toggle_play();
+         const Vec2 pixel = app.pixel_of(body_at);
+         xdotool({"mousemove", std::to_string(static_cast<int>(pixel.x())),
+                  std::to_string(static_cast<int>(pixel.y())), "sleep", "0.2", "mousedown", "1"});
+       },
+       [](App& app) { return app.world()->is_dragging(); }},
+      {"let it go",
+       [](App&) {
+         xdotool({"mouseup", "1"});
+       },
+       [](App& app) { return !app.world()->is_dragging(); }},
+      {"another page", [](App&) { press_key("4"); },
+       [](App& app) { return app.page().lab() == 4; }},
+      {"resize",
+       [](App&) {
+         xdotool({"search", "--name", "CS550", "windowsize", "800", "500"});
+       },
+       [](App&) { return ImGui::GetIO().DisplaySize.x == 800; }},
+      {"close", [](App&) { press_key("Escape"); }, [](App&) { return true; }},
+  });
+  viewer::run_in_window(options, [&](App& app) { return play.next(app); });
+  EXPECT_TRUE(play.is_over());
+}
+
+TEST(Window, WithoutAScreenSaysHowToTakeAPicture) {
+  const Outcome outcome = run_program(
+      {"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", CS550_VIEWER_PROGRAM, "bounce"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.output.find("--snapshot"), std::string::npos) << outcome.output;
+}
+
+}  // namespace
+}  // namespace cs550::test
