@@ -29,12 +29,10 @@ class Reader {
     std::smatch match;
     if (std::regex_match(line, match, heading)) {
       steps.push_back({match[1], match[2], {}});
-    } else if (line.rfind("## ", 0) == 0) {
-      in_hint_ = false;
     } else if (!steps.empty() && std::regex_match(line, match, opening)) {
       steps.back().hints.push_back({match[1], ""});
       in_hint_ = true;
-    } else if (line == "</details>") {
+    } else if (line == "</details>" || line.rfind("## ", 0) == 0) {
       in_hint_ = false;
     } else if (in_hint_) {
       steps.back().hints.back().answer += line + '\n';

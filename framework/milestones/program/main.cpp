@@ -29,6 +29,9 @@ bool show(const Milestone& milestone, double share) {
     outcome.sentence = missing.what();
   }
   std::cout << '\n' << (outcome.agrees ? "reached: " : "not reached: ") << outcome.sentence << '\n';
+  if (!outcome.agrees) {
+    std::cout << "to look at it: ./cs550 view " << milestone.scene << " --student\n";
+  }
   return outcome.agrees;
 }
 
