@@ -21,7 +21,7 @@ std::filesystem::path record_file(const Milestone& milestone);
 
 Record to_record(const Track& track);
 
-/// As CSV, six significant digits.
+/// As CSV with six significant digits; semicolons between them, since names hold commas.
 std::string to_csv(const Record& record);
 
 /// Throws std::runtime_error when there is no such table.
