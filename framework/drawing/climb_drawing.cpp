@@ -68,7 +68,8 @@ Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<co
       drawing.points.push_back({mesh.vertex(mesh.edge(e).vertex), Role::Faint, 3});
     }
     if (last != no_index) {
-      drawing.lines.push_back({mesh.vertex(last), mesh.vertex(v), {role, 3, false, true}});
+      drawing.lines.push_back(
+          {mesh.vertex(last), mesh.vertex(v), {.role = role, .width = 3, .arrow = true}});
     }
     last = v;
   }
@@ -79,7 +80,7 @@ Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<co
     drawing.labels.push_back({vertex, dot_text(path[i], vertex.dot(direction)), Role::Text});
   }
   add_arrow(drawing, box.center() + Real(0.62) * size * up, Real(0.4) * size * up,
-            {Role::Axis, Real(2.5), false, true}, "direction");
+            {Role::Axis, Real(2.5)}, "direction");
 
   if (last != no_index) {
     const Vec3& end = mesh.vertex(last);
@@ -89,9 +90,8 @@ Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<co
                         std::to_string(last) + " in " + std::to_string(path.size() - 1) + " steps" +
                         (missing > 0 ? ", which is not the most extreme one." : ".");
   }
-  drawing.legend = {
-      {"walk", {role, 3, false, false}, LegendMark::Line},
-      {"no vertex beyond this plane", {Role::Faint, 2, false, false}, LegendMark::Patch}};
+  drawing.legend = {{"walk", {role, 3}, LegendMark::Line},
+                    {"no vertex beyond this plane", {Role::Faint, 2}, LegendMark::Patch}};
   return drawing;
 }
 

@@ -44,7 +44,7 @@ Drawing draw_clip_polygon(const ClipPolygon& polygon, Role role, Real opacity) {
   drawing.title = "Polygon of " + std::to_string(polygon.size()) + " corners";
   drawing.alt_text = "A polygon of " + std::to_string(polygon.size()) + " corners.";
   const std::vector<Vec3> points = corners(polygon);
-  add_closed_curve(drawing, points, {role, Real(2.4), false, false});
+  add_closed_curve(drawing, points, {role, Real(2.4)});
   for (std::size_t i = 0; i < points.size(); ++i) {
     drawing.points.push_back({points[i], role, Real(4.5)});
     drawing.labels.push_back({points[i], std::to_string(i), Role::Text});
@@ -57,10 +57,9 @@ Drawing draw_clip_plane(const Plane& plane, std::span<const Vec3> near, const st
   Drawing drawing;
   if (near.empty()) return drawing;
   const Piece ends = passing_by(plane, near);
-  drawing.lines.push_back({ends.from, ends.to, {Role::Axis, 2, true, false}});
+  drawing.lines.push_back({ends.from, ends.to, {.role = Role::Axis, .width = 2, .dashed = true}});
   add_arrow(drawing, Real(0.5) * (ends.from + ends.to),
-            Real(0.09) * (ends.to - ends.from).norm() * plane.normal, {Role::Axis, 2, false, true},
-            name);
+            Real(0.09) * (ends.to - ends.from).norm() * plane.normal, {Role::Axis, 2}, name);
   return drawing;
 }
 
@@ -69,16 +68,16 @@ Drawing draw_clip(const ClipPolygon& before, const Plane& plane, const ClipPolyg
   Drawing drawing;
   const std::vector<Vec3> points = corners(before);
   if (points.size() >= 3) drawing.polygons.push_back({points, Role::Faint, Real(0.35)});
-  add_closed_curve(drawing, points, {Role::Faint, 2, false, false});
+  add_closed_curve(drawing, points, {Role::Faint, 2});
   append(drawing, draw_clip_plane(plane, points, "cut away"));
   append(drawing, draw_clip_polygon(after, role));
   drawing.title = std::to_string(after.size()) + " corners are left";
   drawing.alt_text = "A polygon of " + std::to_string(before.size()) +
                      " corners, a plane, and the " + std::to_string(after.size()) +
                      " corners that the plane leaves of it.";
-  drawing.legend = {{"before", {Role::Faint, 2, false, false}, LegendMark::Patch},
-                    {"after", {role, 2, false, false}, LegendMark::Patch},
-                    {"plane", {Role::Axis, 2, true, false}, LegendMark::Line}};
+  drawing.legend = {{"before", {Role::Faint, 2}, LegendMark::Patch},
+                    {"after", {role, 2}, LegendMark::Patch},
+                    {"plane", {.role = Role::Axis, .width = 2, .dashed = true}, LegendMark::Line}};
   return drawing;
 }
 
@@ -92,13 +91,16 @@ Drawing draw_clipping(std::span<const Vec3> reference, std::span<const Plane> pl
   drawing.alt_text = "The reference face and the incident face, of which " + std::to_string(last) +
                      " planes leave " + std::to_string(polygons[last].size()) + " corners.";
   drawing.polygons.push_back({{reference.begin(), reference.end()}, Role::Reference, Real(0.3)});
-  add_closed_curve(drawing, reference, {Role::Reference, 2, false, false});
-  add_closed_curve(drawing, corners(polygons.front()), {Role::Incident, Real(1.4), true, false});
+  add_closed_curve(drawing, reference, {Role::Reference, 2});
+  add_closed_curve(drawing, corners(polygons.front()),
+                   {.role = Role::Incident, .width = Real(1.4), .dashed = true});
   if (last > 0) append(drawing, draw_clip_plane(planes[last - 1], reference, "cut away"));
   append(drawing, draw_clip_polygon(polygons[last], Role::Incident, Real(0.6)));
-  drawing.legend = {{"reference face", {Role::Reference, 2, false, false}, LegendMark::Patch},
-                    {"incident face", {Role::Incident, Real(1.4), true, false}, LegendMark::Line},
-                    {"what is left", {Role::Incident, 2, false, false}, LegendMark::Patch}};
+  drawing.legend = {{"reference face", {Role::Reference, 2}, LegendMark::Patch},
+                    {"incident face",
+                     {.role = Role::Incident, .width = Real(1.4), .dashed = true},
+                     LegendMark::Line},
+                    {"what is left", {Role::Incident, 2}, LegendMark::Patch}};
   return drawing;
 }
 

@@ -62,7 +62,7 @@ Vec3 add_face_feature(Drawing& drawing, const PosedShape& owner, const PosedShap
   const Vec3 foot = vertex - plane.distance(vertex) * plane.normal;
   drawing.points.push_back({vertex, role, 5});
   drawing.labels.push_back({vertex, "v" + std::to_string(query.vertex), Role::Text});
-  drawing.lines.push_back({foot, vertex, {Role::Text, Real(1.6), true, false}});
+  drawing.lines.push_back({foot, vertex, {.role = Role::Text, .width = Real(1.6), .dashed = true}});
   return foot;
 }
 
@@ -70,7 +70,7 @@ Vec3 add_face_feature(Drawing& drawing, const PosedShape& owner, const PosedShap
 Vec3 add_edge_feature(Drawing& drawing, const PosedShape& a, const PosedShape& b,
                       const EdgeQuery& query, Role role) {
   Vec3 start = a.pose.position;
-  const Stroke stroke = {role, 4, false, false};
+  const Stroke stroke = {role, 4};
   if (has_edge(a, query.edge_a)) {
     drawing.lines.push_back(edge_line(a, query.edge_a, stroke));
     start = Real(0.5) * (drawing.lines.back().from + drawing.lines.back().to);
@@ -120,7 +120,7 @@ Drawing draw_gauss_map(const PosedShape& body, Role role, bool negated) {
                      std::to_string(body.mesh().face_count()) + " faces as points and " +
                      std::to_string(body.mesh().edge_count() / 2) + " edges as arcs.";
   const std::vector<GaussArc> arcs = gauss_arcs(body, negated);
-  for (const GaussArc& arc : arcs) add_arc(drawing, arc, {role, arc_width, false, false});
+  for (const GaussArc& arc : arcs) add_arc(drawing, arc, {role, arc_width});
   for (Index f = 0; f < body.mesh().face_count(); ++f) {
     const Vec3 normal = body.plane(f).normal;
     drawing.points.push_back({negated ? Vec3(-normal) : normal, role, 4});
@@ -132,16 +132,15 @@ Drawing draw_arc_pair(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
   Drawing drawing = draw_unit_sphere();
   drawing.title = "Two arcs on the Gauss map";
   drawing.alt_text = "The arc from a to b of A and the arc from c to d of −B on the unit sphere.";
-  add_arc(drawing, {no_index, a, b}, {Role::BodyA, Real(2.6), false, false});
-  add_arc(drawing, {no_index, c, d}, {Role::BodyB, Real(2.6), false, false});
+  add_arc(drawing, {no_index, a, b}, {Role::BodyA, Real(2.6)});
+  add_arc(drawing, {no_index, c, d}, {Role::BodyB, Real(2.6)});
   const std::pair<const Vec3&, const char*> ends[] = {{a, "a"}, {b, "b"}, {c, "c"}, {d, "d"}};
   for (int i = 0; i < 4; ++i) {
     drawing.points.push_back({ends[i].first, i < 2 ? Role::BodyA : Role::BodyB, 5});
     drawing.labels.push_back({ends[i].first, ends[i].second, Role::Text});
   }
-  drawing.legend = {
-      {"arc of A: a to b", {Role::BodyA, Real(2.6), false, false}, LegendMark::Line},
-      {"arc of −B: c to d", {Role::BodyB, Real(2.6), false, false}, LegendMark::Line}};
+  drawing.legend = {{"arc of A: a to b", {Role::BodyA, Real(2.6)}, LegendMark::Line},
+                    {"arc of −B: c to d", {Role::BodyB, Real(2.6)}, LegendMark::Line}};
   return drawing;
 }
 
@@ -160,21 +159,21 @@ Drawing draw_gauss_maps(const PosedShape& a, const PosedShape& b, std::span<cons
   }
   if (axis.feature == AxisFeature::Edges && has_edge(a, axis.edges.edge_a) &&
       has_edge(b, axis.edges.edge_b)) {
-    add_arc(drawing, arc_of(a, axis.edges.edge_a, false), {Role::Highlight, 3, false, false});
-    add_arc(drawing, arc_of(b, axis.edges.edge_b, true), {Role::Highlight, 3, false, false});
+    add_arc(drawing, arc_of(a, axis.edges.edge_a, false), {Role::Highlight, 3});
+    add_arc(drawing, arc_of(b, axis.edges.edge_b, true), {Role::Highlight, 3});
   }
   if (axis.feature != AxisFeature::None) {
-    add_arrow(drawing, axis.axis, Real(0.45) * axis.axis, {Role::Axis, 3, false, true}, "axis");
+    add_arrow(drawing, axis.axis, Real(0.45) * axis.axis, {Role::Axis, 3}, "axis");
   }
   drawing.legend = {
-      {"A", {Role::BodyA, 2, false, false}, LegendMark::Line},
-      {"−B", {Role::BodyB, 2, false, false}, LegendMark::Line},
+      {"A", {Role::BodyA, 2}, LegendMark::Line},
+      {"−B", {Role::BodyB, 2}, LegendMark::Line},
   };
   if (!pairs.empty()) {
-    drawing.legend.push_back({"crossings", {Role::Highlight, 3, false, false}, LegendMark::Dot});
+    drawing.legend.push_back({"crossings", {Role::Highlight, 3}, LegendMark::Dot});
   }
   if (axis.feature == AxisFeature::Edges) {
-    drawing.legend.push_back({"edges of the axis", {Role::Highlight, 3, false, false}});
+    drawing.legend.push_back({"edges of the axis", {Role::Highlight, 3}});
   }
   return drawing;
 }
@@ -222,7 +221,7 @@ Drawing draw_axis(const PosedShape& a, const PosedShape& b, const SeparatingAxis
       break;
   }
   const Real length = Real(0.8) * std::max(a.shape->radius, b.shape->radius);
-  add_arrow(drawing, from, length * axis.axis, {role, 3, false, true}, "axis");
+  add_arrow(drawing, from, length * axis.axis, {role, 3}, "axis");
   return drawing;
 }
 

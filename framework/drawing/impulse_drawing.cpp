@@ -35,7 +35,7 @@ Drawing draw_impulses(std::span<const ContactRow> rows, std::span<const Vec3> ce
   drawing.title = "Impulses on B";
   drawing.alt_text = "The accumulated impulses of " + std::to_string(rows.size()) +
                      " contact rows as arrows at their contacts.";
-  const Stroke friction = {Role::Incident, Real(2.4), false, true};
+  const Stroke friction = {.role = Role::Incident, .width = Real(2.4), .arrow = true};
   for (const ContactRow& row : rows) {
     if (row.body_b < 0 || static_cast<std::size_t>(row.body_b) >= centers.size()) {
       drawing.notes.push_back("A row names body " + std::to_string(row.body_b) +
@@ -45,11 +45,10 @@ Drawing draw_impulses(std::span<const ContactRow> rows, std::span<const Vec3> ce
     const Vec3 contact = centers[static_cast<std::size_t>(row.body_b)] + row.r_b;
     drawing.points.push_back({contact, Role::Text, Real(3.5)});
     const Vec3 tangent = row.tangent_impulse.x() * row.u + row.tangent_impulse.y() * row.v();
-    add_arrow(drawing, contact, meters_per_impulse * row.normal_impulse * row.n,
-              {role, 3, false, true});
+    add_arrow(drawing, contact, meters_per_impulse * row.normal_impulse * row.n, {role, 3});
     if (tangent.norm() > 0) add_arrow(drawing, contact, meters_per_impulse * tangent, friction);
   }
-  drawing.legend = {{"normal impulse", {role, 3, false, false}, LegendMark::Line},
+  drawing.legend = {{"normal impulse", {role, 3}, LegendMark::Line},
                     {"friction", friction, LegendMark::Line}};
   return drawing;
 }
@@ -67,26 +66,27 @@ Drawing draw_friction_disk(Real limit, std::span<const DiskImpulse> impulses, co
 
   const std::vector<Vec3> disk = circle(std::max(limit, Real(0)));
   drawing.polygons.push_back({disk, Role::Reference, Real(0.35)});
-  add_closed_curve(drawing, disk, {Role::Reference, 2, false, false});
+  add_closed_curve(drawing, disk, {Role::Reference, 2});
   const std::vector<Vec3> square = {
       {-limit, -limit, 0}, {limit, -limit, 0}, {limit, limit, 0}, {-limit, limit, 0}};
-  add_closed_curve(drawing, square, {Role::Faint, Real(1.4), true, false});
+  add_closed_curve(drawing, square, {.role = Role::Faint, .width = Real(1.4), .dashed = true});
 
-  const Stroke axis = {Role::Axis, Real(1.2), false, true};
+  const Stroke axis = {.role = Role::Axis, .width = Real(1.2), .arrow = true};
   add_arrow(drawing, {-Real(1.2) * reach, 0, 0}, {Real(2.4) * reach, 0, 0}, axis, "λᵤ");
   add_arrow(drawing, {0, -Real(1.2) * reach, 0}, {0, Real(2.4) * reach, 0}, axis, "λᵥ");
-  drawing.legend = {
-      {"‖λ‖ ≤ μ·λₙ", {Role::Reference, 2, false, false}, LegendMark::Patch},
-      {"each axis by itself", {Role::Faint, Real(1.4), true, false}, LegendMark::Line}};
+  drawing.legend = {{"‖λ‖ ≤ μ·λₙ", {Role::Reference, 2}, LegendMark::Patch},
+                    {"each axis by itself",
+                     {.role = Role::Faint, .width = Real(1.4), .dashed = true},
+                     LegendMark::Line}};
   for (const DiskImpulse& impulse : impulses) {
     // The expected one is seen below another that covers it.
     const Real width = impulse.role == Role::Expected ? Real(6) : Real(2.4);
-    const Stroke stroke = {impulse.role, width, false, true};
+    const Stroke stroke = {.role = impulse.role, .width = width, .arrow = true};
     add_arrow(drawing, Vec3::Zero(), flat(impulse.impulse), stroke, impulse.name);
     drawing.legend.push_back({impulse.name, stroke, LegendMark::Line});
   }
   if (slip.allFinite() && slip.norm() > 0) {
-    const Stroke stroke = {Role::Incident, 2, false, true};
+    const Stroke stroke = {.role = Role::Incident, .width = 2, .arrow = true};
     const Vec2 direction = slip.normalized();
     add_arrow(drawing, Vec3::Zero(), Real(0.8) * reach * flat(direction), stroke, "slip");
     drawing.legend.push_back({"direction of slip", stroke, LegendMark::Line});

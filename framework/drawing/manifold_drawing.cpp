@@ -26,7 +26,7 @@ void add_outline(Drawing& drawing, const std::vector<Vec3>& points, const Vec3& 
   const bool all_finite = std::all_of(points.begin(), points.end(), is_finite);
   if (points.size() < 2 || !all_finite || !(normal.norm() > Real(0.5))) return;
   const std::vector<Vec3> outline = around(points, normal.normalized());
-  add_closed_curve(drawing, outline, {role, 2, false, false});
+  add_closed_curve(drawing, outline, {role, 2});
   if (outline.size() >= 3) drawing.polygons.push_back({outline, role, Real(0.4)});
 }
 
@@ -71,16 +71,16 @@ Drawing draw_manifold(const Pose& a, const Pose& b, const Manifold& manifold, Ro
     const Vec3 on_b = b.to_world(point.anchor_b);
     const Vec3 at = Real(0.5) * (on_a + on_b);
     middles.push_back(at);
-    drawing.lines.push_back({on_a, on_b, {Role::Warning, Real(2.4), false, false}});
+    drawing.lines.push_back({on_a, on_b, {Role::Warning, Real(2.4)}});
     drawing.points.push_back({on_a, Role::BodyA, 3});
     drawing.points.push_back({on_b, Role::BodyB, 3});
     drawing.points.push_back({at, role, Real(5.5)});
     drawing.labels.push_back({at, length_text(static_cast<double>(point.separation)), Role::Text});
-    add_arrow(drawing, at, length * manifold.normal, {Role::Axis, 2, false, true});
+    add_arrow(drawing, at, length * manifold.normal, {Role::Axis, 2});
   }
   if (!middles.empty()) {
-    add_arrow(drawing, middles.front(), Real(0.6) * length * manifold.tangent,
-              {Role::Incident, 2, false, true}, "u");
+    add_arrow(drawing, middles.front(), Real(0.6) * length * manifold.tangent, {Role::Incident, 2},
+              "u");
     drawing.labels.push_back({middles.front() + length * manifold.normal, "n", Role::Axis});
   }
   add_outline(drawing, middles, manifold.normal, role);
@@ -120,8 +120,7 @@ Drawing draw_reduction(std::span<const ContactPoint> points, std::span<const Con
         {point.anchor_a, length_text(static_cast<double>(point.separation)), Role::Axis});
   }
   if (normal.norm() > Real(0.5) && all.size() > 2) {
-    add_closed_curve(drawing, around(all, normal.normalized()),
-                     {Role::Faint, Real(1.4), false, false});
+    add_closed_curve(drawing, around(all, normal.normalized()), {Role::Faint, Real(1.4)});
   }
   std::vector<Vec3> anchors;
   for (const ContactPoint& point : kept) {
@@ -129,8 +128,8 @@ Drawing draw_reduction(std::span<const ContactPoint> points, std::span<const Con
     drawing.points.push_back({point.anchor_a, role, 6});
   }
   add_outline(drawing, anchors, normal, role);
-  drawing.legend = {{"all points", {Role::Axis, 2, false, false}, LegendMark::Dot},
-                    {"kept", {role, 2, false, false}, LegendMark::Patch}};
+  drawing.legend = {{"all points", {Role::Axis, 2}, LegendMark::Dot},
+                    {"kept", {role, 2}, LegendMark::Patch}};
   return drawing;
 }
 

@@ -114,7 +114,7 @@ Drawing draw_mesh(const HalfEdgeMesh& mesh, const MeshStyle& style) {
     const Real length = Real(0.22) * size(mesh);
     if (style.face_numbers) drawing.labels.push_back({center, "f" + number(f), Role::Axis});
     if (style.normals) {
-      add_arrow(drawing, center, length * outward(polygon), {style.role, Real(1.6), false, true});
+      add_arrow(drawing, center, length * outward(polygon), {style.role, Real(1.6)});
     }
     if (style.opacity > 0 && polygon.corners.size() >= 3) {
       drawing.polygons.push_back(std::move(polygon));
@@ -122,13 +122,14 @@ Drawing draw_mesh(const HalfEdgeMesh& mesh, const MeshStyle& style) {
   }
   if (style.edge_width > 0) {
     for (Index e = 0; e < mesh.edge_count(); e += 2) {
-      add_edge(drawing, mesh, e, {style.role, style.edge_width, style.dashed, false});
+      add_edge(drawing, mesh, e, {style.role, style.edge_width, style.dashed});
     }
   }
   if (style.edge_numbers) {
     for (Index e = 0; e < mesh.edge_count(); ++e) {
       if (!has_ends(mesh, e)) continue;
-      const Line arrow = half_edge_arrow(mesh, e, {Role::Axis, Real(1.2), false, true});
+      const Line arrow =
+          half_edge_arrow(mesh, e, {.role = Role::Axis, .width = Real(1.2), .arrow = true});
       drawing.labels.push_back({Real(0.5) * (arrow.from + arrow.to), number(e), Role::Axis});
       drawing.lines.push_back(arrow);
     }
@@ -182,10 +183,10 @@ Drawing draw_half_edge(const HalfEdgeMesh& mesh, Index edge) {
     Stroke stroke;
   };
   const std::array<Neighbour, 4> neighbours = {{
-      {half_edge.next, "next", {Role::BodyA, Real(2.4), false, true}},
-      {half_edge.prev, "prev", {Role::Incident, Real(2.4), false, true}},
-      {half_edge.twin, "twin", {Role::BodyB, Real(2.4), false, true}},
-      {edge, "half-edge", {Role::Highlight, Real(3.2), false, true}},
+      {half_edge.next, "next", {.role = Role::BodyA, .width = Real(2.4), .arrow = true}},
+      {half_edge.prev, "prev", {.role = Role::Incident, .width = Real(2.4), .arrow = true}},
+      {half_edge.twin, "twin", {.role = Role::BodyB, .width = Real(2.4), .arrow = true}},
+      {edge, "half-edge", {.role = Role::Highlight, .width = Real(3.2), .arrow = true}},
   }};
   for (const Neighbour& neighbour : neighbours) {
     if (!has_ends(mesh, neighbour.edge)) {
@@ -218,7 +219,7 @@ Drawing draw_mesh_fault(const HalfEdgeMesh& mesh, const std::string& sentence,
   }
   for (const Index e : edges) {
     if (!has_ends(mesh, e)) continue;
-    const Line arrow = half_edge_arrow(mesh, e, {Role::Warning, 3, false, true});
+    const Line arrow = half_edge_arrow(mesh, e, {.role = Role::Warning, .width = 3, .arrow = true});
     drawing.labels.push_back(
         {Real(0.5) * (arrow.from + arrow.to), "half-edge " + number(e), Role::Warning});
     drawing.lines.push_back(arrow);
@@ -248,15 +249,14 @@ Drawing draw_triangles(std::span<const Vec3> vertices, std::span<const Triangle>
     const Role role = lit ? Role::Warning : style.role;
     Polygon polygon{
         {at(triangles[t][0]), at(triangles[t][1]), at(triangles[t][2])}, role, style.opacity};
-    add_closed_curve(drawing, polygon.corners, {role, style.edge_width, style.dashed, false});
+    add_closed_curve(drawing, polygon.corners, {role, style.edge_width, style.dashed});
     if (lit || style.face_numbers) {
       drawing.labels.push_back({middle(polygon.corners), "triangle " + number(index), role});
     }
     drawing.polygons.push_back(std::move(polygon));
   }
   if (issue && exists(issue.edge[0]) && exists(issue.edge[1])) {
-    drawing.lines.push_back(
-        {at(issue.edge[0]), at(issue.edge[1]), {Role::Warning, 4, false, false}});
+    drawing.lines.push_back({at(issue.edge[0]), at(issue.edge[1]), {Role::Warning, 4}});
     for (const Index v : issue.edge) {
       drawing.labels.push_back({at(v), "v" + number(v), Role::Warning});
     }

@@ -118,7 +118,7 @@ Drawing draw_minkowski_difference(const PosedShape& a, const PosedShape& b) {
     Polygon polygon{planar_hull(sums, face.normal, tolerance), face.role, Real(0.6)};
     if (polygon.corners.size() < 3) continue;
     holds_origin = holds_origin && polygon.corners.front().dot(face.normal) >= 0;
-    add_closed_curve(drawing, polygon.corners, {Role::Axis, Real(1.1), false, false});
+    add_closed_curve(drawing, polygon.corners, {Role::Axis, Real(1.1)});
     drawing.polygons.push_back(std::move(polygon));
   }
   drawing.points.push_back({Vec3::Zero(), Role::Highlight, 6});
@@ -126,9 +126,9 @@ Drawing draw_minkowski_difference(const PosedShape& a, const PosedShape& b) {
   drawing.alt_text = "The Minkowski difference of A and B has " +
                      std::to_string(drawing.polygons.size()) + " faces; the origin lies " +
                      (holds_origin ? "inside: the bodies overlap." : "outside: they are apart.");
-  drawing.legend = {{"face of A", {Role::BodyA, 2, false, false}, LegendMark::Patch},
-                    {"face of −B", {Role::BodyB, 2, false, false}, LegendMark::Patch},
-                    {"pair of edges", {Role::Incident, 2, false, false}, LegendMark::Patch}};
+  drawing.legend = {{"face of A", {Role::BodyA, 2}, LegendMark::Patch},
+                    {"face of −B", {Role::BodyB, 2}, LegendMark::Patch},
+                    {"pair of edges", {Role::Incident, 2}, LegendMark::Patch}};
   return drawing;
 }
 

@@ -54,7 +54,8 @@ void finish_outline(Occluder& occluder) {
 }
 
 Occluder occluder_of(const Polygon& polygon, std::size_t index, const Camera& camera) {
-  Occluder result{Kind::Polygon, index, {}, {}, {}, {}, 0};
+  Occluder result;
+  result.index = index;
   Vec3d middle = Vec3d::Zero();
   std::vector<Vec3d> corners;
   for (const Vec3& corner : polygon.corners) {
@@ -83,7 +84,11 @@ Occluder occluder_of(const Polygon& polygon, std::size_t index, const Camera& ca
 Occluder occluder_of(const Ball& ball, std::size_t index, const Camera& camera) {
   const Projected center = camera.project(ball.center);
   const double radius = camera.pixels(ball.center, static_cast<double>(ball.radius));
-  Occluder result{Kind::Ball, index, {}, {}, {}, {0, 0, center.depth}, center.depth};
+  Occluder result;
+  result.kind = Kind::Ball;
+  result.index = index;
+  result.plane = {0, 0, center.depth};
+  result.middle_depth = center.depth;
   for (int i = 0; i < ball_corners; ++i) {
     const double angle = 2 * static_cast<double>(pi) * i / ball_corners;
     result.outline.emplace_back(center.x + radius * std::cos(angle),

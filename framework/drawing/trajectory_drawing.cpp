@@ -39,6 +39,7 @@ Drawing draw_frames(std::span<const Pose> poses, int every, Real length) {
   Drawing drawing;
   drawing.title = "Orientation";
   drawing.alt_text = "The axes of the body along its way.";
+  // Red, green and blue for x, y and z, as everywhere.
   const std::array<Role, 3> roles = {Role::Got, Role::Expected, Role::BodyA};
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool shown =
@@ -46,7 +47,7 @@ Drawing draw_frames(std::span<const Pose> poses, int every, Real length) {
     if (!shown) continue;
     for (int axis = 0; axis < 3; ++axis) {
       add_arrow(drawing, poses[i].position, length * poses[i].rotate(Vec3::Unit(axis)),
-                {roles.at(static_cast<std::size_t>(axis)), Real(1.6), false, true});
+                {roles.at(static_cast<std::size_t>(axis)), Real(1.6)});
     }
   }
   return drawing;
@@ -64,7 +65,7 @@ Drawing draw_box(const Pose& pose, const Vec3& half_extents, Role role, Real opa
         corner[(axis + 2) % 3] = static_cast<Real>(t);
         face.corners.push_back(pose.to_world(corner.cwiseProduct(half_extents)));
       }
-      add_closed_curve(drawing, face.corners, {role, Real(1.4), false, false});
+      add_closed_curve(drawing, face.corners, {role, Real(1.4)});
       drawing.polygons.push_back(face);
     }
   }
@@ -89,7 +90,7 @@ Drawing draw_energy_ellipsoid(const Vec3& inertia, Real energy) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     add_arrow(drawing, semi_axes[axis] * Vec3::Unit(axis),
-              Real(0.25) * semi_axes.maxCoeff() * Vec3::Unit(axis), {Role::Axis, 2, false, true},
+              Real(0.25) * semi_axes.maxCoeff() * Vec3::Unit(axis), {Role::Axis, 2},
               std::array{"ω₁", "ω₂", "ω₃"}.at(static_cast<std::size_t>(axis)));
   }
   return drawing;
@@ -109,7 +110,7 @@ Drawing draw_polhode(const Vec3& inertia, std::span<const Vec3> angular_velociti
       "The angular velocity in the body frame on the ellipsoid of its first energy: " + name + '.';
   add_curve(drawing, angular_velocities, stroke);
   drawing.legend = {{name, stroke, LegendMark::Line},
-                    {"energy at the start", {Role::Faint, 2, false, false}, LegendMark::Patch}};
+                    {"energy at the start", {Role::Faint, 2}, LegendMark::Patch}};
   return drawing;
 }
 
