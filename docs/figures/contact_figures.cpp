@@ -70,7 +70,7 @@ Page clip_steps() {
     show("plane " + std::to_string(i + 1));
   }
   Page page = page_of(sketches, drawing::view_from_above(), {190, 190});
-  page.same_scale = true;
+  page.framed_by_first = true;
   return page;
 }
 

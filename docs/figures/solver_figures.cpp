@@ -82,7 +82,7 @@ Page naive_stack_picture() {
   view.frame.include(Vec3(-3, -3, 0));
   view.frame.include(Vec3(3, 3, 10));
   Page page = page_of({left, right}, view, {300, 430});
-  page.same_scale = true;
+  page.framed_by_first = true;
   return page;
 }
 
