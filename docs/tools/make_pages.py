@@ -26,6 +26,7 @@ ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
 FIGURE = re.compile(r"!\[([^\]]*)\]\((?:figures/)?([\w-]+)\.(svg|png)(?:\s+\"(.*?)\")?\)", re.S)
+BOLD = re.compile(r"\*\*(.+?)\*\*", re.S)
 MATH = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.S)
 
 
@@ -125,6 +126,9 @@ class Book:
         return "".join(piece if piece.startswith("@htmlonly") else self.convert_prose(page, piece) for piece in pieces)
 
     def convert_prose(self, page, text):
+        # Doxygen knows no formula between asterisks, and leaves a gap before one in parentheses.
+        text = BOLD.sub(lambda m: f"<b>{m[1]}</b>" if "$" in m[1] else m[0], text)
+        text = re.sub(r"\(\$([^$()]+)\$\)", r"$(\1)$", text)
         pieces = CODE_OR_TEXT.split(text)
         return "".join(self.code(piece) if i % 2 else self.roles(page, MATH.sub(doxygen_math, piece), markdown_link)
                        for i, piece in enumerate(pieces))

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Opens every page of the book from disk in one headless browser, at the width of a phone.
 
-A page passes when the browser logs no error and no failed request, all formulas are rendered and none is
-left as TeX, all images are there and described, nothing is wider than the screen, and all links lead to
+A page passes when the browser logs no error and no failed request, all formulas are rendered, nothing is
+left as TeX or Markdown, all images are there and described, nothing is wider than the screen, and all links lead to
 something. The search must find a word. Exit code 77: the book is not built.
 """
 import os
@@ -83,6 +83,7 @@ while (walker.nextNode()) {
   const parent = walker.currentNode.parentElement;
   if (parent.closest('script, style, .fragment, code, .MathJax_Preview')) continue;
   const tex = walker.currentNode.data.match(/\\\(|\\\[|\\[a-z]+\{|\$[^$\s][^$]*\$/);
+  if (walker.currentNode.data.includes('**')) faults.push('raw Markdown: ' + walker.currentNode.data.trim().slice(0, 80));
   if (tex) faults.push('raw TeX: ' + walker.currentNode.data.trim().slice(0, 80));
 }
 // MathJax draws what it does not understand as red text.
