@@ -12,4 +12,5 @@ lab = re.search(r"^/// \*\*Lab (\d+):", text, re.M)
 group = f"apilab{lab.group(1)}" if lab else "apigiven"
 text = re.sub(r"^namespace (cs550\S*) \{\n\n", rf"namespace \1 {{ /** @addtogroup {group}\n@{{ */\n", text, count=1, flags=re.M)
 text = re.sub(r"\n\n\}  // namespace (cs550\S*)", r"\n/** @} */\n}  // namespace \1", text, count=1)
+text = text.replace("**–**", "–")  # Doxygen ends bold text at a space only
 sys.stdout.write(text)
