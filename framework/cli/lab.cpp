@@ -123,10 +123,10 @@ int run_engine(const LabOptions& options) {
   std::cout << coloured("Your own engine, labs 1 to " + std::to_string(options.lab), Colour::Bold)
             << "\n\n"
             << std::flush;
-  const bool reached =
-      run({built_program("student", "milestones_student"), "--lab", std::to_string(options.lab)})
-          .good();
-  return reached ? Good : Failed;
+  const Ending ending =
+      run({built_program("student", "milestones_student"), "--lab", std::to_string(options.lab)});
+  if (ending.signal != 0) std::cout << "\nnot reached: " << ending.in_words() << '\n';
+  return ending.good() ? Good : Failed;
 }
 
 int run_lab(LabOptions options) {

@@ -24,7 +24,7 @@ fs::path path_in_project(const std::string& lab_name) {
 
 fs::path first_free_backup(const fs::path& file) {
   for (int n = 1;; ++n) {
-    const fs::path backup = file.string() + ".bak-" + std::to_string(n);
+    fs::path backup = file.string() + ".bak-" + std::to_string(n);
     if (!fs::exists(backup)) return backup;
   }
 }

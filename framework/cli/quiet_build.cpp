@@ -35,7 +35,7 @@ std::string build_quietly(const std::string& target) {
   const fs::path log = project_root() / "build/results" / (target + ".log");
   fs::create_directories(log.parent_path());
   const Ending ending = run({project_root() / "cs550", "build", "student", target}, {{}, log});
-  const std::string error = ending.good() ? "" : first_error(log);
+  std::string error = ending.good() ? "" : first_error(log);
   fs::remove(log);
   return error;
 }
