@@ -26,6 +26,7 @@ PageAxes page_axes(const View& view) {
 
 std::vector<Vec3> corners(const Bounds& box) {
   std::vector<Vec3> result;
+  result.reserve(8);
   for (int i = 0; i < 8; ++i) {
     result.emplace_back((i & 1) == 0 ? box.lower.x() : box.upper.x(),
                         (i & 2) == 0 ? box.lower.y() : box.upper.y(),

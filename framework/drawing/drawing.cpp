@@ -110,12 +110,15 @@ Drawing finite_part(const Drawing& drawing) {
       keep_if(result.labels, [](const Label& label) { return is_finite(label.position); });
   if (left_out > 0) {
     result.notes.push_back(std::to_string(left_out) +
-                           " elements have coordinates that are not finite and are left out.");
+                           (left_out == 1 ? " element has" : " elements have") +
+                           " coordinates that are not finite: left out.");
   }
   return result;
 }
 
-bool is_finite(const Vec3& position) { return position.allFinite(); }
+bool is_finite(const Vec3& position) {
+  return position.allFinite() && std::isfinite(position.squaredNorm());
+}
 
 Vec3 middle(std::span<const Vec3> positions) {
   Vec3 sum = Vec3::Zero();

@@ -105,7 +105,7 @@ Bounds bounds(std::span<const Drawing> drawings);
 /// out: values of unfinished code may be anything.
 Drawing finite_part(const Drawing& drawing);
 
-/// Whether the three coordinates are numbers.
+/// Whether the three coordinates are numbers, and their squares as well.
 bool is_finite(const Vec3& position);
 
 /// The mean of some positions; zero of none.

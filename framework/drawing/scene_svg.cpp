@@ -48,7 +48,7 @@ class LabelPlacer {
   /// What a label should not cover.
   void avoid(const Rectangle& box) { taken_.push_back(box); }
 
-  /// The upper left corner of the best place around a point.
+  /// The best box around a point.
   /// @param outward the side on which the label stands best, any length
   Rectangle place(PagePoint at, PagePoint outward, double width, double height) {
     constexpr double gap = 7;
@@ -107,7 +107,8 @@ class ScenePainter {
   }
 
   void paint_labels(const Rectangle& area) {
-    LabelPlacer placer(area);
+    // Letters are a little wider than they are taken for.
+    LabelPlacer placer({area.left + 6, area.top, area.width - 12, area.height});
     for (const Point& point : drawing_.points) {
       const PagePoint at = place(point.position);
       const double r = static_cast<double>(point.radius);

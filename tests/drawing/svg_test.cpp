@@ -57,7 +57,7 @@ TEST(Svg, LeavesOutWhatIsNotFiniteAndSaysSo) {
 
 TEST(Svg, StaysSmallWhereValuesAreHuge) {
   Drawing drawing = one_of_each();
-  drawing.lines.push_back({{0, 0, 0}, {1e38F, 1e38F, 0}, {}});
+  drawing.lines.push_back({{0, 0, 0}, {1e18F, 1e18F, 0}, {}});
   View view;
   view.frame = {{-1, -1, -1}, {1, 1, 1}};
   for (const Real field_of_view : {Real(0), Real(0.8)}) {
@@ -68,6 +68,14 @@ TEST(Svg, StaysSmallWhereValuesAreHuge) {
     EXPECT_EQ(count(svg, "inf"), 0);
     EXPECT_EQ(count(svg, "00000000"), 0);
   }
+}
+
+TEST(Svg, ValuesWhoseSquaresOverflowAreLeftOut) {
+  Drawing drawing = one_of_each();
+  drawing.points.push_back({{-3e38F, 3e38F, 3e38F}, Role::Got, 4});
+  const std::string svg = write_svg(drawing);
+  EXPECT_EQ(count(svg, "nan"), 0);
+  EXPECT_EQ(count(svg, "1 element has coordinates"), 1);
 }
 
 TEST(Svg, AnEmptyDrawingIsAnEmptyPicture) {
