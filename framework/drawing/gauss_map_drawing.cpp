@@ -59,7 +59,7 @@ Vec3 add_face_feature(Drawing& drawing, const PosedShape& owner, const PosedShap
   }
   const Vec3 vertex = other.vertex(query.vertex);
   const Plane plane = owner.plane(query.face);
-  const Vec3 foot = vertex - plane.distance(vertex) * plane.normal;
+  Vec3 foot = vertex - plane.distance(vertex) * plane.normal;
   drawing.points.push_back({vertex, role, 5});
   drawing.labels.push_back({vertex, "v" + std::to_string(query.vertex), Role::Text});
   drawing.lines.push_back({foot, vertex, {.role = Role::Text, .width = Real(1.6), .dashed = true}});

@@ -42,13 +42,11 @@ std::string feature_text(FeatureId feature) {
   const Index b = feature.of_b();
   switch (feature.kind()) {
     case Kind::VertexOnFaceA:
-      return of("vertex", b, 'B') + " on " + of("face", a, 'A');
-    case Kind::CornerOfFaceA:
-      return of("vertex", a, 'A') + " on " + of("face", b, 'B');
-    case Kind::VertexOnFaceB:
-      return of("vertex", a, 'A') + " on " + of("face", b, 'B');
     case Kind::CornerOfFaceB:
       return of("vertex", b, 'B') + " on " + of("face", a, 'A');
+    case Kind::VertexOnFaceB:
+    case Kind::CornerOfFaceA:
+      return of("vertex", a, 'A') + " on " + of("face", b, 'B');
     case Kind::CrossingOnA:
     case Kind::CrossingOnB:
     case Kind::Edges:

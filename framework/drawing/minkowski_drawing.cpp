@@ -14,6 +14,7 @@ constexpr Real same_normal = Real(1) - Real(1e-6);
 
 std::vector<Vec3> world_vertices(const PosedShape& body) {
   std::vector<Vec3> vertices;
+  vertices.reserve(body.mesh().vertices.size());
   for (Index v = 0; v < body.mesh().vertex_count(); ++v) vertices.push_back(body.vertex(v));
   return vertices;
 }
@@ -34,9 +35,11 @@ std::vector<Vec3> extreme(const std::vector<Vec3>& points, const Vec3& direction
 
 /// The convex hull of points of a plane, counter-clockwise about its normal (Andrew 1979).
 std::vector<Vec3> planar_hull(const std::vector<Vec3>& points, const Vec3& normal, Real tolerance) {
+  if (points.size() < 3) return points;
   const Vec3 u = any_perpendicular(normal);
   const Vec3 v = normal.cross(u);
   std::vector<std::pair<Vec2, Vec3>> flat;
+  flat.reserve(points.size());
   for (const Vec3& point : points) flat.push_back({{point.dot(u), point.dot(v)}, point});
   std::sort(flat.begin(), flat.end(), [](const auto& a, const auto& b) {
     return a.first.x() < b.first.x() || (a.first.x() == b.first.x() && a.first.y() < b.first.y());
@@ -56,6 +59,7 @@ std::vector<Vec3> planar_hull(const std::vector<Vec3>& points, const Vec3& norma
   for (std::size_t i = flat.size() - 1; i-- > 0;) grow(flat[i], lower);
   hull.pop_back();
   std::vector<Vec3> corners;
+  corners.reserve(hull.size());
   for (const auto& [place, corner] : hull) corners.push_back(corner);
   return corners;
 }

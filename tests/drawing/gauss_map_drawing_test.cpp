@@ -87,6 +87,12 @@ TEST(MinkowskiDrawing, HoldsTheOriginWhileTheBodiesOverlap) {
   EXPECT_NE(words(Real(1.8)).find("outside"), std::string::npos);
 }
 
+TEST(MinkowskiDrawing, OfBodiesThatAreNowhereIsEmpty) {
+  const ShapePtr cube = fixture_shape("cube");
+  const PosedShape nowhere{cube.get(), {Vec3::Constant(NAN), Quat::Identity()}};
+  EXPECT_TRUE(draw_minkowski_difference({cube.get(), {}}, nowhere).polygons.empty());
+}
+
 TEST(MinkowskiDrawing, IsClosed) {
   // The area vectors of a closed surface add up to nothing.
   const ShapePtr a = fixture_shape("cube");
