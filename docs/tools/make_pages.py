@@ -119,7 +119,8 @@ class Book:
         text = FIGURE.sub(lambda m: self.figure(page, *m.groups()), text)
         text = re.sub(r"^## (L(\d)\.(\d) .*)$", r"## \1 {#L\2_\3}", text, flags=re.M)
         text = re.sub(r"<details><summary>(.*?)</summary>",
-                      lambda m: raw(f"<details><summary>{self.inline_html(page, m.group(1))}</summary>"), text, flags=re.S)
+                      lambda m: raw(f"<details><summary>{self.inline_html(page, m[1])}</summary>"),
+                      text, flags=re.S)
         text = text.replace("</details>", raw("</details>"))
         text = re.sub(r"\[`?([^\]`]+)`?\]\(([^)#]+)\)", lambda m: self.link(page, *m.groups()), text)
         pieces = re.split(r"(@htmlonly.*?@endhtmlonly)", text, flags=re.S)
@@ -265,7 +266,8 @@ class Book:
         text = ["/** @namespace cs550\n * Everything of the project. */"]
         for page in self.pages:
             if page.is_reference:
-                text.append(f"/** @defgroup {page.name} {page.title}\n * {about(page)}\n *\n * {self.navigation(page)} */")
+                text.append(f"/** @defgroup {page.name} {page.title}\n * {about(page)}\n *\n"
+                            f" * {self.navigation(page)} */")
         (self.output / "groups.dox").write_text("\n".join(text) + "\n")
 
 
@@ -347,7 +349,9 @@ def markdown_link(text, address):
     return f'<a href="{address}">{escape(text)}</a>'
 
 
-html_link = lambda text, address: f'<a href="{address}">{text}</a>'  # noqa: E731  text is HTML already
+def html_link(text, address):
+    """For text that is HTML already."""
+    return f'<a href="{address}">{text}</a>'
 
 
 def main():
