@@ -6,10 +6,13 @@
 #include <optional>
 #include <string>
 
+#include "process.hpp"
 #include "progress_bar.hpp"
+#include "project.hpp"
 #include "run_record.hpp"
 #include "trajectory_csv.hpp"
 #include "verb.hpp"
+#include "viewer_program.hpp"
 
 namespace cs550::cli {
 namespace {
@@ -39,6 +42,28 @@ void run_scene(World& world, const Scene& scene, int steps, RunRecord& record,
   if (trajectory) trajectory->commit();
 }
 
+/// A picture of the scene an eighth of the way in, when most happens. A demo is good without one.
+void take_picture(const Scene& scene, const std::string& name, int steps) {
+  constexpr int moment = 8;
+  if (!has_viewer()) {
+    std::cout << "\nFor a picture: ./cs550 view " << name << " (it installs what it needs)\n";
+    return;
+  }
+  std::vector<std::string> command = viewer_command(false, "release");
+  if (command.empty()) return;
+  const std::filesystem::path file = project_root() / "build/results" / (scene.name + ".png");
+  const std::filesystem::path said = file.string() + ".txt";
+  std::filesystem::create_directories(file.parent_path());
+  command.insert(command.end(), {name, "--steps", std::to_string(steps / moment), "--ui", "off",
+                                 "--snapshot", file.string()});
+  if (run(command, {{}, said}).good()) {
+    std::cout << "\nPicture: " << std::filesystem::relative(file).string() << "   ./cs550 view "
+              << name << " shows it moving\n";
+  } else {
+    std::cout << "\nNo picture: see " << said.string() << '\n';
+  }
+}
+
 int run_demo(const DemoOptions& options) {
   SceneResult found = find_scene(options.scene);
   if (!found) {
@@ -52,8 +77,10 @@ int run_demo(const DemoOptions& options) {
   if (!options.csv.empty()) trajectory.emplace(options.csv);
   World world = make_world(scene);
   RunRecord record(scene, world);
-  run_scene(world, scene, options.steps > 0 ? options.steps : scene.steps, record, trajectory);
+  const int steps = options.steps > 0 ? options.steps : scene.steps;
+  run_scene(world, scene, steps, record, trajectory);
   record.print(std::cout);
+  take_picture(scene, options.scene, steps);
   return record.good() ? Good : Failed;
 }
 

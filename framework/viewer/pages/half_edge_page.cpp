@@ -22,7 +22,7 @@ struct HalfEdgeSettings {
   int solid = 1;
   bool merged = true;
   int fault = None;
-  int edge = 6;
+  int edge = 22;
   std::vector<int> walk;
   int step = -1;
 

@@ -1,6 +1,9 @@
 #include "viewer/ui/captions.hpp"
 
 #include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace cs550::viewer {
 namespace {
@@ -59,17 +62,55 @@ void draw_sample(ImDrawList* list, const LegendEntry& entry, ImVec2 at, float le
   }
 }
 
+/// A rectangle of text (pixels).
+struct Box {
+  float left;
+  float top;
+  float right;
+  float bottom;
+
+  bool overlaps(const Box& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+/// Where a text beside a point hides no other: to the upper right, else at one of the other corners,
+/// else farther away; in a crowd to the upper right.
+Box free_place(const Vec2& point, ImVec2 size, std::span<const Box> taken) {
+  constexpr float gap = 6;
+  const auto at = [&](bool right, bool above, float line) {
+    const float left = std::floor(right ? point.x() + gap : point.x() - gap - size.x);
+    const float shift = gap / 2 + line * size.y;
+    const float top = std::floor(above ? point.y() - shift - size.y : point.y() + shift);
+    return Box{left, top, left + size.x, top + size.y};
+  };
+  for (const float line : {0.0F, 1.0F, 2.0F}) {
+    for (const auto& [right, above] :
+         {std::pair{true, true}, {true, false}, {false, true}, {false, false}}) {
+      const Box box = at(right, above, line);
+      const bool is_free = std::none_of(taken.begin(), taken.end(),
+                                        [&](const Box& other) { return box.overlaps(other); });
+      if (is_free) return box;
+    }
+  }
+  return at(true, true, 0);
+}
+
 }  // namespace
 
 void show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
                  const Fonts& fonts) {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   list->PushClipRect({area.left, area.top}, {area.left + area.width, area.top + area.height});
+  std::vector<Box> taken;
   for (const drawing::Label& label : drawing.labels) {
     if (!projection.is_in_front(label.position)) continue;
-    const Vec2 pixel = projection.pixel(label.position);
-    const ImVec2 at(std::floor(pixel.x() + 7), std::floor(pixel.y() - fonts.small.size - 3));
-    haloed_text(list, fonts.small, at, packed(readable(label.role)), label.text.c_str());
+    const ImVec2 size =
+        fonts.small.font->CalcTextSizeA(fonts.small.size, FLT_MAX, 0, label.text.c_str());
+    const Box box = free_place(projection.pixel(label.position), size, taken);
+    taken.push_back(box);
+    haloed_text(list, fonts.small, {box.left, box.top}, packed(readable(label.role)),
+                label.text.c_str());
   }
   list->PopClipRect();
 }
