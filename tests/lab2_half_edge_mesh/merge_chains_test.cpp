@@ -82,7 +82,8 @@ GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
     const std::optional<HalfEdgeMesh> built = build_or_tell(soup, here);
     if (!built) return;
     const HalfEdgeMesh mesh = merge_coplanar_faces(*built, tolerance);
-    here.picture([&] { return merge_picture(*built, mesh); });
+    // A finer one would be black with edges.
+    if (sides <= 100) here.picture([&] { return merge_picture(*built, mesh); });
     here.expect_at_least("faces", mesh.face_count(), fewest_sides + 2);
     here.expect_at_most("faces", mesh.face_count(), sides + 2);
     // The area of a circle's m-gon is below the circle's by (2π/m)²/6 of it.
