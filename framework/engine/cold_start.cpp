@@ -36,16 +36,6 @@ void push_apart(WorldState& world, const ContactRow& row, Real impulse) {
   velocity_of(world, row.body_b).apply(impulse * row.n, row.r_b);
 }
 
-/// The rows of one pair of bodies follow each other.
-std::size_t pair_end(std::span<const ContactRow> rows, std::size_t first) {
-  std::size_t end = first;
-  while (end < rows.size() && rows[end].body_a == rows[first].body_a &&
-         rows[end].body_b == rows[first].body_b) {
-    ++end;
-  }
-  return end;
-}
-
 /// One row in the middle of those of a pair.
 ContactRow middle_row(WorldState& world, std::span<const ContactRow> rows) {
   ContactRow middle = rows[0];
@@ -72,7 +62,7 @@ void list_cold_pairs(WorldState& world) {
   world.cold_pairs.clear();
   const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
   for (std::size_t i = 0; i < world.rows.size();) {
-    const std::size_t end = pair_end(world.rows, i);
+    const std::size_t end = end_of_pair(world.rows, i);
     const std::span<const ContactRow> rows(world.rows.data() + i, end - i);
     if (is_fresh(rows)) {
       const ContactRow middle = middle_row(world, rows);

@@ -173,6 +173,7 @@ void solve(WorldState& world, ContactStep step) {
   if (world.settings.solver == SolverKind::Naive) {
     solve_naive(world);
   } else {
+    refresh_masses(world, step);
     warm_start_rows(world);
     step.use_bias = true;
     for (int i = 0; i < world.settings.iterations; ++i) {

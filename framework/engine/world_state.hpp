@@ -106,6 +106,11 @@ void write_back_momenta(WorldState& world);
 
 /// Fills one row per contact point.
 void fill_rows(WorldState& world);
+/// One past the last row of the pair that a row belongs to: the rows of a pair follow each other.
+std::size_t end_of_pair(std::span<const ContactRow> rows, std::size_t first);
+/// Prepares the rows of bodies anew that have turned far since the step began: their inertia in the
+/// world has changed.
+void refresh_masses(WorldState& world, const ContactStep& step);
 /// Gives rows that are new and at rest the impulses that they will need. @param h substep (s)
 void guess_cold_impulses(WorldState& world, Real h);
 /// Hands the accumulated impulses back to the contact points, for the next step's warm start.

@@ -57,8 +57,8 @@ ContactBias contact_bias([[maybe_unused]] const ContactRow& row, [[maybe_unused]
                          [[maybe_unused]] const ContactStep& step) {
   // L7.3, step 1: apart: how fast may the gap close, so that it is just gone after the substep?
   // L7.3, step 2: in penetration, unless this is the relax pass: how fast is it to be undone, by a
-  //               share of the error beyond the slop (Baumgarte) or by a spring (soft)? Not faster
-  //               than the largest push speed.
+  //               share of the error beyond the slop (Baumgarte) or by a spring, which knows no slop
+  //               (soft)? Not faster than the largest push speed.
   // L7.3, step 3: a soft contact also brings its two scales along.
   // L7.3, step 4: in the Baumgarte model the bias may ask for a bounce, too. Do you add the two?
   // See README.md, L7.3.
@@ -120,8 +120,9 @@ void solve_contacts([[maybe_unused]] std::span<ContactRow> rows,
 void apply_restitution([[maybe_unused]] std::span<ContactRow> rows,
                        [[maybe_unused]] std::span<BodyVelocity> bodies,
                        [[maybe_unused]] const ContactStep& step) {
-  // L7.9, step 1: which rows have just been hit, and hard enough to bounce?
-  // L7.9, step 2: what normal velocity should they leave with, and which impulse gives it to them?
+  // L7.9, step 1: has any row been hit, hard enough to bounce? If not, only step 4 is left.
+  // L7.9, step 2: which rows are in touch, what normal velocity should each of them have, whether it
+  //               bounces or not, and which impulse gives it to them?
   // L7.9, step 3: several corners of one body pull at each other: sweep as often as the step says.
   // L7.9, step 4: when all is done, remember which rows have been struck.
   // See README.md, L7.9.

@@ -72,6 +72,15 @@ bool bounces(const ContactRow& row, Real threshold) {
   return row.restitution > 0 && row.approach_velocity < -threshold;
 }
 
+bool bounces_now(const ContactRow& row, Real threshold) {
+  return !row.struck && bounces(row, threshold);
+}
+
+/// Pushing, or about to: a few corners may stop a body before its other ones have closed their gaps.
+bool is_in_touch(const ContactRow& row, Real separation, Real h) {
+  return row.normal_impulse > 0 || separation < -2 * row.approach_velocity * h;
+}
+
 }  // namespace
 
 ContactJacobian contact_jacobian(const Vec3& direction, const Vec3& r_a, const Vec3& r_b) {
@@ -85,18 +94,16 @@ Real constraint_mass(const ContactJacobian& jacobian, const BodyVelocity& a,
 }
 
 ContactBias contact_bias(const ContactRow& row, Real separation, const ContactStep& step) {
-  const Real excess = separation + step.slop;
   ContactBias bias;
   if (separation > 0) {
     bias.velocity = separation / step.h;
-  } else if (step.use_bias && excess < 0) {
-    const bool soft = step.model == ContactModel::Soft;
-    const Real rate = soft ? row.softness.bias_rate : step.baumgarte / step.h;
-    bias.velocity = std::max(rate * excess, -step.max_push_speed);
-    if (soft) {
-      bias.mass_scale = row.softness.mass_scale;
-      bias.impulse_scale = row.softness.impulse_scale;
-    }
+  } else if (step.use_bias && step.model == ContactModel::Soft) {
+    bias.velocity = std::max(row.softness.bias_rate * separation, -step.max_push_speed);
+    bias.mass_scale = row.softness.mass_scale;
+    bias.impulse_scale = row.softness.impulse_scale;
+  } else if (step.use_bias) {
+    const Real excess = std::min(separation + step.slop, Real(0));
+    bias.velocity = std::max(step.baumgarte / step.h * excess, -step.max_push_speed);
   }
   if (step.use_bias && step.model == ContactModel::Baumgarte &&
       bounces(row, step.restitution_threshold)) {
@@ -164,14 +171,19 @@ void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
 
 void apply_restitution(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
                        const ContactStep& step) {
-  for (int sweep = 0; sweep < step.restitution_iterations; ++sweep) {
+  const auto body = [&](Index i) -> BodyVelocity& { return bodies[static_cast<std::size_t>(i)]; };
+  const auto was_hit = [&](const ContactRow& row) {
+    return row.normal_impulse > 0 && bounces_now(row, step.restitution_threshold);
+  };
+  const bool any = std::any_of(rows.begin(), rows.end(), was_hit);
+  for (int sweep = 0; any && sweep < step.restitution_iterations; ++sweep) {
     for (ContactRow& row : rows) {
-      const bool impact = row.normal_impulse > 0 && !row.struck;
-      if (!impact || !bounces(row, step.restitution_threshold)) continue;
-      BodyVelocity& a = bodies[static_cast<std::size_t>(row.body_a)];
-      BodyVelocity& b = bodies[static_cast<std::size_t>(row.body_b)];
+      BodyVelocity& a = body(row.body_a);
+      BodyVelocity& b = body(row.body_b);
+      if (!is_in_touch(row, present_separation(row, a, b), step.h)) continue;
+      const bool bounce = bounces_now(row, step.restitution_threshold);
+      const Real target = bounce ? -row.restitution * row.approach_velocity : 0;
       const Real v_n = normal_velocity(a, b, row.r_a, row.r_b, row.n);
-      const Real target = -row.restitution * row.approach_velocity;
       accumulate_normal(row, -row.normal_mass * (v_n - target), a, b);
     }
   }

@@ -95,8 +95,7 @@ void run_scenes(const std::vector<ShapePtr>& shapes, int count, std::uint32_t se
 
 TEST(RandomScenes, TwentyStayFinite) { run_scenes(some_shapes(), 20, 52); }
 TEST(RandomScenes, AThousandStayFiniteLong) { run_scenes(some_shapes(), 1000, 53); }
-// Not held yet: a needle that is pushed at its tip spins faster than the substeps can follow.
-TEST(RandomScenes, DISABLED_NeedlesStayFiniteLong) { run_scenes(shapes_with_a_needle(), 100, 53); }
+TEST(RandomScenes, NeedlesStayFiniteLong) { run_scenes(shapes_with_a_needle(), 100, 53); }
 TEST(RandomScenes, TenThousandStayFiniteSoak) { run_scenes(some_shapes(), 10000, 54); }
 
 }  // namespace

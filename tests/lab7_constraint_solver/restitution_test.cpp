@@ -73,7 +73,7 @@ GRADED_TEST(Lab7, OnlyFreshHardImpactsBounce, 1, "L7.9") {
   const Case cases[] = {
       {"hit at 4 m/s", -4, 8, false, 2, true},
       {"hit at 0.4 m/s, below the threshold", Real(-0.4), 8, false, 0, true},
-      {"at 4 m/s, but without impulse", -4, 0, false, 0, false},
+      {"at 4 m/s, but nothing was hit", -4, 0, false, 0, false},
       {"struck already", -4, 8, true, 0, true},
       {"struck already, and released", -4, 0, true, 0, true},
       {"parting", 4, 8, false, 0, true},
@@ -91,6 +91,33 @@ GRADED_TEST(Lab7, OnlyFreshHardImpactsBounce, 1, "L7.9") {
                         "m/s");
     contact.expect_equal("struck after", meeting.row.struck, at.struck_after);
   }
+  Meeting hit = landing(2, Vec3::Zero());
+  hit.row.restitution = Real(0.5);
+  hit.row.approach_velocity = -4;
+  hit.row.normal_impulse = 8;
+  ContactRow falling = hit.row;
+  falling.body_b = 2;
+  falling.normal_impulse = 0;
+  falling.separation = Real(0.5);
+  ContactRow rows[] = {hit.row, falling};
+  BodyVelocity bodies[] = {hit.a, hit.b, landing(2, Vec3(0, 0, -4)).b};
+  apply_restitution(rows, bodies, bouncing_step(1));
+  Story above = story;
+  above.given("another cube 0.5 m above the floor, falling at 4 m/s, λ_n = 0");
+  above.expect_near("v_n of the cube above", static_cast<double>(bodies[2].v.z()), -4, 0, "m/s");
+
+  rows[1].separation = Real(0.01);
+  rows[1].struck = false;
+  bodies[2].v = Vec3(0, 0, -4);
+  rows[0] = hit.row;
+  ContactStep step = bouncing_step(1);
+  step.h = Real(1) / 480;
+  apply_restitution(rows, bodies, step);
+  Story close = story;
+  close.given("the same, 10 mm above the floor, substep 1/480 s: it arrives within two of them");
+  close.likely("the first corners of a body stop it before the others arrive: those bounce, too");
+  close.expect_near("v_n of the cube above", static_cast<double>(bodies[2].v.z()), 2, 1e-6, "m/s");
+
   Meeting fast = landing(2, Vec3(0, 0, 5));
   fast.row.restitution = Real(0.5);
   fast.row.approach_velocity = -4;

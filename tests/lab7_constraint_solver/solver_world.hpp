@@ -43,8 +43,10 @@ inline World checked_world() {
 }
 
 /// A static floor whose upper side is the plane z = 0.
-inline void add_floor(World& world, Real half_width, Real friction) {
-  BodyDef floor = body_at(box_shape({half_width, half_width, Real(0.5)}), {0, 0, Real(-0.5)});
+inline void add_floor(World& world, Real half_width, Real friction,
+                      Real half_thickness = Real(0.5)) {
+  BodyDef floor =
+      body_at(box_shape({half_width, half_width, half_thickness}), {0, 0, -half_thickness});
   floor.kind = BodyKind::Static;
   floor.friction = friction;
   world.add_body(floor);

@@ -33,7 +33,7 @@ struct ContactStep {
   Softness soft;                            ///< contacts between movable bodies
   Softness soft_static;                     ///< contacts with an immovable body
   Real baumgarte = Real(0.2);               ///< β
-  Real slop = 0;                            ///< penetration that is left alone (m)
+  Real slop = 0;                            ///< penetration that Baumgarte leaves alone (m)
   Real max_push_speed = HUGE_VALF;          ///< fastest recovery from penetration (m/s)
   Real restitution_threshold = 0;           ///< approaches slower than this do not bounce (m/s)
   int restitution_iterations = 1;           ///< sweeps of apply_restitution()
@@ -56,11 +56,10 @@ Real constraint_mass(const ContactJacobian& jacobian, const BodyVelocity& a, con
 
 /// **L7.3** The bias of a row, negative to push apart.
 /// - Apart (d > 0): b = d/h, whatever the pass: the gap may close, not more (speculative contact).
-/// - Within the slop (−slop ≤ d ≤ 0) or in the relax pass: b = 0. The contact is rigid there, so a
-///   stack at rest does not creep.
-/// - Deeper, Baumgarte: position term b_p = (β/h)·(d + slop), not below −max_push_speed.
-/// - Deeper, soft: b_p = rate·(d + slop), not below −max_push_speed, with the row's mass and impulse
-///   scales.
+/// - In the relax pass otherwise: b = 0.
+/// - In penetration, Baumgarte: position term b_p = (β/h)·min(0, d + slop), not below −max_push_speed.
+/// - In penetration, soft: b_p = rate·d, not below −max_push_speed, with the row's mass and impulse
+///   scales. A spring under load rests a little deep; that is what brings a leaning stack back.
 /// - Restitution, in the Baumgarte model only: b_r = e·v_n⁰ where v_n⁰ < −threshold, else 0, and
 ///   b = min(b_p, b_r), never the sum, whether the bodies are apart or not.
 /// @param separation d at present (m)
@@ -94,10 +93,13 @@ void solve_friction(ContactRow& row, BodyVelocity& a, BodyVelocity& b);
 void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
                     const ContactStep& step);
 
-/// **L7.9** Bounces: for the rows with λ_n > 0 that are not yet `struck` and whose approach velocity is
-/// below −threshold, drives v_n to −e·v_n⁰ (accumulated and clamped as in solve_normal()), sweeping
-/// restitution_iterations times; then marks every row with λ_n > 0 as struck. Runs after the relax
-/// pass of each substep; the substep in which λ_n first becomes positive is the one of the impact.
+/// **L7.9** Bounces. A row bounces if it is not yet `struck` and its approach velocity is below
+/// −threshold. If one with λ_n > 0 does, restitution_iterations sweeps drive v_n of every row in touch
+/// to its target, accumulated and clamped as in solve_normal(): −e·v_n⁰ if it bounces, else 0, for a
+/// blow is passed on through contacts that rest. In touch is a row with λ_n > 0, or whose present
+/// separation is less than −2·v_n⁰·h: the first corners of a body stop it before the others arrive.
+/// Then every row with λ_n > 0 is marked as struck. Runs after the relax pass of each substep; the
+/// substep in which λ_n first becomes positive is the impact's.
 void apply_restitution(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
                        const ContactStep& step);
 

@@ -27,16 +27,16 @@ struct WorldSettings {
   Vec3 gravity = {0, 0, Real(-9.81)};  ///< m/s²; the z axis points up
   Real length_unit = 1;                ///< the size of a typical body (m)
 
-  int substeps = 4;          ///< of one step
+  int substeps = 8;          ///< of one step
   int iterations = 1;        ///< passes with bias in a substep
-  int relax_iterations = 3;  ///< passes without bias in a substep, soft contacts only
+  int relax_iterations = 2;  ///< passes without bias in a substep, soft contacts only
   SolverKind solver = SolverKind::Constraint;                  ///< whose solver runs
   ContactModel contact_model = ContactModel::Soft;             ///< how penetration is undone
   RotationMethod rotation = RotationMethod::ImplicitMidpoint;  ///< how bodies turn
   bool warm_starting = true;  ///< begin with the impulses of the last step
 
-  Real contact_hertz = 40;                 ///< stiffness of soft contacts (1/s)
-  Real contact_damping_ratio = 10;         ///< ζ of soft contacts; 1 is critical
+  Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
+  Real contact_damping_ratio = 4;          ///< ζ of soft contacts; 1 is critical
   Real baumgarte = Real(0.2);              ///< β: share of the error undone per step
   Real slop = Real(1e-3);                  ///< of the length unit
   Real max_push_speed = 3;                 ///< length units per second
