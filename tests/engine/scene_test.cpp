@@ -314,8 +314,9 @@ TEST(Scene, AssetsFolderCanBeChosenWhenTheProgramRuns) {
 
 TEST(Scene, ShipsTheScenesOfTheCourse) {
   const std::vector<std::string> expected = {
-      "bounce",  "box_pile",      "bunny_and_teapot", "dominoes", "free_spin", "hull_pile",
-      "incline", "newton_cradle", "pyramid20",        "stack10",  "wall"};
+      "bounce",  "box_pile",      "bunny_and_teapot", "collisions",    "dominoes",      "free_spin",
+      "ghosts",  "hull_pile",     "incline",          "newton_cradle", "over_the_edge", "pyramid20",
+      "stack10", "standing_wall", "thrown_shapes",    "wall"};
   EXPECT_EQ(shipped_scenes(), expected);
   for (const std::string& name : expected) {
     const SceneResult result = find_scene(name);
