@@ -25,6 +25,7 @@ fs::path memory() { return project_root() / "build/results/engine.json"; }
 /// Of all lab files together: a change in any may change the engine.
 std::vector<std::string> hashes(const std::vector<LabResult>& labs) {
   std::vector<std::string> list;
+  list.reserve(labs.size());
   for (const LabResult& lab : labs) list.push_back(lab.file_hash);
   return list;
 }
