@@ -109,8 +109,12 @@ inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& directi
   got.points.push_back({mesh.vertex(highest), drawing::Role::Expected, 4});
   expected.legend.clear();
   got.legend.clear();
-  return expected_beside_got("The most extreme vertex, the direction upward", expected, got,
-                             seen_upright(direction),
+  // From the side on which both vertices are.
+  drawing::View view = seen_upright(direction);
+  Vec3 side = mesh.vertex(highest) + (is_vertex(mesh, found) ? mesh.vertex(found) : Vec3(0, 0, 0));
+  side -= side.dot(view.up) * view.up;
+  if (side.norm() > 0) view.toward_eye = side.normalized() + Real(0.35) * view.up;
+  return expected_beside_got("The most extreme vertex, the direction upward", expected, got, view,
                              "No vertex lies beyond the plane through the most extreme one.");
 }
 
