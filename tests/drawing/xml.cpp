@@ -61,7 +61,7 @@ class Reader {
     for (skip_spaces(); !peek(">") && !peek("/>"); skip_spaces()) {
       const std::string attribute = read_name();
       if (!attributes.insert(attribute).second) {
-        throw std::runtime_error("<" + name + "> has two attributes " + attribute);
+        throw std::runtime_error("two attributes " + attribute);
       }
       expect("=\"");
       while (!peek("\"")) read_character();

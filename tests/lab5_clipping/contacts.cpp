@@ -186,6 +186,7 @@ bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const 
   std::vector<Point> got;
   for (const ContactPoint& point : manifold.points) got.push_back(middle(a, b, point));
   std::vector<Point> wanted;
+  wanted.reserve(expected.size());
   for (const Vec3& point : expected) wanted.push_back(point.cast<double>());
 
   std::vector<bool> taken(got.size(), false);
