@@ -50,6 +50,7 @@ struct ContactRing {
 template <class Points>
 double ring_area(const Points& points, const Vec3& normal) {
   std::vector<Point> places;
+  places.reserve(static_cast<std::size_t>(points.size()));
   for (const ContactPoint& point : points) places.push_back(point.anchor_a.template cast<double>());
   return area_of(places, normal.cast<double>());
 }
