@@ -79,7 +79,7 @@ std::string output_of(const std::vector<std::string>& command,
       std::filesystem::temp_directory_path() / ("cs550." + std::to_string(getpid()) + ".txt");
   const Ending ending = run(command, {folder, file});
   std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
   std::filesystem::remove(file);
   if (!ending.good()) throw std::runtime_error(command.front() + " failed: " + text);
   return text;

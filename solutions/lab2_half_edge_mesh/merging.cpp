@@ -87,6 +87,7 @@ class CoplanarMerger {
     }
     std::sort(keyed.begin(), keyed.end());
     std::vector<Index> edges;
+    edges.reserve(keyed.size());
     for (const auto& key : keyed) edges.push_back(std::get<3>(key));
     return edges;
   }
@@ -100,6 +101,7 @@ class CoplanarMerger {
     }
     std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
     std::vector<Vec3> points;
+    points.reserve(loop.size());
     for (Index v : loop) points.push_back(mesh_.vertex(v));
     return points;
   }
@@ -187,6 +189,7 @@ class CoplanarMerger {
   void try_merge(const Union& merged) {
     const std::vector<Index> straight = edges_after_straight_vertices(merged.outline);
     std::vector<Index> vertices;
+    vertices.reserve(straight.size());
     for (Index e : straight) vertices.push_back(mesh_.origin(e));
 
     if (!is_face(corners(merged.outline, vertices))) return;
