@@ -27,7 +27,7 @@ class Frames : public testing::Test {
 std::size_t bytes_in_use() { return mallinfo2().uordblks; }
 
 /// A running scene with every overlay, after its plots are full.
-TEST_F(Frames, AThousandDoNotGrow) {
+TEST_F(Frames, AThousandDoNotGrowLong) {
   Options options;
   options.scene = "bounce";
   options.steps = 950;  // more than the plots remember
