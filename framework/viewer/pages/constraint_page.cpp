@@ -1,5 +1,7 @@
 // Lab 7: the same stack by accumulated impulses, with and without a warm start.
 #include "cs550/constraint_solver.hpp"
+#include "cs550/naive_solver.hpp"
+#include "cs550/not_implemented.hpp"
 #include "drawing/impulse_drawing.hpp"
 #include "viewer/pages/lab_page.hpp"
 #include "viewer/pages/shapes.hpp"
@@ -64,6 +66,20 @@ drawing::Convergence convergence(const char* name, const Run& run, bool dashed) 
   return result;
 }
 
+/// The same stack by lab 6, to compare with; nothing as long as that is not written.
+void add_naive(Stack stack, int passes, std::vector<drawing::Convergence>& errors) {
+  drawing::Convergence naive{"naive", {approach_error(stack)}, true};
+  try {
+    for (int pass = 0; pass < passes; ++pass) {
+      resolve_contacts_naive(stack.rows, stack.bodies);
+      naive.errors.push_back(approach_error(stack));
+    }
+    errors.push_back(naive);
+  } catch (const NotImplemented&) {
+    return;
+  }
+}
+
 std::vector<std::vector<Real>> impulses_of(const Run& run) {
   std::vector<std::vector<Real>> history;
   for (const Stack& stack : run) history.push_back(level_impulses(stack));
@@ -99,8 +115,9 @@ Content show(const ConstraintSettings& settings) {
   const std::size_t row = std::min(static_cast<std::size_t>(settings.row), shown.rows.size() - 1);
   if (settings.disk) add_disk(shown.rows[row], start, content);
 
-  const std::vector<drawing::Convergence> errors{convergence("cold start", cold, false),
-                                                 convergence("warm start", warm, true)};
+  std::vector<drawing::Convergence> errors{convergence("cold start", cold, false),
+                                           convergence("warm start", warm, true)};
+  add_naive(start, settings.passes, errors);
   content.plots = {drawing::plot_convergence(errors, "m/s"), plot_levels(impulses_of(run))};
   content.facts = {
       {"pass", std::to_string(step)},
