@@ -100,7 +100,7 @@ void RunRecord::print(std::ostream& out) const {
 }
 
 void RunRecord::print_times(std::ostream& out) const {
-  const double per_step = 1000 / std::max(1, steps_);
+  const double per_step = 1000.0 / std::max(1, steps_);
   line(out, "time",
        padded(fixed(seconds_ * per_step, 3), 8) + "ms/step, " + in_unit(seconds_, "s in all", 3));
   for (std::size_t i = 0; i < stage_seconds_.size(); ++i) {
