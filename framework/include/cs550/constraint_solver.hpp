@@ -86,8 +86,8 @@ void solve_normal(ContactRow& row, BodyVelocity& a, BodyVelocity& b, const Conta
 void solve_friction(ContactRow& row, BodyVelocity& a, BodyVelocity& b);
 
 /// **L7.8** One pass over the rows: forwards the normal and then the friction of each; `backwards`
-/// exactly the reverse, from the last row to the first, friction and then the normal, which has the
-/// last word of a substep. A pass and its reverse together are a *symmetric* Gauss–Seidel step: its
+/// exactly the reverse, from the last row to the first, friction and then the normal, which has its
+/// last word. A pass and its reverse together are a *symmetric* Gauss–Seidel step: its
 /// error only decays. Passes in one direction make slow modes of a warm-started stack swing up
 /// (complex eigenvalues; Saad, *Iterative Methods for Sparse Linear Systems*, §4.1).
 void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
