@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstdint>
 #include <utility>
 
 namespace cs550::viewer {
@@ -80,5 +81,10 @@ using VertexArray = Handle<VertexArrayKind>;
 using Texture = Handle<TextureKind>;
 using Renderbuffer = Handle<RenderbufferKind>;
 using Framebuffer = Handle<FramebufferKind>;
+
+/// A place in a buffer, as OpenGL wants it said: its parameter was once a pointer to memory.
+inline const void* buffer_offset(std::uintptr_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
 
 }  // namespace cs550::viewer

@@ -123,8 +123,7 @@ GLsizei upload(const VertexArray& layout, const Buffer& buffer, const std::vecto
   for (const GLint part : parts) {
     glEnableVertexAttribArray(place);
     glVertexAttribPointer(place, part, GL_FLOAT, GL_FALSE,
-                          record * static_cast<GLsizei>(sizeof(float)),
-                          reinterpret_cast<const void*>(offset));
+                          record * static_cast<GLsizei>(sizeof(float)), buffer_offset(offset));
     glVertexAttribDivisor(place, divisor);
     offset += static_cast<std::uintptr_t>(part) * sizeof(float);
     ++place;

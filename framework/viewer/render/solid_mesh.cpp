@@ -53,7 +53,7 @@ Triangles triangulate(const HalfEdgeMesh& mesh) {
 void attribute(GLuint place, GLint floats, GLsizei stride, int offset, GLuint divisor) {
   glEnableVertexAttribArray(place);
   glVertexAttribPointer(place, floats, GL_FLOAT, GL_FALSE, stride,
-                        reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset)));
+                        buffer_offset(static_cast<std::uintptr_t>(offset)));
   glVertexAttribDivisor(place, divisor);
 }
 
@@ -98,8 +98,8 @@ void SolidMesh::draw(const Buffer& instances, int first, int count) const {
 void SolidMesh::draw_outline(const Buffer& instances, int first, int count) const {
   bind(instances, first);
   const auto offset = static_cast<std::uintptr_t>(index_count_) * sizeof(std::uint32_t);
-  glDrawElementsInstanced(GL_TRIANGLES, outline_count_, GL_UNSIGNED_INT,
-                          reinterpret_cast<const void*>(offset), count);
+  glDrawElementsInstanced(GL_TRIANGLES, outline_count_, GL_UNSIGNED_INT, buffer_offset(offset),
+                          count);
 }
 
 }  // namespace cs550::viewer

@@ -70,7 +70,7 @@ void WorldPage::throw_box(const Vec3& from, const Vec3& through) {
   ask(request);
 }
 
-void WorldPage::ask(WorldRequest request) {
+void WorldPage::ask(const WorldRequest& request) {
   if (!failure_.empty()) return;
   const Answer<WorldFrame> answer = service_->ask(request);
   failure_ = answer.failure;

@@ -54,7 +54,7 @@ class WorldPage final : public Page {
   void show_times(bool show) { shows_times_ = show; }
 
  private:
-  void ask(WorldRequest request);
+  void ask(const WorldRequest& request);
   void receive(const WorldFrame& frame);
   void find_focus();
   std::vector<Solid> solids() const;
