@@ -110,6 +110,8 @@ TEST_F(CommandLine, ListsTheSettingsOfAPage) {
   EXPECT_NE(outcome.output.find("direction="), std::string::npos) << outcome.output;
 }
 
+// There is no such program where labs/ is missing.
+#ifdef CS550_VIEWER_ON_STARTERS
 /// The starters: every function throws NotImplemented.
 TEST_F(CommandLine, AnUnwrittenStageShowsItsMessageInsteadOfAPicture) {
   for (int lab = 1; lab <= 7; ++lab) {
@@ -132,6 +134,7 @@ TEST_F(CommandLine, AnUnfinishedEngineStillShowsItsBodies) {
   EXPECT_EQ(outcome.output, file("stub.png") + "\n")
       << "the missing stages are notes, not failures";
 }
+#endif
 
 }  // namespace
 }  // namespace cs550::test

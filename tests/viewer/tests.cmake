@@ -5,12 +5,20 @@ endif()
 cs550_add_own_tests(viewer cs550_viewer_parts)
 target_compile_definitions(tests_viewer PRIVATE
   CS550_VIEWER_REFERENCES="${PROJECT_SOURCE_DIR}/tests/viewer/references"
-  CS550_VIEWER_PROGRAM="$<TARGET_FILE:cs550_viewer>"
-  CS550_VIEWER_ON_STARTERS="$<TARGET_FILE:viewer_on_starters>")
+  CS550_VIEWER_PROGRAM="$<TARGET_FILE:cs550_viewer>")
 
-# As a student sees it on the first day.
+add_dependencies(tests_viewer cs550_viewer)
+
+# As a student sees it on the first day. Without labs/ there are no starters to look at.
+foreach(number IN LISTS CS550_LABS)
+  if(NOT TARGET lab${number}_stub_object)
+    return()
+  endif()
+endforeach()
 cs550_add_viewer(viewer_on_starters)
 foreach(number IN LISTS CS550_LABS)
   cs550_link_lab(viewer_on_starters ${number} stub)
 endforeach()
-add_dependencies(tests_viewer cs550_viewer viewer_on_starters)
+add_dependencies(tests_viewer viewer_on_starters)
+target_compile_definitions(tests_viewer PRIVATE
+  CS550_VIEWER_ON_STARTERS="$<TARGET_FILE:viewer_on_starters>")
