@@ -60,6 +60,7 @@ GRADED_TEST(Lab7, SoftContactsPushLikeADampedSpring, 2, "L7.3") {
   step.max_push_speed = 3;
   Story story("soft: b = rate·d, at least −max_push_speed, with the row's scales");
   story.likely("a spring pushes from the surface on: the slop belongs to Baumgarte")
+      .likely("the bias that pushes apart is negative")
       .likely("the scales belong to the pass with bias only: relaxing is rigid");
   const ContactBias pushing = contact_bias(soft_row(), Real(-0.01), step);
   story.expect_near("bias, 10 mm deep", static_cast<double>(pushing.velocity), -0.2, 1e-6, "m/s");

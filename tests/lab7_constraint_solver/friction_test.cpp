@@ -74,6 +74,7 @@ GRADED_TEST(Lab7, CoupledTangentsStopTheSlipAtOnce, 1, "L7.7") {
   Story story("within the limit, one solve with the 2 × 2 mass stops the slip along u and v");
   story.seed(random.seed());
   story.likely("u and v are coupled: λ is the matrix times the pair, not two products")
+      .likely("friction works against the slip: the product is taken off what has accumulated")
       .likely("what is applied is the change along u and v, −λ to A and +λ to B");
   for (int i = 0; i < 200; ++i) {
     Meeting meeting = random_meeting(random);
