@@ -103,7 +103,7 @@ void App::throw_box() {
 
 // --- a frame ---------------------------------------------------------------------------------
 
-void App::draw(const Canvas& canvas) {
+void App::draw(Canvas& canvas) {
   interface_.begin_frame(canvas.size());
   hear_mouse();
   pass_time();
@@ -123,6 +123,11 @@ void App::draw(const Canvas& canvas) {
     show_problem(content.problem, picture_area(), interface_.fonts());
   }
   interface_.end_frame();
+}
+
+bool App::is_still() const {
+  constexpr int a_while = 8;  // frames
+  return painter_.still_frames() >= a_while;
 }
 
 void App::pass_time() {

@@ -21,7 +21,7 @@ class App {
   App(const Options& options, Interface& interface);
 
   /// One frame: input is heard, time passes if it plays, everything is drawn.
-  void draw(const Canvas& canvas);
+  void draw(Canvas& canvas);
   /// One step of the page.
   void advance() { page_->advance(); }
   /// The page from its beginning.
@@ -40,6 +40,8 @@ class App {
   const Page& page() const { return *page_; }
   const Camera& camera() const { return camera_; }
   bool plays() const { return plays_; }
+  /// Whether the picture has not changed for a while: a window may take its time to draw it well.
+  bool is_still() const;
   /// Where a point is seen (pixels from the top left).
   Vec2 pixel_of(const Vec3& point) const { return projection().pixel(point); }
   /// The world, or null on the page of a lab.

@@ -11,11 +11,18 @@ namespace cs550::viewer {
 /// Paints contents.
 class Painter {
  public:
-  /// Paints to a canvas. @param scale of line widths
-  void paint(const Content& content, const Projection& projection, const Canvas& canvas,
-             float scale);
+  /// Paints to a canvas, unless it holds the same picture already. A canvas belongs to one painter.
+  /// @param scale of line widths
+  void paint(const Content& content, const Projection& projection, Canvas& canvas, float scale);
+  /// How often the same was painted since the last change.
+  int still_frames() const { return still_frames_; }
 
  private:
+  bool set(const Content& content, const Projection& projection, float scale);
+
+  int scene_ = 0;  ///< number of the present picture
+  int still_frames_ = 0;
+  Matrix4 seen_ = Matrix4::Zero();
   Backdrop backdrop_;
   SolidRenderer solids_;
   InkRenderer ink_;

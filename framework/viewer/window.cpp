@@ -4,7 +4,7 @@
 // After epoxy, which brings OpenGL's functions.
 #include <GLFW/glfw3.h>
 
-#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -113,15 +113,25 @@ void run_in_window(const Options& options, const Observer& observe) {
   Interface interface(window.get(), window.scale());
   App app(options, interface);
   glfwSetWindowUserPointer(window.get(), &app);
-  auto canvas = std::make_unique<Canvas>(window.pixels());
+  const bool is_slow = draws_in_software();
+  std::optional<Canvas> fine;
+  std::optional<Canvas> quick;
   while (glfwWindowShouldClose(window.get()) == GLFW_FALSE) {
-    glfwPollEvents();
+    if (app.is_still() && !app.plays()) {
+      constexpr double blink = 0.04;  // s; widgets that change by themselves wait no longer
+      glfwWaitEventsTimeout(blink);
+    } else {
+      glfwPollEvents();
+    }
     const Size size = window.pixels();
     if (size.width == 0 || size.height == 0) {  // minimised
       glfwWaitEvents();
       continue;
     }
-    if (!(canvas->size() == size)) canvas = std::make_unique<Canvas>(size);
+    std::optional<Canvas>& canvas = is_slow && !app.is_still() ? quick : fine;
+    if (!canvas || !(canvas->size() == size)) {
+      canvas.emplace(size, &canvas == &quick ? Quality::Quick : Quality::Fine);
+    }
     app.draw(*canvas);
     canvas->show_in_window();
     glfwSwapBuffers(window.get());

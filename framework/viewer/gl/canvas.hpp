@@ -2,6 +2,8 @@
 /// @file canvas.hpp
 /// Where a frame is drawn before it reaches a window or a file.
 
+#include <cstdint>
+
 #include "viewer/gl/handle.hpp"
 
 namespace cs550::viewer {
@@ -16,15 +18,23 @@ struct Size {
   }
 };
 
-/// A smooth canvas: several samples per pixel for what is three-dimensional, and one sample per
-/// pixel, with the smooth picture in it, for the panels on top.
+/// How much work a frame may be.
+enum class Quality : std::uint8_t {
+  Fine,   ///< several samples per pixel: pictures, and windows on a graphics card
+  Quick,  ///< one sample: a window that a processor draws, as long as something moves
+};
+
+/// What a frame is drawn on: what is three-dimensional first, panels on top of it.
 class Canvas {
  public:
-  explicit Canvas(Size size);
+  explicit Canvas(Size size, Quality quality = Quality::Fine);
 
   Size size() const { return size_; }
-  /// What is drawn from now on goes to the many samples.
-  void begin_scene() const;
+  Quality quality() const { return quality_; }
+  /// What is drawn from now on is three-dimensional. @param scene its number, for holds()
+  void begin_scene(int scene);
+  /// Whether that scene is still there without the panels: it need not be drawn again.
+  bool holds(int scene) const { return held_ == scene; }
   /// Averages the samples. What is drawn from now on goes on top of the result.
   void resolve() const;
   /// Shows the canvas in the window's own frame, and goes on drawing there.
@@ -34,11 +44,16 @@ class Canvas {
 
  private:
   Size size_;
-  Framebuffer samples_;
+  Quality quality_;
+  int held_ = 0;         ///< number of the scene in samples_; 0: none
+  Framebuffer samples_;  ///< of a fine canvas
   Renderbuffer sample_colour_;
-  Renderbuffer sample_depth_;
   Framebuffer result_;
   Renderbuffer result_colour_;
+  Renderbuffer depth_;
 };
+
+/// Whether the processor does the graphics card's work.
+bool draws_in_software();
 
 }  // namespace cs550::viewer

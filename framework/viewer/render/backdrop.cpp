@@ -34,11 +34,13 @@ Backdrop::Backdrop()
 }
 
 void Backdrop::draw(float height_pixels) const {
-  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
   shader_.use();
   shader_.set("canvas_height", height_pixels);
   glBindVertexArray(empty_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDepthFunc(GL_LESS);
 }
 
 }  // namespace cs550::viewer

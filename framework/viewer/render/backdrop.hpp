@@ -14,7 +14,7 @@ extern const char* const backdrop_source;
 class Backdrop {
  public:
   Backdrop();
-  /// Covers the whole viewport.
+  /// Covers what nothing opaque has covered.
   void draw(float height_pixels) const;
 
  private:

@@ -11,6 +11,10 @@ namespace cs550::viewer {
 struct Focus {
   Vec3 center = Vec3::Zero();  ///< m
   Real radius = 1;             ///< m
+
+  bool operator==(const Focus& other) const {
+    return center == other.center && radius == other.radius;
+  }
 };
 
 /// The ball around a box. @param bounds not empty

@@ -1,7 +1,6 @@
 #include "viewer/render/ink_renderer.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 
 #include "viewer/render/ink_shaders.hpp"
 
@@ -109,28 +108,6 @@ std::vector<float> ball_records(const Drawing& drawing) {
   return floats;
 }
 
-/// Fills a buffer and says what a record consists of. @return the number of records
-GLsizei upload(const VertexArray& layout, const Buffer& buffer, const std::vector<float>& floats,
-               std::initializer_list<GLint> parts, GLuint divisor) {
-  GLint record = 0;
-  for (const GLint part : parts) record += part;
-  glBindVertexArray(layout.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(floats.size() * sizeof(float)),
-               floats.data(), GL_STREAM_DRAW);
-  GLuint place = 0;
-  std::uintptr_t offset = 0;
-  for (const GLint part : parts) {
-    glEnableVertexAttribArray(place);
-    glVertexAttribPointer(place, part, GL_FLOAT, GL_FALSE,
-                          record * static_cast<GLsizei>(sizeof(float)), buffer_offset(offset));
-    glVertexAttribDivisor(place, divisor);
-    offset += static_cast<std::uintptr_t>(part) * sizeof(float);
-    ++place;
-  }
-  return static_cast<GLsizei>(floats.size()) / record;
-}
-
 void set_camera(const Shader& shader, const Projection& projection) {
   shader.use();
   shader.set("camera", projection.matrix());
@@ -165,14 +142,38 @@ InkRenderer::InkRenderer()
       polygon_shader_("polygon", ink::polygon_vertex, ink::polygon_fragment),
       ball_shader_("ball", ink::ball_vertex, ink::ball_fragment) {}
 
-void InkRenderer::begin(const Drawing& drawing, float scale, const Vec3& eye) {
-  lines_.count =
-      upload(lines_.layout, lines_.buffer, line_records(drawing, scale), {3, 3, 4, 4}, 1);
-  dots_.count = upload(dots_.layout, dots_.buffer, dot_records(drawing, scale), {3, 4, 1}, 1);
-  triangles_.count = upload(triangles_.layout, triangles_.buffer,
-                            triangle_records(in_order(drawing, eye)), {3, 4}, 0);
+/// Fills a buffer and says what a record consists of. @return whether it held anything else before
+bool InkRenderer::fill(Batch& batch, std::vector<float> records, std::initializer_list<GLint> parts,
+                       GLuint divisor) {
+  if (records == batch.records) return false;
+  GLint record = 0;
+  for (const GLint part : parts) record += part;
+  glBindVertexArray(batch.layout.name());
+  glBindBuffer(GL_ARRAY_BUFFER, batch.buffer.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(records.size() * sizeof(float)),
+               records.data(), GL_STREAM_DRAW);
+  GLuint place = 0;
+  std::uintptr_t offset = 0;
+  for (const GLint part : parts) {
+    glEnableVertexAttribArray(place);
+    glVertexAttribPointer(place, part, GL_FLOAT, GL_FALSE,
+                          record * static_cast<GLsizei>(sizeof(float)), buffer_offset(offset));
+    glVertexAttribDivisor(place, divisor);
+    offset += static_cast<std::uintptr_t>(part) * sizeof(float);
+    ++place;
+  }
+  batch.count = static_cast<GLsizei>(records.size()) / record;
+  batch.records = std::move(records);
+  return true;
+}
+
+bool InkRenderer::begin(const Drawing& drawing, float scale, const Vec3& eye) {
+  const int changes = fill(lines_, line_records(drawing, scale), {3, 3, 4, 4}, 1) +
+                      fill(dots_, dot_records(drawing, scale), {3, 4, 1}, 1) +
+                      fill(triangles_, triangle_records(in_order(drawing, eye)), {3, 4}, 0) +
+                      fill(balls_, ball_records(drawing), {4, 4}, 1);
   covering_ = count_covering_vertices(drawing);
-  balls_.count = upload(balls_.layout, balls_.buffer, ball_records(drawing), {4, 4}, 1);
+  return changes > 0;
 }
 
 void InkRenderer::draw_areas(const Projection& projection) const {

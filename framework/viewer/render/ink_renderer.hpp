@@ -2,6 +2,9 @@
 /// @file ink_renderer.hpp
 /// Drawings in three dimensions: lines and dots of constant width, polygons, balls.
 
+#include <initializer_list>
+#include <vector>
+
 #include "drawing/drawing.hpp"
 #include "viewer/camera.hpp"
 #include "viewer/gl/handle.hpp"
@@ -20,7 +23,8 @@ class InkRenderer {
 
   /// Prepares a frame. @param scale pixels per pixel of the drawing: above 1 on a fine screen
   /// @param eye from where it is seen (m)
-  void begin(const drawing::Drawing& drawing, float scale, const Vec3& eye);
+  /// @return whether anything differs from the frame before
+  bool begin(const drawing::Drawing& drawing, float scale, const Vec3& eye);
   /// Balls and polygons; after opaque solids.
   void draw_areas(const Projection& projection) const;
   /// Lines and dots, those behind something fainter; after everything else.
@@ -31,9 +35,12 @@ class InkRenderer {
   struct Batch {
     VertexArray layout;
     Buffer buffer;
-    GLsizei count = 0;
+    std::vector<float> records;  ///< what is in the buffer
+    GLsizei count = 0;           ///< of records
   };
 
+  static bool fill(Batch& batch, std::vector<float> records, std::initializer_list<GLint> parts,
+                   GLuint divisor);
   void draw_both(const Shader& shader, const Batch& batch, const Projection& projection,
                  Size canvas) const;
 

@@ -1,13 +1,8 @@
 #include "viewer/render/shadow_map.hpp"
 
 namespace cs550::viewer {
-namespace {
 
-constexpr GLsizei side = 2048;
-
-}  // namespace
-
-ShadowMap::ShadowMap() {
+ShadowMap::ShadowMap(int side) : side_(side) {
   glBindTexture(GL_TEXTURE_2D, depth_.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                nullptr);
@@ -27,7 +22,7 @@ ShadowMap::ShadowMap() {
 
 Matrix4 ShadowMap::begin(const Vec3& light, const Vec3& center, Real radius) const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
-  glViewport(0, 0, side, side);
+  glViewport(0, 0, side_, side_);
   glClear(GL_DEPTH_BUFFER_BIT);
   const Vec3 across = any_perpendicular(light);
   Matrix4 matrix = Matrix4::Identity();

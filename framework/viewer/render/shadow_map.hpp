@@ -11,7 +11,10 @@ namespace cs550::viewer {
 /// Distances from a far light, drawn before the scene, asked while it is drawn.
 class ShadowMap {
  public:
-  ShadowMap();
+  /// @param side pixels
+  explicit ShadowMap(int side);
+
+  int side() const { return side_; }
 
   /// What is drawn from now on is what casts shadows inside a ball.
   /// @return world to the light's clip coordinates
@@ -20,6 +23,7 @@ class ShadowMap {
   void bind(int unit) const;
 
  private:
+  int side_;
   Framebuffer frame_;
   Texture depth_;
 };

@@ -19,6 +19,12 @@ struct Solid {
   Pose pose;                     ///< body → world
   Colour colour = {1, 1, 1, 1};  ///< of its faces; edges are darker
   bool is_ground = false;        ///< has a grid of metres, throws no shadow
+
+  bool operator==(const Solid& other) const {
+    return mesh == other.mesh && pose.position == other.pose.position &&
+           pose.orientation.coeffs() == other.pose.orientation.coeffs() && colour == other.colour &&
+           is_ground == other.is_ground;
+  }
 };
 
 }  // namespace cs550::viewer

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 namespace cs550::viewer {
 namespace {
 
 constexpr int shadow_unit = 0;
+constexpr int fine_shadow_side = 2048;   ///< pixels
+constexpr int quick_shadow_side = 1024;  ///< pixels
 const Vec3 light = Vec3(Real(-0.3), Real(-0.7), Real(1.15)).normalized();
 
 constexpr const char* place_source = R"(
@@ -75,6 +78,7 @@ float open(vec3 place, vec2 offset) {
 float lit(float facing) {
   vec3 lifted = world + normal * texel_metres * (2.5 - 1.5 * facing);
   vec3 place = 0.5 + 0.5 * (light_matrix * vec4(lifted, 1.0)).xyz;
+  if (is_quick) return open(place, vec2(0.0));
   vec2 texel = 1.7 / vec2(textureSize(shadows, 0));
   float corners = open(place, -texel) + open(place, texel) +
                   open(place, vec2(texel.x, -texel.y)) + open(place, vec2(-texel.x, texel.y));
@@ -119,6 +123,13 @@ void main() {
 
 std::string joined(const char* first, const char* second) { return std::string(first) + second; }
 
+Shader solid_shader(Quality quality) {
+  const std::string is_quick = quality == Quality::Quick ? "true" : "false";
+  const std::string fragment =
+      "const bool is_quick = " + is_quick + ";\n" + backdrop_source + fragment_source;
+  return {"solid", joined(place_source, vertex_source).c_str(), fragment.c_str()};
+}
+
 void append(std::vector<float>& floats, const Solid& solid) {
   const Vec3& p = solid.pose.position;
   const Quat& q = solid.pose.orientation;
@@ -130,10 +141,10 @@ void append(std::vector<float>& floats, const Solid& solid) {
 }  // namespace
 
 SolidRenderer::SolidRenderer()
-    : shader_("solid", joined(place_source, vertex_source).c_str(),
-              joined(backdrop_source, fragment_source).c_str()),
-      shadow_shader_("shadow", joined(place_source, shadow_vertex_source).c_str(),
-                     shadow_fragment_source) {}
+    : shadow_shader_("shadow", joined(place_source, shadow_vertex_source).c_str(),
+                     shadow_fragment_source),
+      fine_{solid_shader(Quality::Fine), ShadowMap(fine_shadow_side), false},
+      quick_{solid_shader(Quality::Quick), ShadowMap(quick_shadow_side), false} {}
 
 const SolidMesh& SolidRenderer::on_card(const MeshPtr& mesh) {
   auto found = meshes_.find(mesh.get());
@@ -144,24 +155,37 @@ const SolidMesh& SolidRenderer::on_card(const MeshPtr& mesh) {
   return found->second.on_card;
 }
 
-/// Solids in an order in which those that may be drawn together are neighbours.
-void SolidRenderer::fill(std::span<const Solid> solids) {
+/// Those that may be drawn together are neighbours, and among them the nearest come first: what they
+/// hide need not be shaded. The ground, behind everything, comes last.
+std::vector<const Solid*> SolidRenderer::drawing_order(const Projection& projection) const {
+  struct Entry {
+    bool is_ground;
+    std::size_t mesh;
+    Real depth;
+    const Solid* solid;
+  };
   std::map<const HalfEdgeMesh*, std::size_t> first_use;
-  std::vector<const Solid*> order;
-  for (const Solid& solid : solids) {
+  std::vector<Entry> entries;
+  for (const Solid& solid : solids_) {
     if (!solid.mesh) continue;
-    first_use.emplace(solid.mesh.get(), first_use.size());
-    order.push_back(&solid);
+    const auto mesh = first_use.emplace(solid.mesh.get(), first_use.size()).first;
+    const Real depth = (solid.pose.position - projection.eye()).dot(projection.forward());
+    entries.push_back({solid.is_ground, mesh->second, depth, &solid});
   }
-  std::stable_sort(order.begin(), order.end(), [&](const Solid* a, const Solid* b) {
-    return first_use[a->mesh.get()] < first_use[b->mesh.get()];
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.is_ground, a.mesh, a.depth) < std::tie(b.is_ground, b.mesh, b.depth);
   });
+  std::vector<const Solid*> order;
+  for (const Entry& entry : entries) order.push_back(entry.solid);
+  return order;
+}
 
+void SolidRenderer::fill(const Projection& projection) {
   opaque_.clear();
   translucent_.clear();
   std::vector<float> floats;
   int place = 0;
-  for (const Solid* solid : order) {
+  for (const Solid* solid : drawing_order(projection)) {
     const SolidMesh& mesh = on_card(solid->mesh);
     const Batch alone{&mesh, place++, 1, solid->pose.position, solid->is_ground};
     append(floats, *solid);
@@ -180,8 +204,11 @@ void SolidRenderer::fill(std::span<const Solid> solids) {
                floats.data(), GL_STREAM_DRAW);
 }
 
-void SolidRenderer::throw_shadows() {
-  light_matrix_ = shadow_map_.begin(light, focus_.center, Real(1.3) * focus_.radius);
+void SolidRenderer::throw_shadows(Look& look) {
+  look_ = &look;
+  if (look.are_shadows_drawn) return;
+  look.are_shadows_drawn = true;
+  light_matrix_ = look.shadows.begin(light, focus_.center, Real(1.3) * focus_.radius);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
   shadow_shader_.use();
@@ -191,28 +218,39 @@ void SolidRenderer::throw_shadows() {
   }
 }
 
-void SolidRenderer::begin(std::span<const Solid> solids, const Focus& focus) {
+bool SolidRenderer::set(std::span<const Solid> solids, const Focus& focus) {
+  if (focus == focus_ && std::equal(solids.begin(), solids.end(), solids_.begin(), solids_.end())) {
+    return false;
+  }
+  solids_.assign(solids.begin(), solids.end());
   focus_ = focus;
+  fine_.are_shadows_drawn = false;
+  quick_.are_shadows_drawn = false;
+  return true;
+}
+
+void SolidRenderer::begin(const Projection& projection, Quality quality) {
   for (auto& [address, cached] : meshes_) cached.is_used = false;
-  fill(solids);
+  fill(projection);
   std::erase_if(meshes_, [](const auto& entry) { return !entry.second.is_used; });
-  throw_shadows();
+  throw_shadows(quality == Quality::Fine ? fine_ : quick_);
 }
 
 void SolidRenderer::use(const Projection& projection, Size canvas) const {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  shadow_map_.bind(shadow_unit);
-  shader_.use();
-  shader_.set("camera", projection.matrix());
-  shader_.set("light_matrix", light_matrix_);
-  shader_.set("shadows", shadow_unit);
-  shader_.set("light", light);
-  shader_.set("eye", projection.eye());
-  shader_.set("focus", focus_.center);
-  shader_.set("focus_radius", focus_.radius);
-  shader_.set("texel_metres", Real(2.6) * focus_.radius / 2048);
-  shader_.set("canvas_height", static_cast<float>(canvas.height));
+  look_->shadows.bind(shadow_unit);
+  const Shader& shader = look_->shader;
+  shader.use();
+  shader.set("camera", projection.matrix());
+  shader.set("light_matrix", light_matrix_);
+  shader.set("shadows", shadow_unit);
+  shader.set("light", light);
+  shader.set("eye", projection.eye());
+  shader.set("focus", focus_.center);
+  shader.set("focus_radius", focus_.radius);
+  shader.set("texel_metres", Real(2.6) * focus_.radius / static_cast<Real>(look_->shadows.side()));
+  shader.set("canvas_height", static_cast<float>(canvas.height));
 }
 
 void SolidRenderer::draw_opaque(const Projection& projection, Size canvas) const {

@@ -19,8 +19,10 @@ class SolidRenderer {
  public:
   SolidRenderer();
 
-  /// Prepares a frame: what is drawn, and the shadows that it throws.
-  void begin(std::span<const Solid> solids, const Focus& focus);
+  /// What is drawn from now on. @return whether it differs from what was drawn before
+  bool set(std::span<const Solid> solids, const Focus& focus);
+  /// Prepares a frame: what is drawn in which order, and the shadows that it throws.
+  void begin(const Projection& projection, Quality quality);
   /// Opaque solids.
   void draw_opaque(const Projection& projection, Size canvas) const;
   /// Translucent solids, from back to front; after everything that is opaque.
@@ -41,19 +43,29 @@ class SolidRenderer {
     bool is_ground;
   };
 
+  /// How solids are drawn at a quality.
+  struct Look {
+    Shader shader;
+    ShadowMap shadows;
+    bool are_shadows_drawn;  ///< since something moved
+  };
+
   const SolidMesh& on_card(const MeshPtr& mesh);
-  void fill(std::span<const Solid> solids);
-  void throw_shadows();
+  std::vector<const Solid*> drawing_order(const Projection& projection) const;
+  void fill(const Projection& projection);
+  void throw_shadows(Look& look);
   void use(const Projection& projection, Size canvas) const;
 
-  Shader shader_;
   Shader shadow_shader_;
-  ShadowMap shadow_map_;
+  Look fine_;
+  Look quick_;
+  const Look* look_ = nullptr;  ///< of the present frame
   Buffer instances_;
   std::map<const HalfEdgeMesh*, Cached> meshes_;
   std::vector<Batch> opaque_;
   std::vector<Batch> translucent_;
   Matrix4 light_matrix_ = Matrix4::Identity();
+  std::vector<Solid> solids_;
   Focus focus_;
 };
 
