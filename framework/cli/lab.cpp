@@ -131,11 +131,7 @@ int run_engine(const LabOptions& options) {
 
 int run_lab(LabOptions options) {
   options.name = lab_name(options.lab);
-  if (options.name.empty()) {
-    std::cerr << "cs550: there is no lab " << options.lab << ". The labs:\n";
-    for (const std::string& lab : lab_names()) std::cerr << "  " << title(lab) << '\n';
-    return Misused;
-  }
+  if (options.name.empty()) return no_such_lab(options.lab);
   if (options.reset) return reset_lab(options);
   if (options.run) return run_engine(options);
   const std::vector<GradedTest> all = graded_tests(options.name);

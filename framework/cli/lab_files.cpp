@@ -85,12 +85,13 @@ void write_text(const fs::path& file, const std::string& text) {
   const fs::path draft = file.string() + ".new" + std::to_string(getpid());
   std::ofstream stream(draft, std::ios::binary);
   stream << text << std::flush;
-  if (!stream) {
+  std::error_code error;
+  if (stream) fs::rename(draft, file, error);
+  if (!stream || error) {
     std::error_code ignored;
     fs::remove(draft, ignored);
     throw std::runtime_error("cannot write " + file.string());
   }
-  fs::rename(draft, file);
 }
 
 std::string sha256(const fs::path& file) {

@@ -5,7 +5,9 @@
 #include <iostream>
 #include <sstream>
 
+#include "project.hpp"
 #include "terminal.hpp"
+#include "verb.hpp"
 
 namespace cs550::cli {
 namespace {
@@ -29,6 +31,12 @@ std::string title(const std::string& lab_name) {
   std::string title = "Lab " + lab_name.substr(3, topic - 3) + ": " + lab_name.substr(topic + 1);
   std::replace(title.begin(), title.end(), '_', ' ');
   return title;
+}
+
+int no_such_lab(int number) {
+  std::cerr << "cs550: there is no lab " << number << ". The labs:\n";
+  for (const std::string& lab : lab_names()) std::cerr << "  " << title(lab) << '\n';
+  return Misused;
 }
 
 void print(const std::vector<Verdict>& verdicts) {

@@ -80,7 +80,7 @@ Action declare_starter(CLI::App& app) {
   app.add_option("DIR", options->folder, "where the copy goes: a new or an empty folder")
       ->required();
   app.add_option("--release-solutions", options->released, "with the solutions of labs 1 to K")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 99));
   app.add_flag("--update", options->update,
                "renew the students' copy in DIR; lab files that were changed stay as they are");
   return [options] { return run_starter(*options); };

@@ -3,9 +3,11 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "draft_folder.hpp"
 #include "lab_files.hpp"
+#include "lab_report.hpp"
 #include "process.hpp"
 #include "project.hpp"
 #include "verb.hpp"
@@ -18,7 +20,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 struct SubmitOptions {
-  int lab = 0;  ///< 0: every lab that was begun
+  std::optional<int> lab;  ///< without it every lab that was begun
   fs::path out;
   bool force = false;
 };
@@ -77,7 +79,7 @@ void write_zip(const fs::path& out, const Json& manifest) {
 
 /// The labs to pack: the one asked for, or all that are not the untouched starter.
 std::vector<std::string> labs_to_pack(const SubmitOptions& options) {
-  if (options.lab != 0) return {lab_name(options.lab)};
+  if (options.lab) return {lab_name(*options.lab)};
   std::vector<std::string> labs;
   for (const std::string& name : lab_names()) {
     if (options.force || !is_untouched(name)) labs.push_back(name);
@@ -85,25 +87,36 @@ std::vector<std::string> labs_to_pack(const SubmitOptions& options) {
   return labs;
 }
 
+fs::path zip_file(const SubmitOptions& options) {
+  if (!options.out.empty()) return options.out;
+  return options.lab ? "lab" + std::to_string(*options.lab) + ".zip" : "labs.zip";
+}
+
+/// Why no file can be written there; empty when one can.
+std::string fault_of(const fs::path& out) {
+  if (fs::is_directory(out)) return out.string() + " is a folder: name the zip file to write";
+  const fs::path folder = fs::absolute(out).parent_path();
+  return fs::is_directory(folder) ? "" : "there is no folder " + folder.string();
+}
+
 int run_submit(const SubmitOptions& options) {
-  if (options.lab != 0 && lab_name(options.lab).empty()) {
-    std::cerr << "cs550: there is no lab " << options.lab << '\n';
+  if (options.lab && lab_name(*options.lab).empty()) return no_such_lab(*options.lab);
+  const fs::path out = zip_file(options);
+  if (const std::string fault = fault_of(out); !fault.empty()) {
+    std::cerr << "cs550: " << fault << '\n';
     return Misused;
   }
   const std::vector<std::string> labs = labs_to_pack(options);
-  if (labs.empty() || (options.lab != 0 && !options.force && is_untouched(labs.front()))) {
+  if (labs.empty() || (options.lab && !options.force && is_untouched(labs.front()))) {
     std::cerr << "cs550: "
               << (labs.empty() ? "every lab file is"
-                               : "the file of lab " + std::to_string(options.lab) + " is")
+                               : "the file of lab " + std::to_string(*options.lab) + " is")
               << " still the untouched starter. To pack it all the same: --force\n";
     return Failed;
   }
   for (const std::string& name : labs) {
     if (!compiles(lab_number(name))) return Failed;
   }
-  const fs::path usual =
-      options.lab != 0 ? "lab" + std::to_string(options.lab) + ".zip" : "labs.zip";
-  const fs::path out = options.out.empty() ? usual : options.out;
   const Json listed = manifest(labs);
   write_zip(out, listed);
   for (const Json& file : listed.at("files")) {
@@ -118,8 +131,7 @@ int run_submit(const SubmitOptions& options) {
 
 Action declare_submit(CLI::App& app) {
   const auto options = std::make_shared<SubmitOptions>();
-  app.add_option("N", options->lab, "number of the lab; without it every lab that was begun")
-      ->check(CLI::PositiveNumber);
+  app.add_option("N", options->lab, "number of the lab; without it every lab that was begun");
   app.add_option("--out", options->out, "the zip file to write; labN.zip if not given");
   app.add_flag("--force", options->force, "pack a file even if it is the untouched starter");
   return [options] { return run_submit(*options); };
