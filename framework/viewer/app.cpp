@@ -12,8 +12,6 @@
 namespace cs550::viewer {
 namespace {
 
-constexpr float panel_width = 330;            ///< pixels at scale 1
-constexpr float plots_width = 300;            ///< pixels at scale 1
 constexpr float plot_height = 148;            ///< pixels at scale 1
 constexpr Real turn_per_pixel = Real(0.006);  ///< rad
 constexpr int frames_per_lab_step = 24;       ///< of a lab's walk: slow enough to follow
@@ -29,6 +27,12 @@ Vec2 mouse_position() {
 Size display_size() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   return {static_cast<int>(size.x), static_cast<int>(size.y)};
+}
+
+void begin_fixed(const char* name, const Area& area) {
+  ImGui::SetNextWindowPos({area.left, area.top});
+  ImGui::SetNextWindowSize({area.width, area.height});
+  ImGui::Begin(name, nullptr, fixed_window);
 }
 
 void show_heading(const std::string& title, const std::string& story, const Fonts& fonts) {
@@ -104,14 +108,13 @@ void App::throw_box() {
 // --- a frame ---------------------------------------------------------------------------------
 
 void App::draw(Canvas& canvas) {
-  interface_.begin_frame(canvas.size());
+  interface_.begin_frame(canvas.size(), options_.ui);
   hear_mouse();
   pass_time();
   page_->refresh();
-  if (options_.ui) {
-    show_panel();
-    show_plots();
-  }
+  const Layout places = layout();
+  if (places.panel.width > 0) show_panel(places);
+  if (places.plots.width > 0) show_plots(places.plots);
   const float pixels_per_unit =
       static_cast<float>(canvas.size().width) / ImGui::GetIO().DisplaySize.x;
   const Projection seen = projection();
@@ -138,15 +141,9 @@ void App::pass_time() {
   page_->advance();
 }
 
-Area App::picture_area() const {
-  const Size size = display_size();
-  Area area{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-  if (!options_.ui) return area;
-  area.left = panel_width * interface_.scale();
-  area.width -= area.left;
-  if (!page_->content().plots.empty()) area.width -= plots_width * interface_.scale();
-  area.width = std::max(area.width, 50.0F);
-  return area;
+Layout App::layout() const {
+  if (!options_.ui) return picture_only(display_size());
+  return lay_out(display_size(), interface_.scale(), !page_->content().plots.empty());
 }
 
 Projection App::projection() const { return {camera_, display_size(), picture_area()}; }
@@ -227,11 +224,8 @@ Vec3 App::dragged_to(const Vec2& mouse) const {
 
 // --- panels ----------------------------------------------------------------------------------
 
-void App::show_panel() {
-  const Size size = display_size();
-  ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize({panel_width * interface_.scale(), static_cast<float>(size.height)});
-  ImGui::Begin("panel", nullptr, fixed_window);
+void App::show_panel(const Layout& layout) {
+  begin_fixed("panel", layout.panel);
   show_pages();
   show_heading(page_->title(), page_->story(), interface_.fonts());
   if (world_ != nullptr) show_scenes();
@@ -241,6 +235,7 @@ void App::show_panel() {
     KnobWidgets widgets;
     page_->describe(widgets);
   }
+  if (layout.plots_are_inside) show_plots_below();
   ImGui::End();
 }
 
@@ -325,15 +320,9 @@ void App::show_facts() const {
   ImGui::Spacing();
 }
 
-void App::show_plots() const {
+void App::show_plots(const Area& area) const {
   const std::vector<drawing::Plot>& plots = page_->content().plots;
-  if (plots.empty()) return;
-  const Size size = display_size();
-  const float width = plots_width * interface_.scale();
-  const auto height = static_cast<float>(size.height);
-  ImGui::SetNextWindowPos({static_cast<float>(size.width) - width, 0});
-  ImGui::SetNextWindowSize({width, height});
-  ImGui::Begin("plots", nullptr, fixed_window);
+  begin_fixed("plots", area);
   const auto count = static_cast<float>(plots.size());
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   const float room = ImGui::GetContentRegionAvail().y / count - gap;
@@ -341,6 +330,13 @@ void App::show_plots() const {
       std::clamp(room, plot_height * interface_.scale(), 1.6F * plot_height * interface_.scale());
   for (const drawing::Plot& plot : plots) show_plot(plot, wanted, interface_.fonts());
   ImGui::End();
+}
+
+void App::show_plots_below() const {
+  if (!ImGui::CollapsingHeader("Plots", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  for (const drawing::Plot& plot : page_->content().plots) {
+    show_plot(plot, plot_height * interface_.scale(), interface_.fonts());
+  }
 }
 
 }  // namespace cs550::viewer

@@ -9,6 +9,7 @@
 #include "viewer/pages/page.hpp"
 #include "viewer/painter.hpp"
 #include "viewer/ui/interface.hpp"
+#include "viewer/ui/layout.hpp"
 #include "viewer/world/world_page.hpp"
 
 namespace cs550::viewer {
@@ -30,6 +31,8 @@ class App {
   void toggle_play() { plays_ = !plays_; }
   /// The whole of it in the picture, from the page's own side.
   void frame_focus();
+  /// Shows the panels or hides them.
+  void toggle_panels() { options_.ui = !options_.ui; }
   /// Throws a box to where the mouse is.
   void throw_box();
   /// Another page; 0 is the world.
@@ -39,6 +42,8 @@ class App {
 
   const Page& page() const { return *page_; }
   const Camera& camera() const { return camera_; }
+  /// Where panels and picture are.
+  Layout layout() const;
   bool plays() const { return plays_; }
   /// Whether the picture has not changed for a while: a window may take its time to draw it well.
   bool is_still() const;
@@ -53,13 +58,14 @@ class App {
   void hear_drag_of_handle(const Vec2& mouse);
   Vec3 dragged_to(const Vec2& mouse) const;
   void pass_time();
-  void show_panel();
+  Area picture_area() const { return layout().picture; }
+  void show_panel(const Layout& layout);
   void show_pages();
   void show_transport();
   void show_scenes();
   void show_facts() const;
-  void show_plots() const;
-  Area picture_area() const;
+  void show_plots(const Area& area) const;
+  void show_plots_below() const;
   Projection projection() const;
 
   Options options_;

@@ -65,7 +65,7 @@ void declare(CLI::App& app, Options& options) {
       ->default_str("1280x720");
   app.add_option_function<std::string>(
          "--ui", [&](const std::string& text) { options.ui = parse_switch(text); },
-         "on or off: panels, plots and legend")
+         "on or off: panels and plots; below a width of 495 there is no room for them")
       ->default_str("on");
   app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window");
   app.add_option("--frames", options.frames,

@@ -22,7 +22,9 @@ constexpr int settling_frames = 3;
 class Studio {
  public:
   explicit Studio(const Options& options)
-      : interface_(nullptr, 1), canvas_(options.size), app_(options, interface_) {
+      : interface_(nullptr, picture_scale(options.size)),
+        canvas_(options.size),
+        app_(options, interface_) {
     app_.hide_times();
     for (int i = 1; i < settling_frames; ++i) app_.draw(canvas_);
   }

@@ -92,6 +92,9 @@ void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*m
     case GLFW_KEY_F:
       app->frame_focus();
       break;
+    case GLFW_KEY_H:
+      app->toggle_panels();
+      break;
     case GLFW_KEY_B:
       app->throw_box();
       break;

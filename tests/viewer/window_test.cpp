@@ -94,7 +94,7 @@ TEST(Window, IsOpenedUsedResizedAndClosed) {
 
   Options options;
   options.scene = "bounce";
-  options.size = {900, 620};
+  options.size = {1280, 720};
   Real yaw = 0;
   Vec3 body_at = Vec3::Zero();
   const auto steps = [](App& app) { return app.world()->frame().step; };
@@ -156,6 +156,10 @@ TEST(Window, IsOpenedUsedResizedAndClosed) {
          xdotool({"search", "--name", "CS550", "windowsize", "800", "500"});
        },
        [](App&) { return ImGui::GetIO().DisplaySize.x == 800; }},
+      {"hide the panels", [](App&) { press_key("h"); },
+       [](App& app) { return app.layout().panel.width == 0; }},
+      {"show them again", [](App&) { press_key("h"); },
+       [](App& app) { return app.layout().panel.width > 0; }},
       {"close", [](App&) { press_key("Escape"); }, [](App&) { return true; }},
   });
   viewer::run_in_window(options, [&](App& app) { return play.next(app); });
