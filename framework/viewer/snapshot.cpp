@@ -7,7 +7,7 @@
 
 #include "viewer/animation.hpp"
 #include "viewer/app.hpp"
-#include "viewer/gl/context_egl.hpp"
+#include "viewer/gl/headless_context.hpp"
 
 namespace cs550::viewer {
 

@@ -8,71 +8,20 @@
 #include <stdexcept>
 #include <string>
 
+#include "viewer/gl/glfw_window.hpp"
+
 namespace cs550::viewer {
 namespace {
 
-std::string last_error() {
-  const char* text = nullptr;
-  glfwGetError(&text);
-  return text == nullptr ? "no reason given" : text;
+/// @throws std::runtime_error that says how to do without
+WindowSystem open_screen() {
+  try {
+    return {};
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string(error.what()) +
+                             "\nA picture needs none: ./cs550 view --snapshot picture.png");
+  }
 }
-
-/// GLFW, from its beginning to its end.
-class WindowSystem {
- public:
-  WindowSystem() {
-    if (glfwInit() == GLFW_FALSE) {
-      throw std::runtime_error("no window can be opened here (" + last_error() +
-                               "). A picture needs none: ./cs550 view --snapshot picture.png");
-    }
-  }
-  ~WindowSystem() { glfwTerminate(); }
-  WindowSystem(const WindowSystem&) = delete;
-  WindowSystem& operator=(const WindowSystem&) = delete;
-};
-
-/// A window with OpenGL 3.3 in it.
-class Window {
- public:
-  explicit Window(Size size) {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    window_ = glfwCreateWindow(size.width, size.height, "CS550", nullptr, nullptr);
-    if (window_ == nullptr) {
-      throw std::runtime_error("no window with OpenGL 3.3 can be opened (" + last_error() + ")");
-    }
-    glfwMakeContextCurrent(window_);
-    glfwSwapInterval(1);
-  }
-  ~Window() { glfwDestroyWindow(window_); }
-  Window(const Window&) = delete;
-  Window& operator=(const Window&) = delete;
-
-  GLFWwindow* get() const { return window_; }
-
-  Size pixels() const {
-    Size size;
-    glfwGetFramebufferSize(window_, &size.width, &size.height);
-    return size;
-  }
-
-  /// How much larger than on a screen of 100 dots per inch things should be, beyond what the window
-  /// system does by itself.
-  float scale() const {
-    float wanted = 1;
-    glfwGetWindowContentScale(window_, &wanted, nullptr);
-    int width = 0;
-    glfwGetWindowSize(window_, &width, nullptr);
-    const float given =
-        width > 0 ? static_cast<float>(pixels().width) / static_cast<float>(width) : 1;
-    return wanted / given;
-  }
-
- private:
-  GLFWwindow* window_ = nullptr;
-};
 
 void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*modifiers*/) {
   auto* app = static_cast<App*>(glfwGetWindowUserPointer(window));
@@ -109,8 +58,8 @@ void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*m
 }  // namespace
 
 void run_in_window(const Options& options, const Observer& observe) {
-  const WindowSystem system;
-  const Window window(options.size);
+  const WindowSystem system = open_screen();
+  const Window window(options.size, true);
   // Before Dear ImGui, which hands on what it hears.
   glfwSetKeyCallback(window.get(), hear_key);
   Interface interface(window.get(), window.scale());

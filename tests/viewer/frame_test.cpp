@@ -9,7 +9,7 @@
 #include "cs550/primitives.hpp"
 #include "pictures.hpp"
 #include "viewer/app.hpp"
-#include "viewer/gl/context_egl.hpp"
+#include "viewer/gl/headless_context.hpp"
 #include "viewer/palette.hpp"
 
 namespace cs550::test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "viewer/app.hpp"
-#include "viewer/gl/context_egl.hpp"
+#include "viewer/gl/headless_context.hpp"
 #include "viewer/snapshot.hpp"
 
 namespace cs550::test {

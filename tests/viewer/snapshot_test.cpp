@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "pictures.hpp"
-#include "viewer/gl/context_egl.hpp"
+#include "viewer/gl/headless_context.hpp"
 
 namespace cs550::test {
 namespace {

@@ -1,45 +1,19 @@
 // The viewer in a window, used by a mouse and keys that xdotool moves, on a screen of its own.
 #include "viewer/window.hpp"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <deque>
 #include <functional>
 
-#include "program.hpp"
+#include "screen.hpp"
 
 namespace cs550::test {
 namespace {
 
 using viewer::App;
 using viewer::Options;
-
-/// A screen that nobody sees.
-class Screen {
- public:
-  Screen() {
-    int ends[2];
-    if (pipe(ends) != 0) return;
-    server_.emplace(std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0",
-                                             "1400x900x24", "-nolisten", "tcp"},
-                    ends[1]);
-    close(ends[1]);
-    std::string number;
-    for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
-    close(ends[0]);
-    if (!number.empty()) setenv("DISPLAY", (":" + number).c_str(), 1);
-    is_there_ = !number.empty();
-  }
-  bool is_there() const { return is_there_; }
-
- private:
-  std::optional<Background> server_;
-  bool is_there_ = false;
-};
 
 void xdotool(std::vector<std::string> words) {
   words.insert(words.begin(), "xdotool");

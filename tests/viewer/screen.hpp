@@ -1,0 +1,28 @@
+#pragma once
+/// @file screen.hpp
+/// A screen that nobody sees.
+
+#include <optional>
+#include <string>
+
+#include "program.hpp"
+
+namespace cs550::test {
+
+/// An X server of its own; DISPLAY names it as long as it lives.
+class Screen {
+ public:
+  Screen();
+  ~Screen();
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  bool is_there() const { return is_there_; }
+
+ private:
+  std::optional<Background> server_;
+  std::optional<std::string> former_display_;
+  bool is_there_ = false;
+};
+
+}  // namespace cs550::test
