@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "crash_report.hpp"
 #include "process.hpp"
 #include "project.hpp"
 
@@ -55,16 +56,9 @@ std::map<std::string, Json> read_results(const fs::path& file) {
   return rows;
 }
 
-/// What the sanitizers said, or nothing.
-std::string sanitizer_report(const fs::path& output) {
-  std::ifstream stream(output);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const std::size_t start =
-      std::min(text.find("runtime error: "), text.find("ERROR: AddressSanitizer"));
-  if (start == std::string::npos) return {};
-  const std::size_t line = text.rfind('\n', start);
-  constexpr std::size_t most_characters = 2500;
-  return text.substr(line == std::string::npos ? 0 : line + 1, most_characters);
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 Verdict to_verdict(const GradedTest& test, const Json& row) {
@@ -72,9 +66,10 @@ Verdict to_verdict(const GradedTest& test, const Json& row) {
 }
 
 Verdict ended_the_program(const GradedTest& test, const Ending& ending, const fs::path& output) {
-  const std::string report = sanitizer_report(output);
-  return {test, Verdict::Kind::Failed, ending.in_words() + (report.empty() ? "" : "\n" + report),
-          0};
+  const std::string report = crash_report(text_of(output));
+  // A sanitizer ends the program by itself: how is no news.
+  const bool sanitizer = !report.empty() && ending.signal == 0 && !ending.stopped;
+  return {test, Verdict::Kind::Failed, sanitizer ? report : ending.in_words() + '\n' + report, 0};
 }
 
 std::vector<Verdict> in_order_of(const std::vector<GradedTest>& tests,

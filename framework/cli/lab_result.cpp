@@ -1,6 +1,7 @@
 #include "lab_result.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,13 @@ fs::path result_file(const std::string& lab_name) {
 }
 
 std::string student_target(int lab) { return "lab" + std::to_string(lab) + "_student"; }
+
+/// Undefined behaviour and failed assertions are then reported with the calls that led there.
+void ask_sanitizers_for_places() {
+  constexpr int keep_the_users = 0;
+  setenv("UBSAN_OPTIONS", "print_stacktrace=1", keep_the_users);
+  setenv("ASAN_OPTIONS", "handle_abort=1", keep_the_users);
+}
 
 /// A test that is blocked waits for another lab's file.
 bool waits_for_other_labs(const LabResult& result) {
@@ -125,7 +133,9 @@ LabResult result_of_starter(const std::string& lab_name) {
 
 std::vector<Verdict> grade(const std::string& preset, int lab,
                            const std::vector<GradedTest>& tests) {
-  const int slowdown = preset == "asan" ? 5 : 1;
+  const bool sanitized = preset == "asan";
+  if (sanitized) ask_sanitizers_for_places();
+  const int slowdown = sanitized ? 5 : 1;
   const fs::path program = built_program(preset, student_target(lab));
   std::vector<Verdict> verdicts =
       run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5});
