@@ -1,4 +1,6 @@
 // ./cs550 lab N: the graded tests of one lab on the student's code, and what helps to pass them.
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <iterator>
@@ -50,7 +52,8 @@ std::string steps_of(const std::vector<GradedTest>& tests) {
 
 std::string student_target(int lab) { return "lab" + std::to_string(lab) + "_student"; }
 
-/// The first test that is not passed, in the debugger.
+/// The first test that is not passed, in the debugger. Without a terminal to ask at, the calls that
+/// led there.
 int debug_first_failure(int lab, const LabResult& result) {
   const std::optional<Verdict> failure = result.next_failure();
   if (!failure) {
@@ -59,12 +62,20 @@ int debug_first_failure(int lab, const LabResult& result) {
   }
   if (!run({project_root() / "cs550", "doctor", "--install", "debug"}).good()) return Failed;
   if (!build("debug", student_target(lab))) return Failed;
-  std::cout << "gdb stops where " << failure->test.name << " fails; `up` leads to your code.\n"
+  std::vector<std::string> gdb{
+      "gdb", "-q", "-iex", "set debuginfod enabled off", "-x", "framework/cli/debug.gdb"};
+  const bool can_ask = isatty(STDIN_FILENO) != 0;
+  if (!can_ask) gdb.insert(gdb.end(), {"-batch", "-ex", "backtrace"});
+  gdb.insert(gdb.end(), {"--args", built_program("debug", student_target(lab)),
+                         "--gtest_break_on_failure", "--gtest_filter=*." + failure->test.name});
+  std::cout << "gdb runs " << failure->test.name
+            << " to where it fails. To go through your own function line by\n"
+               "line: `break` and its name, `run`, then `next` or `step`; `quit` ends it.\n"
             << std::flush;
   fs::current_path(project_root());
-  become({"gdb", "-q", "-ex", "catch throw", "-ex", "run", "--args",
-          built_program("debug", student_target(lab)), "--gtest_break_on_failure",
-          "--gtest_filter=*." + failure->test.name});
+  if (can_ask) become(gdb);
+  run(gdb);
+  return Failed;
 }
 
 int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {

@@ -39,6 +39,14 @@ std::size_t columns(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
+/// Where the text of a line begins, behind its indentation and a label: "  likely    compare ...".
+std::size_t start_of_text(const std::string& line) {
+  constexpr std::size_t last_column_of_labels = 16;
+  const std::size_t label = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t text = line.find_first_not_of(' ', line.find("  ", label));
+  return text < last_column_of_labels ? text : label;
+}
+
 }  // namespace
 
 std::string coloured(std::string_view text, Colour colour) {
@@ -49,14 +57,16 @@ std::string coloured(std::string_view text, Colour colour) {
 
 std::string indented(std::string_view text, std::size_t spaces) {
   constexpr std::size_t last_column = 80;
+  const std::size_t width = last_column - spaces;
   std::istringstream lines{std::string(text)};
   std::string result;
   for (std::string line; std::getline(lines, line);) {
-    for (std::size_t width = last_column - spaces; columns(line) > width;) {
+    const std::size_t start = start_of_text(line);
+    while (columns(line) > width) {
       const std::size_t space = line.rfind(' ', width);
-      if (space == std::string::npos || space == 0) break;
+      if (space == std::string::npos || space <= start) break;
       result += std::string(spaces, ' ') + line.substr(0, space) + '\n';
-      line.erase(0, space + 1);
+      line.replace(0, space + 1, std::string(start, ' '));
     }
     result += (line.empty() ? "" : std::string(spaces, ' ')) + line + '\n';
   }

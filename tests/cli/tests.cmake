@@ -1,7 +1,8 @@
 # Tests of the program behind ./cs550: of its parts, and of the whole, which needs a repository to
 # work on.
 cs550_add_own_tests(cli)
-target_sources(tests_cli PRIVATE "${PROJECT_SOURCE_DIR}/framework/cli/crash_report.cpp")
+target_sources(tests_cli PRIVATE "${PROJECT_SOURCE_DIR}/framework/cli/crash_report.cpp"
+                                 "${PROJECT_SOURCE_DIR}/framework/cli/terminal.cpp")
 
 if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutions")
   add_test(NAME cli.students_copy
