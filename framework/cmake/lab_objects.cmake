@@ -3,7 +3,7 @@
 #   assembled  the same file; where it does not compile or lacks a function, a pristine stub
 #   stub       .starters/labN_topic/topic.cpp in a students' copy, else labs/labN_topic/topic.cpp
 #   reference  solutions/labN_topic/*.cpp
-#   fast       solutions/labN_topic/fast/*.cpp, a drop-in for the reference
+#   fast       the reference, where solutions/labN_topic/fast/*.cpp replaces the files of the same name
 # Each becomes one object file that exports nothing but the functions of the contract, so that two
 # labs with helpers of the same name cannot mix, and whose code can be told from any other's.
 #
@@ -46,7 +46,7 @@ macro(cs550_find_lab number topic)
   file(GLOB ${lab}_student_SOURCES CONFIGURE_DEPENDS "${student_file}")
   file(GLOB ${lab}_stub_SOURCES CONFIGURE_DEPENDS "${stub_file}")
   file(GLOB ${lab}_reference_SOURCES CONFIGURE_DEPENDS "${solution}/*.cpp")
-  file(GLOB ${lab}_fast_SOURCES CONFIGURE_DEPENDS "${solution}/fast/*.cpp")
+  cs550_find_fast_sources(${lab}_fast_SOURCES "${solution}" "${${lab}_reference_SOURCES}")
   set(${lab}_assembled_SOURCES "${${lab}_student_SOURCES}")
   foreach(variant student assembled stub reference fast)
     if(${lab}_${variant}_SOURCES)
@@ -54,6 +54,20 @@ macro(cs550_find_lab number topic)
     endif()
   endforeach()
 endmacro()
+
+# Empty where there is nothing faster than the reference.
+function(cs550_find_fast_sources result solution reference_sources)
+  file(GLOB sources CONFIGURE_DEPENDS "${solution}/fast/*.cpp")
+  if(sources)
+    foreach(file IN LISTS reference_sources)
+      cmake_path(GET file FILENAME name)
+      if(NOT EXISTS "${solution}/fast/${name}")
+        list(APPEND sources "${file}")
+      endif()
+    endforeach()
+  endif()
+  set(${result} "${sources}" PARENT_SCOPE)
+endfunction()
 
 function(cs550_has_variant result number variant)
   if("${variant}" IN_LIST CS550_LAB${number}_VARIANTS)

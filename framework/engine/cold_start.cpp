@@ -36,40 +36,41 @@ void push_apart(WorldState& world, const ContactRow& row, Real impulse) {
   velocity_of(world, row.body_b).apply(impulse * row.n, row.r_b);
 }
 
+const ContactRow& row_at(const WorldState& world, Index place) {
+  return world.rows[static_cast<std::size_t>(place)];
+}
+
 /// One row in the middle of those of a pair.
-ContactRow middle_row(WorldState& world, std::span<const ContactRow> rows) {
-  ContactRow middle = rows[0];
-  for (const ContactRow& row : rows.subspan(1)) {
+ContactRow middle_row(WorldState& world, std::span<const Index> places) {
+  ContactRow middle = row_at(world, places[0]);
+  for (const Index place : places.subspan(1)) {
+    const ContactRow& row = row_at(world, place);
     middle.r_a += row.r_a;
     middle.r_b += row.r_b;
     middle.separation = std::min(middle.separation, row.separation);
   }
-  middle.r_a /= static_cast<Real>(rows.size());
-  middle.r_b /= static_cast<Real>(rows.size());
+  middle.r_a /= static_cast<Real>(places.size());
+  middle.r_b /= static_cast<Real>(places.size());
   middle.normal_mass =
       constraint_mass(contact_jacobian(middle.n, middle.r_a, middle.r_b),
                       velocity_of(world, middle.body_a), velocity_of(world, middle.body_b));
   return middle;
 }
 
-bool is_fresh(std::span<const ContactRow> rows) {
-  return std::all_of(rows.begin(), rows.end(),
-                     [](const ContactRow& row) { return row.normal_impulse == 0; });
+bool is_fresh(const WorldState& world, std::span<const Index> places) {
+  return std::all_of(places.begin(), places.end(),
+                     [&](Index place) { return row_at(world, place).normal_impulse == 0; });
 }
 
 /// The pairs that are new and slow. @pre velocities are those of the bodies
 void list_cold_pairs(WorldState& world) {
   world.cold_pairs.clear();
   const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
-  for (std::size_t i = 0; i < world.rows.size();) {
-    const std::size_t end = end_of_pair(world.rows, i);
-    const std::span<const ContactRow> rows(world.rows.data() + i, end - i);
-    if (is_fresh(rows)) {
-      const ContactRow middle = middle_row(world, rows);
-      if (std::abs(approach(world, middle)) < slow) world.cold_pairs.push_back({i, end, middle});
-    }
-    i = end;
-  }
+  for_rows_of_contacts(world, [&](const Contact&, std::span<const Index> places) {
+    if (places.empty() || !is_fresh(world, places)) return;
+    const ContactRow middle = middle_row(world, places);
+    if (std::abs(approach(world, middle)) < slow) world.cold_pairs.push_back({places, middle});
+  });
 }
 
 /// Leaves velocities as gravity and the impulses that are known will make them.
@@ -115,9 +116,9 @@ void guess_cold_impulses(WorldState& world, Real h) {
     }
   }
   for (const ColdPair& pair : pairs) {
-    const auto points = static_cast<Real>(pair.end_row - pair.first_row);
-    for (std::size_t i = pair.first_row; i < pair.end_row; ++i) {
-      world.rows[i].normal_impulse = pair.middle.normal_impulse / points;
+    for (const Index place : pair.rows) {
+      world.rows[static_cast<std::size_t>(place)].normal_impulse =
+          pair.middle.normal_impulse / static_cast<Real>(pair.rows.size());
     }
   }
 }

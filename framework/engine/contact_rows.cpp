@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "world_state.hpp"
 
 namespace cs550 {
@@ -28,58 +30,50 @@ ContactRow make_row(const Contact& contact, const ContactPoint& point, const Pos
 }  // namespace
 
 void fill_rows(WorldState& world) {
-  world.rows.clear();
-  for (const Contact& contact : world.pairs.contacts) {
+  arrange_rows(world.pairs.contacts, world.bodies, world.row_order);
+  world.rows.resize(world.row_order.place_of_point.size());
+  for_rows_of_contacts(world, [&](Contact& contact, std::span<const Index> places) {
     const Pose& a = world.bodies[static_cast<std::size_t>(contact.body_a)].pose;
     const Pose& b = world.bodies[static_cast<std::size_t>(contact.body_b)].pose;
+    auto place = places.begin();
     for (const ContactPoint& point : contact.manifold.points) {
-      world.rows.push_back(make_row(contact, point, a, b));
+      world.rows[static_cast<std::size_t>(*place++)] = make_row(contact, point, a, b);
     }
-  }
-}
-
-std::size_t end_of_pair(std::span<const ContactRow> rows, std::size_t first) {
-  std::size_t end = first;
-  while (end < rows.size() && rows[end].body_a == rows[first].body_a &&
-         rows[end].body_b == rows[first].body_b) {
-    ++end;
-  }
-  return end;
+  });
 }
 
 void refresh_masses(WorldState& world, const ContactStep& step) {
   // By then the inverse inertia of a needle of 1 : 50 may have grown by half across its length; with
   // twice the mass that a row believes in, every pass would overshoot further than the last.
   constexpr Real far = Real(0.02);
-  const auto has_turned = [&](Index body) {
-    return world.velocities[static_cast<std::size_t>(body)].delta_rotation.squaredNorm() >
-           far * far;
+  const auto has_turned = [&](const BodyVelocity& body) {
+    return body.delta_rotation.squaredNorm() > far * far;
   };
-  for (std::size_t i = 0; i < world.rows.size();) {
-    const std::size_t end = end_of_pair(world.rows, i);
-    if (has_turned(world.rows[i].body_a) || has_turned(world.rows[i].body_b)) {
-      prepare_contacts({&world.rows[i], end - i}, world.velocities, step);
+  if (std::none_of(world.velocities.begin(), world.velocities.end(), has_turned)) return;
+  for (ContactRow& row : world.rows) {
+    if (has_turned(world.velocities[static_cast<std::size_t>(row.body_a)]) ||
+        has_turned(world.velocities[static_cast<std::size_t>(row.body_b)])) {
+      prepare_contacts({&row, 1}, world.velocities, step);
     }
-    i = end;
   }
 }
 
 void store_impulses(WorldState& world) {
-  auto row = world.rows.begin();
-  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+  auto touched = world.pairs.touching.begin();
+  for_rows_of_contacts(world, [&](Contact& contact, std::span<const Index> places) {
     char touching = 0;
-    for (ContactPoint& point : world.pairs.contacts[i].manifold.points) {
-      point.normal_impulse = row->normal_impulse;
-      point.tangent_impulse = row->tangent_impulse;
-      if (row->struck || point.separation <= 0) touching = 1;
-      ++row;
+    auto place = places.begin();
+    for (ContactPoint& point : contact.manifold.points) {
+      const ContactRow& row = world.rows[static_cast<std::size_t>(*place++)];
+      point.normal_impulse = row.normal_impulse;
+      point.tangent_impulse = row.tangent_impulse;
+      if (row.struck || point.separation <= 0) touching = 1;
     }
-    const Contact& contact = world.pairs.contacts[i];
     const ContactEvent event{world.id_at(contact.body_a), world.id_at(contact.body_b)};
-    if (touching && !world.pairs.touching[i]) world.began.push_back(event);
-    if (!touching && world.pairs.touching[i]) world.ended.push_back(event);
-    world.pairs.touching[i] = touching;
-  }
+    if (touching && !*touched) world.began.push_back(event);
+    if (!touching && *touched) world.ended.push_back(event);
+    *touched++ = touching;
+  });
 }
 
 void gather_velocities(const WorldState& world, std::span<BodyVelocity> velocities) {

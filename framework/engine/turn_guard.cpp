@@ -14,28 +14,29 @@ namespace {
 constexpr Real allowed_gain = Real(1.01);
 constexpr int smaller_turns = 8;
 
+/// @pre velocities are fresh
 Real turning_energy(const RigidBody& body) {
-  const Vec3 l = body.pose.unrotate(body.angular_momentum);
-  return Real(0.5) * l.dot(body.inverse_inertia * l);
+  return Real(0.5) * body.angular_velocity.dot(body.angular_momentum);
 }
 
-RigidBody turned(RigidBody body, Real h, RotationMethod method, int turns) {
+void turn(RigidBody& body, Real h, RotationMethod method, int turns) {
   for (int i = 0; i < turns; ++i) {
     integrate_pose(body, h / static_cast<Real>(turns), method);
     refresh_velocity(body);
   }
-  return body;
 }
 
 }  // namespace
 
 void turn_and_move(RigidBody& body, Real h, RotationMethod method) {
   const Real energy = turning_energy(body);
-  const RigidBody start = body;
-  body = turned(start, h, method, 1);
+  const Pose start = body.pose;
+  turn(body, h, method, 1);
   if (method == RotationMethod::Explicit || turning_energy(body) <= allowed_gain * energy) return;
 
-  body = turned(start, h, method, smaller_turns);
+  body.pose = start;
+  refresh_velocity(body);
+  turn(body, h, method, smaller_turns);
   const Real gained = turning_energy(body);
   if (gained <= allowed_gain * energy) return;
   // Better to lose momentum, which friction soon does anyway, than to throw the body out of the scene.

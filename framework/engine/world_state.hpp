@@ -8,6 +8,7 @@
 
 #include "cs550/broad_phase.hpp"
 #include "cs550/world.hpp"
+#include "row_order.hpp"
 
 namespace cs550 {
 
@@ -39,8 +40,7 @@ struct MomentumLedger {
 
 /// A pair of bodies without impulses to start from: its rows, and one in their middle.
 struct ColdPair {
-  std::size_t first_row = 0;
-  std::size_t end_row = 0;
+  std::span<const Index> rows;  ///< places in the array of rows
   ContactRow middle;
 };
 
@@ -67,6 +67,7 @@ struct WorldState {
   // Room that a step works in, kept so that a warm step allocates nothing.
   std::vector<BodyVelocity> velocities;
   std::vector<ContactRow> rows;
+  RowOrder row_order;
   std::vector<ColdPair> cold_pairs;
   PairList next_pairs;
   std::vector<Index> moved;  ///< whose leaves moved since pairs were looked for
@@ -106,8 +107,17 @@ void write_back_momenta(WorldState& world);
 
 /// Fills one row per contact point.
 void fill_rows(WorldState& world);
-/// One past the last row of the pair that a row belongs to: the rows of a pair follow each other.
-std::size_t end_of_pair(std::span<const ContactRow> rows, std::size_t first);
+/// Calls `visit(contact, places)` for every contact, with the places of its points' rows in the array.
+/// @pre row_order is that of the present contact points
+template <class Visit>
+void for_rows_of_contacts(WorldState& world, const Visit& visit) {
+  const Index* place = world.row_order.place_of_point.data();
+  for (Contact& contact : world.pairs.contacts) {
+    const auto points = static_cast<std::size_t>(contact.manifold.points.size());
+    visit(contact, std::span<const Index>(place, points));
+    place += points;
+  }
+}
 /// Prepares the rows of bodies anew that have turned far since the step began: their inertia in the
 /// world has changed.
 void refresh_masses(WorldState& world, const ContactStep& step);
@@ -122,7 +132,7 @@ void check_axes(WorldState& world);
 void check_manifolds(WorldState& world);
 
 /// integrate_pose() and refresh_velocity(), with a guard against turns that the midpoint cannot
-/// follow. @param h substep (s)
+/// follow. @param h substep (s) @pre velocities are fresh
 void turn_and_move(RigidBody& body, Real h, RotationMethod method);
 
 /// One step, stage by stage. @param h s

@@ -1,0 +1,82 @@
+// Lab 7's passes over the rows of a wide, shallow stack, as the engine solves them and one by one.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "cs550/constraint_solver.hpp"
+
+namespace cs550::test {
+namespace {
+
+struct Bricks {
+  std::vector<BodyVelocity> bodies;
+  std::vector<ContactRow> rows;
+  ContactStep step;
+};
+
+/// Every one of `count` unit cubes stands on the ground on four corners, group by group as the world
+/// would put them. The ground is the last body.
+Bricks cubes_on_the_ground(int count) {
+  Bricks bricks;
+  bricks.step.h = Real(1) / 480;
+  bricks.step.soft = bricks.step.soft_static = soft_contact(30, 4, bricks.step.h);
+  bricks.bodies.resize(static_cast<std::size_t>(count) + 1);
+  for (int i = 0; i < count; ++i) {
+    BodyVelocity& body = bricks.bodies[static_cast<std::size_t>(i)];
+    body.inverse_mass = 1;
+    body.world_inverse_inertia = 6 * Mat3::Identity();
+  }
+  const Vec3 corners[] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}};
+  for (int first = 0; first < count; first += 4) {
+    for (const Vec3& corner : corners) {
+      for (int i = first; i < std::min(first + 4, count); ++i) {
+        ContactRow row;
+        row.body_a = count;
+        row.body_b = i;
+        row.n = Vec3::UnitZ();
+        row.u = Vec3::UnitX();
+        row.r_b = Real(0.5) * corner;
+        row.friction = Real(0.6);
+        bricks.rows.push_back(row);
+      }
+    }
+  }
+  prepare_contacts(bricks.rows, bricks.bodies, bricks.step);
+  return bricks;
+}
+
+void push_down(Bricks& bricks) {
+  for (BodyVelocity& body : bricks.bodies) {
+    if (body.inverse_mass > 0) body.v += Vec3(Real(0.001), 0, Real(-0.02));
+  }
+}
+
+void pass_at_once(benchmark::State& state) {
+  Bricks bricks = cubes_on_the_ground(static_cast<int>(state.range(0)));
+  for ([[maybe_unused]] auto _ : state) {
+    push_down(bricks);
+    solve_contacts(bricks.rows, bricks.bodies, bricks.step);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bricks.rows.size()));
+}
+
+void rows_one_by_one(benchmark::State& state) {
+  Bricks bricks = cubes_on_the_ground(static_cast<int>(state.range(0)));
+  for ([[maybe_unused]] auto _ : state) {
+    push_down(bricks);
+    for (ContactRow& row : bricks.rows) {
+      BodyVelocity& a = bricks.bodies[static_cast<std::size_t>(row.body_a)];
+      BodyVelocity& b = bricks.bodies[static_cast<std::size_t>(row.body_b)];
+      solve_normal(row, a, b, bricks.step);
+      solve_friction(row, a, b);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bricks.rows.size()));
+}
+
+BENCHMARK(pass_at_once)->Arg(4)->Arg(64)->Arg(512);
+BENCHMARK(rows_one_by_one)->Arg(4)->Arg(64)->Arg(512);
+
+}  // namespace
+}  // namespace cs550::test

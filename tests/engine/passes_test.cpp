@@ -1,0 +1,140 @@
+// A pass over many rows: whatever kernel the engine runs must leave the bits of one row after the other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "cs550/constraint_solver.hpp"
+#include "support/random.hpp"
+
+namespace cs550::test {
+namespace {
+
+struct System {
+  std::vector<BodyVelocity> bodies;
+  std::vector<ContactRow> rows;
+};
+
+BodyVelocity random_body(Random& random, bool movable) {
+  BodyVelocity body;
+  body.v = random.real(0, 2) * random.unit_vector();
+  body.w = random.real(0, 3) * random.unit_vector();
+  if (movable) {
+    const Mat3 turn = random.orientation().toRotationMatrix();
+    const Vec3 inertia(random.real(1, 3), random.real(2, 5), random.real(3, 6));
+    body.inverse_mass = random.real(Real(0.1), 2);
+    body.world_inverse_inertia = turn * inertia.asDiagonal() * turn.transpose();
+    body.delta_position = random.real(0, Real(0.05)) * random.unit_vector();
+    body.delta_rotation = random.real(0, Real(0.05)) * random.unit_vector();
+  }
+  return body;
+}
+
+/// Every kind of row: apart and in penetration, with and without load, rough and smooth.
+ContactRow random_row(Random& random, Index a, Index b) {
+  ContactRow row;
+  row.body_a = a;
+  row.body_b = b;
+  row.n = random.unit_vector();
+  row.u = row.n.unitOrthogonal();
+  row.r_a = random.real(Real(0.2), 1) * random.unit_vector();
+  row.r_b = random.real(Real(0.2), 1) * random.unit_vector();
+  row.separation = random.real(Real(-0.05), Real(0.02));
+  row.friction = random.real(0, 1) < Real(0.2) ? 0 : random.real(0, 2);
+  row.restitution = random.real(0, 1) < Real(0.5) ? 0 : random.real(0, 1);
+  row.approach_velocity = random.real(-3, 1);
+  row.struck = random.real(0, 1) < Real(0.5);
+  if (random.real(0, 1) < Real(0.7)) {
+    row.normal_impulse = random.real(0, 2);
+    row.tangent_impulse = {random.real(-1, 1), random.real(-1, 1)};
+  }
+  return row;
+}
+
+/// Bodies of which the last fifth is immovable, and rows between any two of which one can move.
+System random_system(Random& random, const ContactStep& step) {
+  System system;
+  const Index bodies = random.integer(2, 40);
+  const Index movable = std::max(Index(1), bodies * 4 / 5);
+  for (Index i = 0; i < bodies; ++i) system.bodies.push_back(random_body(random, i < movable));
+  for (Index i = random.integer(0, 100); i > 0; --i) {
+    const Index a = random.integer(0, movable - 1);
+    const Index b = random.integer(0, bodies - 1);
+    if (a != b) system.rows.push_back(random_row(random, a, b));
+  }
+  prepare_contacts(system.rows, system.bodies, step);
+  return system;
+}
+
+/// The words of L7.8, with the row functions of L7.6 and L7.7.
+void solve_one_by_one(System& system, const ContactStep& step) {
+  const std::size_t count = system.rows.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    ContactRow& row = system.rows[step.backwards ? count - 1 - i : i];
+    BodyVelocity& a = system.bodies[static_cast<std::size_t>(row.body_a)];
+    BodyVelocity& b = system.bodies[static_cast<std::size_t>(row.body_b)];
+    if (step.backwards) solve_friction(row, a, b);
+    solve_normal(row, a, b, step);
+    if (!step.backwards) solve_friction(row, a, b);
+  }
+}
+
+template <class Numbers>
+bool same_bits(const Numbers& x, const Numbers& y) {
+  return std::memcmp(&x, &y, sizeof x) == 0;
+}
+
+ContactStep step_of(ContactModel model, bool use_bias, bool backwards) {
+  ContactStep step;
+  step.h = Real(1) / 240;
+  step.model = model;
+  step.use_bias = use_bias;
+  step.backwards = backwards;
+  step.soft = soft_contact(30, 4, step.h);
+  step.soft_static = soft_contact(60, 2, step.h);
+  step.slop = Real(0.005);
+  step.max_push_speed = 3;
+  step.restitution_threshold = 1;
+  return step;
+}
+
+TEST(Passes, LeaveTheBitsOfOneRowAfterTheOther) {
+  int slides = 0;
+  int presses = 0;
+  for (const ContactModel model : {ContactModel::Soft, ContactModel::Baumgarte}) {
+    for (const bool use_bias : {true, false}) {
+      for (const bool backwards : {true, false}) {
+        const ContactStep step = step_of(model, use_bias, backwards);
+        for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+          SCOPED_TRACE("seed " + std::to_string(seed));
+          Random random(seed);
+          System at_once = random_system(random, step);
+          System in_turn = at_once;
+          solve_contacts(at_once.rows, at_once.bodies, step);
+          solve_one_by_one(in_turn, step);
+          for (std::size_t i = 0; i < in_turn.rows.size(); ++i) {
+            const ContactRow& row = at_once.rows[i];
+            const ContactRow& expected = in_turn.rows[i];
+            ASSERT_TRUE(same_bits(row.normal_impulse, expected.normal_impulse)) << "row " << i;
+            ASSERT_TRUE(same_bits(row.tangent_impulse, expected.tangent_impulse)) << "row " << i;
+            ASSERT_EQ(row.struck, expected.struck) << "row " << i;
+            const Real limit = row.friction * row.normal_impulse;
+            if (limit > 0 && row.tangent_impulse.norm() > Real(0.999) * limit) ++slides;
+            if (row.normal_impulse > 0) ++presses;
+          }
+          for (std::size_t i = 0; i < in_turn.bodies.size(); ++i) {
+            ASSERT_TRUE(same_bits(at_once.bodies[i].v, in_turn.bodies[i].v)) << "body " << i;
+            ASSERT_TRUE(same_bits(at_once.bodies[i].w, in_turn.bodies[i].w)) << "body " << i;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(slides, 1000) << "the systems no longer try contacts that slide";
+  EXPECT_GT(presses - slides, 1000) << "the systems no longer try contacts that stick";
+}
+
+}  // namespace
+}  // namespace cs550::test

@@ -1,0 +1,107 @@
+// The order of the rows: the same bits as in the order of the contacts, and groups without a shared body.
+#include "engine/row_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "support/random.hpp"
+
+namespace cs550::test {
+namespace {
+
+std::vector<RigidBody> bodies_of_kinds(Index movable, Index immovable) {
+  std::vector<RigidBody> bodies(static_cast<std::size_t>(movable + immovable));
+  for (Index i = 0; i < movable; ++i) {
+    bodies[static_cast<std::size_t>(i)].kind = BodyKind::Dynamic;
+  }
+  for (Index i = movable; i < movable + immovable; ++i) {
+    bodies[static_cast<std::size_t>(i)].kind = BodyKind::Static;
+  }
+  return bodies;
+}
+
+Contact contact_between(Index a, Index b, Index points) {
+  Contact contact;
+  contact.body_a = a;
+  contact.body_b = b;
+  for (Index i = 0; i < points; ++i) contact.manifold.points.push_back({});
+  return contact;
+}
+
+/// Which body pair each row of the order belongs to; −1 where no row went.
+std::vector<int> contact_of_row(const std::vector<Contact>& contacts, const RowOrder& order) {
+  std::vector<int> owner(order.place_of_point.size(), -1);
+  std::size_t point = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (Index k = 0; k < contacts[i].manifold.points.size(); ++k) {
+      owner[static_cast<std::size_t>(order.place_of_point[point++])] = static_cast<int>(i);
+    }
+  }
+  return owner;
+}
+
+TEST(RowOrder, RowsOfAMovableBodyKeepTheirOrder) {
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Index movable = random.integer(2, 60);
+    const std::vector<RigidBody> bodies = bodies_of_kinds(movable, 3);
+    std::vector<Contact> contacts;
+    for (Index i = random.integer(0, 200); i > 0; --i) {
+      const Index a = random.integer(0, movable - 1);
+      const Index b = random.integer(0, movable + 2);
+      if (a != b) contacts.push_back(contact_between(a, b, random.integer(0, 4)));
+    }
+    RowOrder order;
+    arrange_rows(contacts, bodies, order);
+
+    std::vector<Index> last_row(static_cast<std::size_t>(movable), no_index);
+    std::size_t point = 0;
+    for (const Contact& contact : contacts) {
+      for (Index k = 0; k < contact.manifold.points.size(); ++k) {
+        const Index row = order.place_of_point[point++];
+        for (const Index body : {contact.body_a, contact.body_b}) {
+          if (body >= movable) continue;
+          Index& last = last_row[static_cast<std::size_t>(body)];
+          ASSERT_LT(last, row) << "body " << body;
+          last = row;
+        }
+      }
+    }
+    const std::vector<int> owners = contact_of_row(contacts, order);
+    EXPECT_EQ(std::count(owners.begin(), owners.end(), -1), 0) << "every place is taken once";
+  }
+}
+
+TEST(RowOrder, BoxesOnOneFloorFillTheirGroups) {
+  constexpr Index boxes = 8;
+  const std::vector<RigidBody> bodies = bodies_of_kinds(boxes, 1);
+  std::vector<Contact> contacts;
+  for (Index i = 0; i < boxes; ++i) contacts.push_back(contact_between(i, boxes, 4));
+  RowOrder order;
+  arrange_rows(contacts, bodies, order);
+  const std::vector<int> owners = contact_of_row(contacts, order);
+  constexpr auto group_size = static_cast<std::size_t>(ContactGroup::capacity());
+  for (std::size_t first = 0; first < owners.size(); first += group_size) {
+    for (std::size_t i = first; i < first + group_size; ++i) {
+      for (std::size_t k = first; k < i; ++k) {
+        EXPECT_NE(owners[i], owners[k]) << "rows " << k << " and " << i;
+      }
+    }
+  }
+}
+
+TEST(RowOrder, ContactsWithMorePointsGoOnInTheFirstLanes) {
+  const std::vector<RigidBody> bodies = bodies_of_kinds(3, 1);
+  const std::vector<Contact> contacts{contact_between(0, 3, 1), contact_between(1, 3, 3),
+                                      contact_between(2, 3, 2)};
+  RowOrder order;
+  arrange_rows(contacts, bodies, order);
+  EXPECT_EQ(contact_of_row(contacts, order), (std::vector<int>{1, 2, 0, 1, 2, 1}));
+}
+
+}  // namespace
+}  // namespace cs550::test
