@@ -2,18 +2,36 @@
 # cs550_viewer_student: the same on the student's labs. Without their packages neither exists, and
 # everything else builds.
 set(CS550_HAS_VIEWER FALSE)
+set(viewer_absence "")
 if(NOT CS550_VIEWER)
-  return()
+  set(viewer_absence "it was switched off when this folder was configured (-DCS550_VIEWER=OFF)")
+else()
+  set(viewer_missing "")
+  foreach(pair imgui:libimgui-dev glfw3:libglfw3-dev epoxy:libepoxy-dev stb:libstb-dev)
+    string(REPLACE ":" ";" pair "${pair}")
+    list(GET pair 0 module)
+    list(GET pair 1 package)
+    if(PkgConfig_FOUND)
+      pkg_check_modules(viewer_${module} QUIET IMPORTED_TARGET ${module})
+    endif()
+    if(NOT viewer_${module}_FOUND)
+      string(APPEND viewer_missing " ${package}")
+    endif()
+  endforeach()
+  find_path(stb_headers stb/stb_image_write.h)
+  if(viewer_stb_FOUND AND NOT stb_headers)
+    string(APPEND viewer_missing " libstb-dev")
+  endif()
+  if(viewer_missing)
+    string(CONCAT viewer_absence "it needs${viewer_missing}. On Debian and Ubuntu: "
+      "./cs550 doctor --install viewer; elsewhere see README.md. Then: rm -r ${PROJECT_BINARY_DIR}")
+  endif()
 endif()
-if(PkgConfig_FOUND)
-  pkg_check_modules(viewer_packages QUIET IMPORTED_TARGET imgui glfw3 epoxy stb)
-endif()
-find_path(stb_headers stb/stb_image_write.h)
-if(NOT viewer_packages_FOUND OR NOT stb_headers)
-  message(STATUS "The viewer is left out: it needs libimgui-dev libglfw3-dev libepoxy-dev libstb-dev")
+if(viewer_absence)
+  message(STATUS "The viewer is left out: ${viewer_absence}")
   foreach(target cs550_viewer cs550_viewer_student)
-    add_custom_target(${target} VERBATIM COMMAND "${CMAKE_COMMAND}" -E echo
-      "The viewer's packages were missing when this folder was configured: ./cs550 doctor --install viewer, then rm -r ${PROJECT_BINARY_DIR}"
+    add_custom_target(${target} VERBATIM
+      COMMAND "${CMAKE_COMMAND}" -E echo "There is no viewer: ${viewer_absence}"
       COMMAND "${CMAKE_COMMAND}" -E false)
   endforeach()
   return()
@@ -26,7 +44,8 @@ list(REMOVE_ITEM viewer_sources "${viewer_main}")
 add_library(cs550_viewer_parts STATIC EXCLUDE_FROM_ALL ${viewer_sources})
 target_include_directories(cs550_viewer_parts PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 target_link_libraries(cs550_viewer_parts
-  PUBLIC cs550_engine cs550_drawing PkgConfig::viewer_packages cereal::cereal ${CMAKE_DL_LIBS}
+  PUBLIC cs550_engine cs550_drawing cereal::cereal ${CMAKE_DL_LIBS}
+    PkgConfig::viewer_imgui PkgConfig::viewer_glfw3 PkgConfig::viewer_epoxy PkgConfig::viewer_stb
   PRIVATE CLI11::CLI11 cs550_warnings)
 
 function(cs550_add_viewer target)

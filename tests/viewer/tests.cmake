@@ -1,3 +1,8 @@
+add_test(NAME viewer.IsLeftOutWhereItCannotBeBuilt
+  COMMAND "${CMAKE_COMMAND}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DSCRATCH=${PROJECT_BINARY_DIR}/left_out"
+  "-DCOMPILER=${CMAKE_CXX_COMPILER}" -P "${PROJECT_SOURCE_DIR}/tests/viewer/left_out_test.cmake")
+set_tests_properties(viewer.IsLeftOutWhereItCannotBeBuilt PROPERTIES LABELS viewer)
+
 # Programs that the viewer's tests run. The sanitizers find leaks in the OpenGL driver, not in us.
 if(CMAKE_CXX_FLAGS_DEBUG MATCHES "fsanitize" OR NOT CS550_HAS_VIEWER)
   return()
