@@ -36,6 +36,7 @@ Drawing draw_impulses(std::span<const ContactRow> rows, std::span<const Vec3> ce
   drawing.alt_text = "The accumulated impulses of " + std::to_string(rows.size()) +
                      " contact rows as arrows at their contacts.";
   const Stroke friction = {.role = Role::Incident, .width = Real(2.4), .arrow = true};
+  bool has_friction = false;
   for (const ContactRow& row : rows) {
     if (row.body_b < 0 || static_cast<std::size_t>(row.body_b) >= centers.size()) {
       drawing.notes.push_back("A row names body " + std::to_string(row.body_b) +
@@ -46,10 +47,13 @@ Drawing draw_impulses(std::span<const ContactRow> rows, std::span<const Vec3> ce
     drawing.points.push_back({contact, Role::Text, Real(3.5)});
     const Vec3 tangent = row.tangent_impulse.x() * row.u + row.tangent_impulse.y() * row.v();
     add_arrow(drawing, contact, meters_per_impulse * row.normal_impulse * row.n, {role, 3});
-    if (tangent.norm() > 0) add_arrow(drawing, contact, meters_per_impulse * tangent, friction);
+    if (tangent.norm() > 0) {
+      add_arrow(drawing, contact, meters_per_impulse * tangent, friction);
+      has_friction = true;
+    }
   }
-  drawing.legend = {{"normal impulse", {role, 3}, LegendMark::Line},
-                    {"friction", friction, LegendMark::Line}};
+  drawing.legend = {{"normal impulse", {role, 3}, LegendMark::Line}};
+  if (has_friction) drawing.legend.push_back({"friction", friction, LegendMark::Line});
   return drawing;
 }
 

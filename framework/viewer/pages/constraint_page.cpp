@@ -1,11 +1,8 @@
 // Lab 7: the same stack by accumulated impulses, with and without a warm start.
-#include "cs550/constraint_solver.hpp"
-#include "cs550/naive_solver.hpp"
-#include "cs550/not_implemented.hpp"
 #include "drawing/impulse_drawing.hpp"
 #include "viewer/pages/lab_page.hpp"
 #include "viewer/pages/shapes.hpp"
-#include "viewer/pages/stack.hpp"
+#include "viewer/pages/stack_runs.hpp"
 #include "viewer/units.hpp"
 
 namespace cs550::viewer {
@@ -15,8 +12,8 @@ using drawing::Role;
 
 struct ConstraintSettings {
   StackSettings stack;
-  int passes = 30;
-  int step = 8;
+  int passes = 200;
+  int step = 20;
   bool warm_start = false;
   bool disk = true;
   int row = 16;
@@ -30,57 +27,13 @@ void describe(ConstraintSettings& settings, KnobVisitor& visit) {
   visit.whole({"passes", "passes", ""}, settings.passes, 1, 200);
   visit.toggle({"warm_start", "warm start", ""}, settings.warm_start);
   viewer::describe(settings.stack, visit);
+  visit.number({"friction", "friction", ""}, settings.stack.friction, 0, 2);
   visit.section("Friction disk");
   visit.toggle({"disk", "show", ""}, settings.disk);
   visit.whole({"row", "of contact", ""}, settings.row, 0, 39);
 }
 
-/// The stack after each pass, the first before any.
-using Run = std::vector<Stack>;
-
-/// @param warm impulses to begin with; none starts cold
-Run solve(Stack stack, int passes, std::span<const ContactRow> warm) {
-  ContactStep step;
-  step.h = stack_step;
-  step.use_bias = false;  // boxes that touch exactly: a rigid contact
-  prepare_contacts(stack.rows, stack.bodies, step);
-  for (std::size_t i = 0; i < warm.size(); ++i) {
-    ContactRow& row = stack.rows[i];
-    row.normal_impulse = warm[i].normal_impulse;
-    row.tangent_impulse = warm[i].tangent_impulse;
-    warm_start(row, stack.bodies[static_cast<std::size_t>(row.body_a)],
-               stack.bodies[static_cast<std::size_t>(row.body_b)]);
-  }
-  Run run{stack};
-  for (int pass = 0; pass < passes; ++pass) {
-    step.backwards = pass % 2 == 1;
-    solve_contacts(stack.rows, stack.bodies, step);
-    run.push_back(stack);
-  }
-  return run;
-}
-
-drawing::Convergence convergence(const char* name, const Run& run, bool dashed) {
-  drawing::Convergence result{name, {}, dashed};
-  for (const Stack& stack : run) result.errors.push_back(approach_error(stack));
-  return result;
-}
-
-/// The same stack by lab 6, to compare with; nothing as long as that is not written.
-void add_naive(Stack stack, int passes, std::vector<drawing::Convergence>& errors) {
-  drawing::Convergence naive{"naive", {approach_error(stack)}, true};
-  try {
-    for (int pass = 0; pass < passes; ++pass) {
-      resolve_contacts_naive(stack.rows, stack.bodies);
-      naive.errors.push_back(approach_error(stack));
-    }
-    errors.push_back(naive);
-  } catch (const NotImplemented&) {
-    return;
-  }
-}
-
-std::vector<std::vector<Real>> impulses_of(const Run& run) {
+std::vector<std::vector<Real>> impulses_of(const StackRun& run) {
   std::vector<std::vector<Real>> history;
   for (const Stack& stack : run) history.push_back(level_impulses(stack));
   return history;
@@ -94,16 +47,16 @@ void add_disk(const ContactRow& row, const Stack& before, Content& content) {
       {row.tangent_impulse / limit, Role::Highlight, "friction impulse"}};
   const drawing::Drawing disk =
       drawing::draw_friction_disk(1, impulses, slip_velocity(row, before));
-  const Pose place{{Real(1.55), Real(-0.7), Real(0.02)}, Quat::Identity()};
+  const Pose place{{Real(1.55), Real(-0.2), Real(0.02)}, Quat::Identity()};
   drawing::append(content.drawing, drawing::transformed(scaled(disk, Real(0.6)), place));
 }
 
 Content show(const ConstraintSettings& settings) {
   const Stack start = make_stack(settings.stack);
-  const Run cold = solve(start, settings.passes, {});
+  const StackRun cold = solve_accumulating(start, settings.passes, {});
   // The warm start of a stack that stood still: what an earlier step has found.
-  const Run warm = solve(start, settings.passes, cold.back().rows);
-  const Run& run = settings.warm_start ? warm : cold;
+  const StackRun warm = solve_accumulating(start, settings.passes, cold.back().rows);
+  const StackRun& run = settings.warm_start ? warm : cold;
 
   Content content;
   content.step_count = static_cast<int>(run.size());
@@ -115,10 +68,7 @@ Content show(const ConstraintSettings& settings) {
   const std::size_t row = std::min(static_cast<std::size_t>(settings.row), shown.rows.size() - 1);
   if (settings.disk) add_disk(shown.rows[row], start, content);
 
-  std::vector<drawing::Convergence> errors{convergence("cold start", cold, false),
-                                           convergence("warm start", warm, true)};
-  add_naive(start, settings.passes, errors);
-  content.plots = {drawing::plot_convergence(errors, "m/s"), plot_levels(impulses_of(run))};
+  content.plots = {compare_solvers(start, settings.passes), plot_levels(impulses_of(run))};
   content.facts = {
       {"pass", std::to_string(step)},
       {"fastest approach", quantity(static_cast<double>(approach_error(shown)), "m/s")},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cs550/contact_row.hpp"
+#include "drawing/impulse_drawing.hpp"
 #include "viewer/content.hpp"
 #include "viewer/knobs.hpp"
 
@@ -23,7 +24,7 @@ struct StackSettings {
   bool operator==(const StackSettings&) const = default;
 };
 
-/// Visits them.
+/// Visits those that both solvers know.
 void describe(StackSettings& settings, KnobVisitor& visit);
 
 /// A moment after gravity acted for one step and before any contact did.
@@ -41,8 +42,20 @@ Stack make_stack(const StackSettings& settings);
 /// The boxes and the ground, for the painter.
 std::vector<Solid> stack_solids(const Stack& stack);
 
-/// The largest speed at which a contact still approaches: what a solver should bring to zero (m/s).
+/// The largest speed at which a contact still approaches (m/s).
 Real approach_error(const Stack& stack);
+
+/// The same stack without friction, whose answer is known: all boxes together leave the ground at e
+/// times the speed at which they met it, and keep the rest of their velocities.
+Stack without_friction(Stack stack);
+/// That answer, for a stack before any contact acted.
+std::vector<BodyVelocity> frictionless_answer(const Stack& start);
+/// How far the velocities of a stack are from an answer: √(2T/m) of the difference, with T its
+/// kinetic energy and m the mass of all boxes, so that every solver is measured alike (m/s).
+Real velocity_error(const Stack& stack, std::span<const BodyVelocity> answer);
+
+/// velocity_error() over the passes of some solvers.
+drawing::Plot plot_velocity_errors(std::span<const drawing::Convergence> runs);
 
 /// What carries each box: the normal impulses of the four rows under it together (N·s).
 std::vector<Real> level_impulses(const Stack& stack);

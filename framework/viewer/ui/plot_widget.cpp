@@ -264,8 +264,9 @@ float draw_heading(ImDrawList* list, const Plot& plot, ImVec2 at, float width, c
       place = {at.x, place.y + size + 3};
     }
     const float middle = place.y + size * 0.55F;
-    list->AddLine({place.x, middle}, {place.x + 11, middle}, packed(drawing::color(series.role)),
-                  3);
+    const ImU32 colour = packed(drawing::color(series.role));
+    list->AddLine({place.x, middle}, {place.x + (series.dashed ? 4 : 11), middle}, colour, 3);
+    if (series.dashed) list->AddLine({place.x + 7, middle}, {place.x + 11, middle}, colour, 3);
     list->AddText(fonts.small.font, size, {place.x + mark, place.y}, quiet_ink,
                   series.name.c_str());
     place.x += mark + name + 12;
@@ -298,6 +299,12 @@ void show_plot(const Plot& plot, float height, const Fonts& fonts) {
                   quiet_ink, plot.x_label.c_str());
   }
   ImGui::Dummy({width, height});
+  for (const std::string& note : plot.notes) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 room = fonts.small.font->CalcTextSizeA(size, FLT_MAX, width, note.c_str());
+    list->AddText(fonts.small.font, size, at, quiet_ink, note.c_str(), nullptr, width);
+    ImGui::Dummy({width, room.y + size / 2});
+  }
 }
 
 }  // namespace cs550::viewer

@@ -1,0 +1,65 @@
+#include "viewer/pages/stack_runs.hpp"
+
+#include "cs550/constraint_solver.hpp"
+#include "cs550/naive_solver.hpp"
+#include "cs550/not_implemented.hpp"
+
+namespace cs550::viewer {
+
+StackRun solve_naively(Stack stack, int passes) {
+  StackRun run{stack};
+  for (int pass = 0; pass < passes; ++pass) {
+    resolve_contacts_naive(stack.rows, stack.bodies);
+    run.push_back(stack);
+  }
+  return run;
+}
+
+StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactRow> warm) {
+  ContactStep step;
+  step.h = stack_step;
+  step.use_bias = false;  // boxes that touch exactly: a rigid contact
+  prepare_contacts(stack.rows, stack.bodies, step);
+  for (std::size_t i = 0; i < warm.size(); ++i) {
+    ContactRow& row = stack.rows[i];
+    row.normal_impulse = warm[i].normal_impulse;
+    row.tangent_impulse = warm[i].tangent_impulse;
+    warm_start(row, stack.bodies[static_cast<std::size_t>(row.body_a)],
+               stack.bodies[static_cast<std::size_t>(row.body_b)]);
+  }
+  StackRun run{stack};
+  for (int pass = 0; pass < passes; ++pass) {
+    step.backwards = pass % 2 == 1;
+    solve_contacts(stack.rows, stack.bodies, step);
+    run.push_back(stack);
+  }
+  return run;
+}
+
+drawing::Plot compare_solvers(const Stack& start, int passes) {
+  const Stack slippery = without_friction(start);
+  const std::vector<BodyVelocity> answer = frictionless_answer(slippery);
+  std::vector<drawing::Convergence> curves;
+  const auto add = [&](const char* name, const StackRun& run, bool dashed) {
+    drawing::Convergence& curve = curves.emplace_back(drawing::Convergence{name, {}, dashed});
+    for (const Stack& stack : run) curve.errors.push_back(velocity_error(stack, answer));
+  };
+  try {
+    add("naive", solve_naively(slippery, passes), true);
+  } catch (const NotImplemented&) {
+    // Lab 7 may be looked at without lab 6.
+  }
+  const bool bounces = start.rows.front().restitution > 0;
+  try {
+    if (!bounces) {
+      const StackRun cold = solve_accumulating(slippery, passes, {});
+      add("accumulated", cold, false);
+      add("warm start", solve_accumulating(slippery, passes, cold.back().rows), false);
+    }
+  } catch (const NotImplemented&) {
+    // Lab 6 comes before lab 7.
+  }
+  return plot_velocity_errors(curves);
+}
+
+}  // namespace cs550::viewer

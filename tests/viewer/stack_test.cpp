@@ -1,0 +1,71 @@
+// The problem that the pages of labs 6 and 7 solve, and how its error is measured.
+#include "viewer/pages/stack_runs.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cs550::test {
+namespace {
+
+using namespace viewer;
+
+const StackSettings stacks[] = {{1, 1, 0, 0, 0},
+                                {3, 1, Real(0.2), Real(0.5), 0},
+                                {5, 4, -1, Real(0.5), 0},
+                                {5, 1, Real(0.2), 1, Real(0.5)}};
+
+/// Conditions of complementarity, which determine the velocities.
+TEST(StackAnswer, KeepsContactsFromApproachingAndNeedsNoPull) {
+  for (const StackSettings& settings : stacks) {
+    const Stack start = make_stack(settings);
+    Stack stack = start;
+    stack.bodies = frictionless_answer(start);
+    for (const ContactRow& row : stack.rows) {
+      const Real before = approach_velocity(row, start);
+      EXPECT_NEAR(approach_velocity(row, stack), -settings.restitution * before, 1e-6);
+    }
+    // Each level passes on, upwards, what all boxes above it gained.
+    Real gained = 0;
+    for (std::size_t i = stack.bodies.size() - 1; i > 0; --i) {
+      const Vec3 change = stack.bodies[i].v - start.bodies[i].v;
+      EXPECT_EQ(change.head<2>().norm(), 0) << "there is no friction";
+      gained += change.z() / stack.bodies[i].inverse_mass;
+      EXPECT_GE(gained, 0) << "contacts do not pull";
+    }
+  }
+}
+
+TEST(StackAnswer, IsWhatAccumulatedImpulsesConvergeTo) {
+  for (const StackSettings& settings : stacks) {
+    if (settings.restitution > 0) continue;
+    const Stack start = without_friction(make_stack(settings));
+    const std::vector<BodyVelocity> answer = frictionless_answer(start);
+    const StackRun run = solve_accumulating(start, 2000, {});
+    EXPECT_GT(velocity_error(start, answer), 0.1) << "g·h and more";
+    EXPECT_LT(velocity_error(run.back(), answer), 1e-5) << settings.boxes << " boxes";
+  }
+}
+
+TEST(StackAnswer, ErrorIsASpeed) {
+  const Stack start = make_stack({4, 3, 0, 0, 0});
+  EXPECT_NEAR(velocity_error(start, frictionless_answer(start)), Real(9.81) * stack_step, 1e-6)
+      << "all boxes fall for one step";
+  EXPECT_EQ(velocity_error(start, start.bodies), 0);
+}
+
+TEST(StackAnswer, EverySolverBeginsWithTheSameError) {
+  const drawing::Plot plot = compare_solvers(make_stack({}), 10);
+  ASSERT_EQ(plot.series.size(), 3U);
+  EXPECT_EQ(plot.series[0].values.front().y(), plot.series[1].values.front().y());
+  EXPECT_LT(plot.series[2].values.front().y(), plot.series[1].values.front().y())
+      << "a warm start is closer";
+  EXPECT_FALSE(plot.notes.empty()) << "which says what is plotted";
+}
+
+TEST(StackAnswer, WhereBoxesBounceOnlyTheNaiveSolverIsCompared) {
+  StackSettings settings;
+  settings.restitution = Real(0.5);
+  EXPECT_EQ(compare_solvers(make_stack(settings), 10).series.size(), 1U);
+}
+
+}  // namespace
+}  // namespace cs550::test
