@@ -1,5 +1,6 @@
 #include "engine_score.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -52,13 +53,21 @@ bool reaches(int lab) {
 
 }  // namespace
 
+bool has_milestone(int lab) {
+  const std::string start = "lab" + std::to_string(lab) + '_';
+  const auto records = fs::directory_iterator(project_root() / "framework/assets/trajectories");
+  return std::any_of(begin(records), end(records), [&start](const fs::directory_entry& record) {
+    return record.path().filename().string().rfind(start, 0) == 0;
+  });
+}
+
 std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
   if (const std::optional<std::set<int>> known = remembered(labs)) return *known;
   std::set<int> reached;
   if (!labs.empty() && build_quietly(program).empty()) {
     for (const LabResult& lab : labs) {
       const int number = lab_number(lab.lab_name);
-      if (reaches(number)) reached.insert(number);
+      if (has_milestone(number) && reaches(number)) reached.insert(number);
     }
   }
   fs::create_directories(memory().parent_path());

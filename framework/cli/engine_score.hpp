@@ -9,6 +9,9 @@
 
 namespace cs550::cli {
 
+/// Whether a lab has a milestone: a recorded run of the reference.
+bool has_milestone(int lab);
+
 /// The labs whose milestones the student's engine reaches. Runs them when a lab file or the
 /// framework has changed, else remembers them in build/results/engine.json.
 /// @param labs those that were begun, from the first on

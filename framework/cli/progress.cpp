@@ -116,12 +116,14 @@ std::string first_lines(const std::string& text, int count) {
 /// The second score: do the labs work together?
 void print_engine(const Progress& progress) {
   const int reached = static_cast<int>(progress.milestones.size());
-  const int all = static_cast<int>(progress.labs.size());
+  const auto all = static_cast<int>(
+      std::count_if(progress.labs.begin(), progress.labs.end(),
+                    [](const LabResult& lab) { return has_milestone(lab_number(lab.lab_name)); }));
   std::cout << padded("Your engine, assembled", 27) << bar(reached, all) << points(reached, all)
             << "  milestones";
   for (const LabResult& lab : progress.labs) {
     const int number = lab_number(lab.lab_name);
-    if (progress.milestones.count(number) != 0) continue;
+    if (!has_milestone(number) || progress.milestones.count(number) != 0) continue;
     if (is_finished(lab)) std::cout << "; lab " << number << " --run";
     break;
   }
