@@ -21,6 +21,7 @@ struct DemoOptions {
   std::string scene = "wall";
   std::filesystem::path csv;
   int steps = 0;  ///< 0: as many as the scene asks for
+  bool picture = true;
 };
 
 double timed_step(World& world, Real h) {
@@ -80,7 +81,7 @@ int run_demo(const DemoOptions& options) {
   const int steps = options.steps > 0 ? options.steps : scene.steps;
   run_scene(world, scene, steps, record, trajectory);
   record.print(std::cout);
-  take_picture(scene, options.scene, steps);
+  if (options.picture) take_picture(scene, options.scene, steps);
   return record.good() ? Good : Failed;
 }
 
@@ -93,6 +94,7 @@ Action declare_demo(CLI::App& app) {
   app.add_option("--csv", options->csv, "write the trajectory to this file");
   app.add_option("--steps", options->steps, "how many steps; the scene's own number if not given")
       ->check(CLI::Range(1, 1000000));
+  app.add_flag("!--no-picture", options->picture, "only the summary");
   return [options] { return run_demo(*options); };
 }
 
