@@ -4,6 +4,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -49,19 +51,23 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-void write_animation(const fs::path& folder, const fs::path& file) {
+void write_animation(const fs::path& folder, const fs::path& file, double rate) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
-  // 30 frames a second, each second picture of 60: a GIF's clock counts hundredths of a second.
-  const int by_ffmpeg =
-      run({"ffmpeg", "-y", "-framerate", "60", "-i", (folder / "%04d.png").string(), "-vf",
-           "fps=30,split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer",
-           file.string()});
+  // At most 30 frames a second: a GIF's clock counts hundredths of a second.
+  constexpr double most = 30;
+  const int by_ffmpeg = run({"ffmpeg", "-y", "-framerate", std::to_string(rate), "-i",
+                             (folder / "%04d.png").string(), "-vf",
+                             "fps=" + std::to_string(std::min(rate, most)) +
+                                 ",split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse="
+                                 "dither=bayer",
+                             file.string()});
   if (by_ffmpeg == 0) return;
   if (by_ffmpeg != not_found) {
     throw std::runtime_error("ffmpeg could not write " + file.string());
   }
-  const int by_convert = run({"convert", "-delay", "2", "-loop", "0", (folder / "*.png").string(),
-                              "-layers", "Optimize", file.string()});
+  const int by_convert =
+      run({"convert", "-delay", std::to_string(std::lround(100 / rate)), "-loop", "0",
+           (folder / "*.png").string(), "-layers", "Optimize", file.string()});
   if (by_convert == 0) return;
   if (by_convert == not_found) {
     throw std::runtime_error("--gif needs the package ffmpeg or imagemagick");

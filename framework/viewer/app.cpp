@@ -52,6 +52,7 @@ void show_heading(const std::string& title, const std::string& story, const Font
 
 App::App(const Options& options, Interface& interface) : options_(options), interface_(interface) {
   open(options.lab);
+  if (options.steps || options.is_sequence()) page_->rewind();
   for (const std::string& assignment : options.settings) {
     KnobSetter setter(assignment);
     page_->describe(setter);
@@ -120,8 +121,8 @@ void App::draw(Canvas& canvas) {
   const Projection seen = projection();
   const Content& content = page_->content();
   painter_.paint(content, seen, canvas, interface_.scale() * pixels_per_unit);
-  show_labels(content.drawing, seen, picture_area(), interface_.fonts());
-  show_legend(content.drawing, picture_area(), interface_.fonts());
+  const int missing = show_labels(content.drawing, seen, picture_area(), interface_.fonts());
+  show_legend(content.drawing, picture_area(), interface_.fonts(), missing);
   if (!content.problem.empty()) {
     show_problem(content.problem, picture_area(), interface_.fonts());
   }

@@ -72,9 +72,9 @@ void declare(CLI::App& app, Options& options) {
                  "write 0000.png, 0001.png, ... to this folder, one per step");
   app.add_option("--gif", options.gif,
                  "write an animation (needs ffmpeg or ImageMagick), one frame per step");
-  app.add_option("--frame-count", options.frame_count, "frames of --frames and --gif")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+  app.add_option("--frame-count", options.frame_count,
+                 "frames of --frames and --gif; unless said, once through the page's walk, or 120")
+      ->check(CLI::Range(1, 10000));
 }
 
 }  // namespace

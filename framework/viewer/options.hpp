@@ -26,11 +26,13 @@ struct Options {
   std::filesystem::path snapshot;  ///< PNG file
   std::filesystem::path frames;    ///< folder for a numbered sequence
   std::filesystem::path gif;       ///< animation
-  int frame_count = 120;           ///< of a sequence
+  std::optional<int> frame_count;  ///< of a sequence
 
   /// Steps of a scene before the first picture, unless the user says how many: a still picture of a
   /// beginning shows little.
-  int default_steps() const { return is_headless() ? 60 : 0; }
+  int default_steps() const { return snapshot.empty() ? 0 : 60; }
+  /// Whether pictures follow each other, from the beginning.
+  bool is_sequence() const { return !frames.empty() || !gif.empty(); }
   /// Whether no window is wanted.
   bool is_headless() const { return list || !snapshot.empty() || !frames.empty() || !gif.empty(); }
 };

@@ -1,5 +1,6 @@
 #include "viewer/snapshot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iostream>
@@ -34,6 +35,7 @@ class Studio {
     return read_picture(canvas_);
   }
   void advance() { app_.advance(); }
+  const Page& page() const { return app_.page(); }
   /// Why the page shows no picture; empty if it does.
   const std::string& problem() const { return app_.page().content().problem; }
 
@@ -48,6 +50,15 @@ std::string frame_name(int number) {
   std::snprintf(name.data(), name.size(), "%04d.png", number);
   return name.data();
 }
+
+/// Once through a walk, unless that is long or there is none.
+int default_frame_count(const Page& page) {
+  constexpr int most = 120;
+  return page.lab() == 0 ? most : std::clamp(page.content().step_count, 1, most);
+}
+
+/// A world runs as fast as it would; a walk so slowly that it can be followed.
+double frames_per_second(const Page& page) { return page.lab() == 0 ? 60 : 2.5; }
 
 void write_frames(Studio& studio, const fs::path& folder, int count) {
   for (int i = 0; i < count; ++i) {
@@ -72,17 +83,18 @@ void write_pictures(const Options& options) {
     write_png(studio.take(), options.snapshot);
     std::cout << options.snapshot.string() << '\n';
   }
+  const int frame_count = options.frame_count.value_or(default_frame_count(studio.page()));
   if (!options.frames.empty()) {
-    write_frames(studio, options.frames, options.frame_count);
-    std::cout << options.frames.string() << ": " << options.frame_count << " frames\n";
+    write_frames(studio, options.frames, frame_count);
+    std::cout << options.frames.string() << ": " << frame_count << " frames\n";
   }
   if (options.gif.empty()) return;
   if (options.frames.empty()) {
     const TemporaryFolder folder;
-    write_frames(studio, folder.path(), options.frame_count);
-    write_animation(folder.path(), options.gif);
+    write_frames(studio, folder.path(), frame_count);
+    write_animation(folder.path(), options.gif, frames_per_second(studio.page()));
   } else {
-    write_animation(options.frames, options.gif);
+    write_animation(options.frames, options.gif, frames_per_second(studio.page()));
   }
   std::cout << options.gif.string() << '\n';
 }

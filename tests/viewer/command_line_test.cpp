@@ -96,6 +96,21 @@ TEST_F(CommandLine, FramesAreNumberedAndDiffer) {
   EXPECT_NE(bytes(file("frames/0000.png")), bytes(file("frames/0002.png")));
 }
 
+TEST_F(CommandLine, FramesGoOnceThroughTheWalkOfAPageFromItsBeginning) {
+  ASSERT_EQ(view({"--lab", "3", "--size", "160x120", "--frames", file("walk")}).exit_code, 0);
+  const auto step = [&](const std::string& option, const std::string& value) {
+    EXPECT_EQ(view({"--lab", "3", "--size", "160x120", option, value, "--snapshot", file("a.png")})
+                  .exit_code,
+              0);
+    return bytes(file("a.png"));
+  };
+  EXPECT_TRUE(bytes(file("walk/0000.png")) == step("--set", "step=0"));
+  EXPECT_TRUE(bytes(file("walk/0002.png")) == step("--set", "step=2"));
+  EXPECT_TRUE(bytes(file("walk/0002.png")) == step("--steps", "2"));
+  EXPECT_TRUE(bytes(file("walk/0006.png")) == step("--set", "step=-1")) << "the last one";
+  EXPECT_FALSE(fs::exists(file("walk/0007.png")));
+}
+
 TEST_F(CommandLine, AnAnimationIsAGif) {
   if (!is_installed("ffmpeg") && !is_installed("convert")) GTEST_SKIP() << "no ffmpeg";
   const Outcome outcome = view({"--lab", "3", "--size", "160x120", "--ui", "off", "--gif",

@@ -35,7 +35,7 @@ Options page(int lab, bool ui) {
   Options options;
   options.lab = lab;
   options.ui = ui;
-  options.steps = lab == 0 ? 55 : 0;
+  if (lab == 0) options.steps = 55;
   options.size = ui ? viewer::Size{1280, 720} : viewer::Size{640, 360};
   return options;
 }

@@ -114,7 +114,8 @@ Content show(const AxisSettings& settings) {
       {"crossing arcs", std::to_string(pairs.size())}};
   const std::array<PosedShape, 2> both{a, b};
   content.focus = focus_on(content.drawing, both);
-  content.focus.radius *= Real(0.9);  // flat from this side
+  const bool is_flat = !settings.minkowski;  // from this side
+  if (is_flat) content.focus.radius *= Real(0.9);
   return content;
 }
 
@@ -128,10 +129,9 @@ std::unique_ptr<Page> make_axis_page(Isolation isolation) {
   parts.lab = 4;
   parts.story =
       "A pair of edges makes a face of the Minkowski difference where their arcs cross on the "
-      "Gauss "
-      "maps of A and −B. Only those pairs and the faces are tried; the largest separation wins. "
-      "Drag "
-      "B by its middle.";
+      "Gauss maps of A and −B. Only those pairs and the faces are tried; the largest separation "
+      "wins. "
+      "Drag B by its middle.";
   parts.first_view = seen_from(Real(-1.5), Real(0.22));
   parts.describe = describe;
   parts.show = show;

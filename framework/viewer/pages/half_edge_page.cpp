@@ -90,6 +90,30 @@ Drawing draw_defect(const HalfEdgeMesh& mesh, const MeshDefect& defect) {
                                   if_is(MeshElement::HalfEdge), if_is(MeshElement::Vertex));
 }
 
+/// Light triangles with dark edges, among which those that are at fault stand out. Triangles that are
+/// wound the wrong way round show where they think that outside is.
+Drawing draw_refused(const TriangleSoup& soup, const MeshIssue& issue) {
+  const bool all_are_wrong = issue.error == MeshError::InsideOut;
+  const drawing::MeshStyle quiet = {.role = drawing::Role::Faint,
+                                    .opacity = all_are_wrong ? Real(0.3) : Real(0.8)};
+  Drawing drawing = drawing::draw_triangles(soup.vertices, soup.triangles, issue, quiet);
+  for (drawing::Line& line : drawing.lines) {
+    if (line.stroke.role == drawing::Role::Faint) line.stroke.role = drawing::Role::Axis;
+  }
+  for (drawing::Polygon& polygon : drawing.polygons) {
+    if (polygon.role == drawing::Role::Warning) polygon.opacity = Real(0.9);
+    if (!all_are_wrong) continue;
+    const Vec3 normal = (polygon.corners[1] - polygon.corners[0])
+                            .cross(polygon.corners[2] - polygon.corners[0])
+                            .normalized();
+    drawing::add_arrow(drawing, drawing::middle(polygon.corners), Real(0.3) * normal,
+                       {drawing::Role::Warning, Real(2.5), false, true});
+  }
+  drawing.legend.push_back({all_are_wrong ? "outward, say the triangles" : "at fault",
+                            {drawing::Role::Warning, 3, false, all_are_wrong}});
+  return drawing;
+}
+
 std::string count_text(const HalfEdgeMesh& mesh) {
   return std::to_string(mesh.vertex_count()) + " − " + std::to_string(mesh.edge_count() / 2) +
          " + " + std::to_string(mesh.face_count()) + " = " +
@@ -118,7 +142,7 @@ Content show(const HalfEdgeSettings& settings) {
   const MeshBuild built = build_half_edge_mesh(soup.vertices, soup.triangles);
   Content content;
   if (built.issue) {
-    content.drawing = drawing::draw_triangles(soup.vertices, soup.triangles, built.issue);
+    content.drawing = draw_refused(soup, built.issue);
     content.facts = {{"refused", describe(built.issue)}};
   } else {
     const HalfEdgeMesh mesh = settings.merged ? merge_coplanar_faces(built.mesh) : built.mesh;

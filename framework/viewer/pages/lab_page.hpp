@@ -66,6 +66,8 @@ class LabPage final : public Page {
     settings_.step = (now + 1) % count;
   }
 
+  void rewind() override { settings_.step = 0; }
+
   std::optional<Vec3> handle() const override {
     if (parts_.handle == nullptr) return {};
     return parts_.handle(settings_);

@@ -38,6 +38,8 @@ class Page {
   virtual Camera first_view() const { return {}; }
   /// One step on: of time, of a walk, of an algorithm. Wraps around where there is an end.
   virtual void advance() = 0;
+  /// To the beginning of a walk.
+  virtual void rewind() {}
   /// A point in the picture that the user may drag, if there is one (world, m).
   virtual std::optional<Vec3> handle() const { return {}; }
   /// Where it was dragged to.

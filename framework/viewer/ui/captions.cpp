@@ -1,7 +1,9 @@
 #include "viewer/ui/captions.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -75,8 +77,8 @@ struct Box {
 };
 
 /// Where a text beside a point hides no other: to the upper right, else at one of the other corners,
-/// else farther away; in a crowd to the upper right.
-Box free_place(const Vec2& point, ImVec2 size, std::span<const Box> taken) {
+/// else farther away; nowhere in a crowd.
+std::optional<Box> free_place(const Vec2& point, ImVec2 size, std::span<const Box> taken) {
   constexpr float gap = 6;
   const auto at = [&](bool right, bool above, float line) {
     const float left = std::floor(right ? point.x() + gap : point.x() - gap - size.x);
@@ -93,29 +95,36 @@ Box free_place(const Vec2& point, ImVec2 size, std::span<const Box> taken) {
       if (is_free) return box;
     }
   }
-  return at(true, true, 0);
+  return {};
 }
 
 }  // namespace
 
-void show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
-                 const Fonts& fonts) {
+int show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
+                const Fonts& fonts) {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   list->PushClipRect({area.left, area.top}, {area.left + area.width, area.top + area.height});
   std::vector<Box> taken;
+  int missing = 0;
   for (const drawing::Label& label : drawing.labels) {
     if (!projection.is_in_front(label.position)) continue;
     const ImVec2 size =
         fonts.small.font->CalcTextSizeA(fonts.small.size, FLT_MAX, 0, label.text.c_str());
-    const Box box = free_place(projection.pixel(label.position), size, taken);
-    taken.push_back(box);
-    haloed_text(list, fonts.small, {box.left, box.top}, packed(readable(label.role)),
+    const std::optional<Box> box = free_place(projection.pixel(label.position), size, taken);
+    if (!box) {
+      ++missing;
+      continue;
+    }
+    taken.push_back(*box);
+    haloed_text(list, fonts.small, {box->left, box->top}, packed(readable(label.role)),
                 label.text.c_str());
   }
   list->PopClipRect();
+  return missing;
 }
 
-void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts& fonts) {
+void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts& fonts,
+                 int missing_labels) {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   const float size = fonts.small.size;
   const float line = size + 6;
@@ -123,7 +132,11 @@ void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts&
   const float margin = 16;
   const float wrap = area.width - 2 * margin;
   float top = area.top + area.height - margin;
-  for (auto note = drawing.notes.rbegin(); note != drawing.notes.rend(); ++note) {
+  std::vector<std::string> notes = drawing.notes;
+  if (missing_labels > 0) {
+    notes.push_back("No room for " + std::to_string(missing_labels) + " labels: come closer.");
+  }
+  for (auto note = notes.rbegin(); note != notes.rend(); ++note) {
     const float height =
         fonts.small.font->CalcTextSizeA(size, FLT_MAX, wrap, note->c_str()).y + line - size;
     top -= height;

@@ -8,12 +8,15 @@
 
 namespace cs550::viewer {
 
-/// Writes the labels of a drawing beside what they name, with a light rim.
-void show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
-                 const Fonts& fonts);
+/// Writes the labels of a drawing beside what they name, with a light rim; those for which there is
+/// no room are left out. @return how many
+int show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
+                const Fonts& fonts);
 
 /// Writes legend and notes into the lower left corner of an area.
-void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts& fonts);
+/// @param missing_labels how many were left out
+void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts& fonts,
+                 int missing_labels);
 
 /// Writes a sentence into the middle of an area, where a picture would be.
 void show_problem(const std::string& problem, const Area& area, const Fonts& fonts);

@@ -98,13 +98,27 @@ void pad(Axis& axis, double share) {
   const double middle = std::abs(axis.lower + axis.upper) / 2;
   const double span = axis.upper - axis.lower;
   const bool is_flat = span <= 2e-3 * middle;
-  const double room = is_flat ? std::max(1e-6, 0.1 * middle) : share * span;
+  const double room = !is_flat ? share * span : middle > 0 ? 0.1 * middle : 1;
   if (axis.lower != 0) axis.lower -= room;
   axis.upper += room;
 }
 
+/// Room for the text above horizontal marks.
+void make_room(Axis& y, const Plot& plot, float text_height) {
+  const float pixels = y.start - y.end;
+  if (pixels < 2 * text_height) return;
+  const double share = static_cast<double>(text_height / pixels);
+  for (const drawing::PlotMark& mark : plot.marks) {
+    const auto at = static_cast<double>(mark.at);
+    if (mark.vertical || !y.can_show(at)) continue;
+    // What is left below the text must hold everything from the lower end to the mark.
+    y.upper = std::max(y.upper, y.lower + (y.shown(at) - y.lower) / (1 - share));
+  }
+}
+
 /// The horizontal and the vertical axis of a plot inside a rectangle.
-std::array<Axis, 2> axes_of(const Plot& plot, ImVec2 lower_left, ImVec2 upper_right) {
+std::array<Axis, 2> axes_of(const Plot& plot, ImVec2 lower_left, ImVec2 upper_right,
+                            float text_height) {
   const double none = HUGE_VAL;
   Axis x{none, -none, lower_left.x, upper_right.x, false};
   Axis y{none, -none, lower_left.y, upper_right.y, plot.logarithmic};
@@ -126,6 +140,7 @@ std::array<Axis, 2> axes_of(const Plot& plot, ImVec2 lower_left, ImVec2 upper_ri
   // Quantities that are never negative are compared from zero.
   if (!y.logarithmic && y.lower > 0 && y.lower < 0.6 * y.upper) y.lower = 0;
   pad(y, 0.08);
+  make_room(y, plot, text_height);
   return {x, y};
 }
 
@@ -286,7 +301,7 @@ void show_plot(const Plot& plot, float height, const Fonts& fonts) {
 
   const ImVec2 lower_left(corner.x + size * 3.4F, corner.y + height - size - 4 - label);
   const ImVec2 upper_right(corner.x + width - 2, corner.y + heading);
-  const auto [x, y] = axes_of(plot, lower_left, upper_right);
+  const auto [x, y] = axes_of(plot, lower_left, upper_right, size + 4);
   list->AddRectFilled({x.start, y.end}, {x.end, y.start}, paper, 3);
   draw_grid(list, x, y, fonts);
   list->PushClipRect({x.start - 1, y.end - 1}, {x.end + 1, y.start + 1}, true);

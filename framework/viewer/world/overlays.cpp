@@ -43,40 +43,100 @@ void add_edges(Drawing& drawing, const HalfEdgeMesh& mesh, const Pose& pose, con
   }
 }
 
-/// The largest length among some vectors; 1 if all are zero.
-class Scale {
+/// Arrows of very different lengths: a bunny at 30 m/s, and the bricks that it has just touched. A
+/// usual one has the wished length; the few that would be far longer are cut and dashed.
+class Arrows {
  public:
-  void include(Real length) { largest_ = std::max(largest_, length); }
-  /// Metres per unit, so that the largest is as long as wished.
-  Real metres(Real longest) const { return largest_ > 0 ? longest / largest_ : 0; }
+  void add(const Vec3& from, const Vec3& vector) {
+    if (from.allFinite() && vector.allFinite()) arrows_.push_back({from, vector});
+  }
+
+  /// @param length of a usual arrow (m)
+  void draw(Drawing& drawing, Real length, Role role) const {
+    const Real usual = usual_norm();
+    if (!(usual > 0)) return;
+    for (const Arrow& one : arrows_) {
+      Vec3 shown = length / usual * one.vector;
+      if (shown.norm() < Real(0.05) * length) continue;
+      Stroke stroke = arrow(role);
+      stroke.dashed = shown.norm() > most * length;
+      if (stroke.dashed) shown *= most * length / shown.norm();
+      drawing::add_arrow(drawing, one.from, shown, stroke);
+    }
+  }
 
  private:
-  Real largest_ = 0;
+  static constexpr Real most = 2;  ///< usual lengths
+
+  struct Arrow {
+    Vec3 from;
+    Vec3 vector;
+  };
+
+  /// The upper quartile of those that are more than noise beside the largest.
+  Real usual_norm() const {
+    std::vector<Real> norms;
+    Real largest = 0;
+    for (const Arrow& one : arrows_) largest = std::max(largest, one.vector.norm());
+    for (const Arrow& one : arrows_) {
+      if (one.vector.norm() > Real(0.05) * largest) norms.push_back(one.vector.norm());
+    }
+    if (norms.empty()) return 0;
+    const auto place = norms.begin() + static_cast<std::ptrdiff_t>(3 * norms.size() / 4);
+    std::nth_element(norms.begin(), place, norms.end());
+    return *place;
+  }
+
+  std::vector<Arrow> arrows_;
 };
 
-/// One vector of every dynamic body, scaled so that the longest has a set length.
+/// One vector of every dynamic body.
 template <class Vector>
-void add_vectors(Drawing& drawing, const WorldFrame& frame, Real longest, Role role,
+void add_vectors(Drawing& drawing, const WorldFrame& frame, Real length, Role role,
                  const Vector& vector) {
-  Scale scale;
-  for_dynamic_bodies(frame, [&](const RigidBody& body) { scale.include(vector(body).norm()); });
-  const Real metres = scale.metres(longest);
-  for_dynamic_bodies(frame, [&](const RigidBody& body) {
-    const Vec3 shown = metres * vector(body);
-    if (shown.norm() < Real(0.01) * longest) return;
-    drawing::add_arrow(drawing, body.pose.position, shown, arrow(role));
-  });
+  Arrows arrows;
+  for_dynamic_bodies(frame,
+                     [&](const RigidBody& body) { arrows.add(body.pose.position, vector(body)); });
+  arrows.draw(drawing, length, role);
+}
+
+/// "A f5 B v2": vertex 2 of B on face 5 of A.
+std::string short_name(FeatureId feature) {
+  using Kind = FeatureId::Kind;
+  const auto names = [&](const char* a, const char* b) {
+    return std::string("A ") + a + std::to_string(feature.of_a()) + " B " + b +
+           std::to_string(feature.of_b());
+  };
+  switch (feature.kind()) {
+    case Kind::VertexOnFaceA:
+    case Kind::CornerOfFaceB:
+      return names("f", "v");
+    case Kind::VertexOnFaceB:
+    case Kind::CornerOfFaceA:
+      return names("v", "f");
+    case Kind::CrossingOnA:
+    case Kind::CrossingOnB:
+    case Kind::Edges:
+      return names("e", "e");
+    case Kind::None:
+      break;
+  }
+  return "";
+}
+
+std::size_t count_points(const WorldFrame& frame) {
+  std::size_t count = 0;
+  for (const Contact& contact : frame.contacts) {
+    count += static_cast<std::size_t>(contact.manifold.points.size());
+  }
+  return count;
 }
 
 void add_contacts(Drawing& drawing, const Overlays& overlays, const WorldFrame& frame,
                   Real length) {
-  Scale impulse_scale;
-  for (const Contact& contact : frame.contacts) {
-    for (const ContactPoint& point : contact.manifold.points) {
-      impulse_scale.include(point.normal_impulse);
-    }
-  }
-  const Real impulse_metres = impulse_scale.metres(3 * length);
+  constexpr std::size_t many = 200;
+  const Real radius = count_points(frame) > many ? Real(2.2) : Real(4);  // pixels
+  Arrows impulses;
   for (const Contact& contact : frame.contacts) {
     const Manifold& manifold = contact.manifold;
     const Pose& pose_a = frame.bodies[static_cast<std::size_t>(contact.body_a)].pose;
@@ -86,28 +146,30 @@ void add_contacts(Drawing& drawing, const Overlays& overlays, const WorldFrame& 
       const Vec3 place =
           Real(0.5) * (pose_a.to_world(point.anchor_a) + pose_b.to_world(point.anchor_b));
       if (overlays.contacts) {
-        drawing.points.push_back({place, Role::Got, Real(4)});
+        drawing.points.push_back({place, Role::Got, radius});
         drawing::add_arrow(drawing, place, length * manifold.normal, arrow(Role::Axis));
       }
       if (overlays.impulses) {
-        const Vec3 impulse = point.normal_impulse * manifold.normal +
-                             point.tangent_impulse.x() * manifold.tangent +
-                             point.tangent_impulse.y() * v;
-        if (impulse.norm() * impulse_metres > Real(0.03) * length) {
-          drawing::add_arrow(drawing, place, impulse_metres * impulse, arrow(Role::Expected));
-        }
+        impulses.add(place, point.normal_impulse * manifold.normal +
+                                point.tangent_impulse.x() * manifold.tangent +
+                                point.tangent_impulse.y() * v);
       }
       if (overlays.feature_ids) {
-        drawing.labels.push_back({place, drawing::feature_text(point.feature), Role::Text});
+        drawing.labels.push_back({place, short_name(point.feature), Role::Text});
       }
     }
   }
+  impulses.draw(drawing, 2 * length, Role::Expected);
 }
 
 void add_legend(Drawing& drawing, const Overlays& overlays) {
   const auto add = [&](bool wanted, const char* text, const Stroke& stroke) {
     if (wanted) drawing.legend.push_back({text, stroke});
   };
+  const auto add_dot = [&](bool wanted, const char* text, Role role) {
+    if (wanted) drawing.legend.push_back({text, thin(role), drawing::LegendMark::Dot});
+  };
+  add_dot(overlays.contacts, "contact point", Role::Got);
   add(overlays.contacts, "contact normal, A to B", arrow(Role::Axis));
   add(overlays.impulses, "impulse on B", arrow(Role::Expected));
   add(overlays.bounds, "bounds of a body", thin(Role::BodyA));
@@ -116,6 +178,14 @@ void add_legend(Drawing& drawing, const Overlays& overlays) {
   add(overlays.spins, "angular velocity", arrow(Role::Incident));
   add(overlays.momenta, "linear momentum", arrow(Role::Reference));
   add(overlays.momenta, "angular momentum", arrow(Role::Got));
+  add_dot(overlays.centers, "centre of mass", Role::Axis);
+  if (overlays.feature_ids) {
+    drawing.notes.push_back("A f5 B v2: vertex 2 of B on face 5 of A; e: edge.");
+  }
+  const bool are_cut = std::any_of(
+      drawing.lines.begin(), drawing.lines.end(),
+      [](const drawing::Line& line) { return line.stroke.dashed && line.stroke.arrow; });
+  if (are_cut) drawing.notes.push_back("Dashed arrows are longer than they are drawn.");
 }
 
 }  // namespace
@@ -157,17 +227,17 @@ Drawing draw_overlays(const Overlays& overlays, const WorldFrame& frame,
     }
   }
   if (overlays.velocities) {
-    add_vectors(drawing, frame, 4 * length, Role::BodyA,
+    add_vectors(drawing, frame, 3 * length, Role::BodyA,
                 [](const RigidBody& body) { return body.linear_velocity; });
   }
   if (overlays.spins) {
-    add_vectors(drawing, frame, 4 * length, Role::Incident,
+    add_vectors(drawing, frame, 3 * length, Role::Incident,
                 [](const RigidBody& body) { return body.angular_velocity; });
   }
   if (overlays.momenta) {
-    add_vectors(drawing, frame, 4 * length, Role::Reference,
+    add_vectors(drawing, frame, 3 * length, Role::Reference,
                 [](const RigidBody& body) { return body.linear_momentum; });
-    add_vectors(drawing, frame, 4 * length, Role::Got,
+    add_vectors(drawing, frame, 3 * length, Role::Got,
                 [](const RigidBody& body) { return body.angular_momentum; });
   }
   if (overlays.centers) {

@@ -20,11 +20,14 @@ struct Overlays {
   bool spins = false;        ///< angular velocities
   bool momenta = false;      ///< P and L
   bool centers = false;      ///< of mass
+
+  /// Whether what is drawn begins inside of bodies.
+  bool are_inside() const { return velocities || spins || momenta || centers; }
 };
 
 void describe(Overlays& overlays, KnobVisitor& visit);
 
-/// What the switches ask for. @param length of what an arrow shows when it is as large as usual (m)
+/// What the switches ask for. @param length of a contact normal (m); other arrows follow it
 drawing::Drawing draw_overlays(const Overlays& overlays, const WorldFrame& frame,
                                const std::vector<MeshPtr>& meshes, Real length);
 

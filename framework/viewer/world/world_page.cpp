@@ -114,6 +114,7 @@ void WorldPage::find_focus() {
   }
   const Bounds& shown = moving.empty() ? all : core;
   if ((shown.lower.array() < shown.upper.array()).all()) focus_ = focus_of(shown);
+  focus_.radius *= Real(1.06);  // room around
 }
 
 void WorldPage::refresh() {
@@ -149,7 +150,8 @@ std::vector<Solid> WorldPage::solids() const {
     solid.pose = frame_.bodies[i].pose;
     solid.is_ground = frame_.bodies[i].kind == BodyKind::Static;
     solid.colour = solid.is_ground ? ground_colour() : body_colour(mesh, static_cast<Index>(i));
-    if (overlays_.wireframe && !solid.is_ground) solid.colour.w() = 0.25F;
+    if (!solid.is_ground && overlays_.are_inside()) solid.colour.w() = 0.4F;
+    if (!solid.is_ground && overlays_.wireframe) solid.colour.w() = 0.25F;
     solids.push_back(solid);
   }
   return solids;
