@@ -12,7 +12,7 @@ CS550_ROOT=$root "$program" starter "$copy"
 
 wrong() { echo "WRONG: $1" >&2; shift; for line; do echo "  $line" >&2; done; exit 1; }
 # Lines of code that are long enough to be someone's own.
-long_lines() { sed 's/^[[:space:]]*//; s/[[:space:]]*$//' | grep -E '^.{30,}$' | sort -u; }
+long_lines() { sed 's/^[[:space:]]*//; s/[[:space:]]*$//' | grep -aE '^.{30,}$' | sort -u; }
 committed() { git -C "$root" archive HEAD "$@" | tar -xOf -; }
 
 echo "No line of a reference:"
@@ -21,6 +21,8 @@ committed solutions | long_lines >"$list/reference"
 committed labs framework tests ':!tests/mutants' | long_lines >"$list/given"
 comm -23 "$list/reference" "$list/given" >"$list/secret"
 find "$copy" -name .git -prune -o -type f -print0 | sort -z | xargs -0 cat | long_lines >"$list/copy"
+long_lines <"$(echo "$copy"/tests/lab7_*/manifest.json)" | comm -23 - "$list/copy" >"$list/unread"
+[ ! -s "$list/unread" ] || wrong "the copy was not read to its end"
 comm -12 "$list/secret" "$list/copy" >"$list/leaked"
 secrets=$(wc -l <"$list/secret")
 [ "$secrets" -gt 100 ] || wrong "only $secrets lines of the reference were looked for"
