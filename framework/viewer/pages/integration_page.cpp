@@ -133,7 +133,7 @@ Content show(const IntegrationSettings& settings) {
       {"energy, midpoint", change(midpoint_run.energies, step)},
       {"|L|, explicit", change(explicit_run.momenta, step)},
       {"|L|, midpoint", change(midpoint_run.momenta, step)}};
-  content.focus = {{0, 0, Real(0.25)}, Real(2.75)};
+  content.focus = {{0, 0, Real(0.3)}, Real(2.9)};
   return content;
 }
 
