@@ -6,6 +6,7 @@
 
 #include "cs550/scene.hpp"
 #include "viewer/ui/captions.hpp"
+#include "viewer/ui/imgui_calls.hpp"
 #include "viewer/ui/knob_widgets.hpp"
 #include "viewer/ui/plot_widget.hpp"
 
@@ -37,7 +38,7 @@ void begin_fixed(const char* name, const Area& area) {
 
 void show_heading(const std::string& title, const std::string& story, const Fonts& fonts) {
   ImGui::Spacing();
-  ImGui::PushFont(fonts.title.font);
+  push_font(fonts.title);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(title.c_str());
   ImGui::PopFont();

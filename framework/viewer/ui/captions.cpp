@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "viewer/ui/imgui_calls.hpp"
+
 namespace cs550::viewer {
 namespace {
 
@@ -162,7 +164,7 @@ void show_problem(const std::string& problem, const Area& area, const Fonts& fon
   const ImVec2 upper(corner.x - padding, corner.y - padding);
   const ImVec2 lower(corner.x + text.x + padding, corner.y + text.y + padding);
   list->AddRectFilled(upper, lower, paper, 6);
-  list->AddRect(upper, lower, warning_ink, 6, 0, 1.5F);
+  add_outline(list, upper, lower, warning_ink, 6, 1.5F);
   list->AddText(fonts.text.font, size, corner, warning_ink, problem.c_str(), nullptr, wrap);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "viewer/knobs.hpp"
+#include "viewer/ui/imgui_calls.hpp"
 
 namespace cs550::viewer {
 namespace {
@@ -193,7 +194,7 @@ void draw_curve(ImDrawList* list, const Series& series, const Axis& x, const Axi
   float travelled = 0;
   const auto finish = [&] {
     if (!series.dashed && run.size() > 1) {
-      list->AddPolyline(run.data(), static_cast<int>(run.size()), colour, 0, width);
+      add_polyline(list, run, colour, width);
     }
     for (std::size_t i = 1; series.dashed && i < run.size(); ++i) {
       draw_dashes(list, run[i - 1], run[i], colour, width, travelled);

@@ -1,0 +1,40 @@
+#pragma once
+/// @file imgui_calls.hpp
+/// Calls that Dear ImGui spells differently from version to version (1.86 to 1.92).
+
+#include <imgui/imgui.h>
+
+#include <span>
+
+#include "viewer/ui/theme.hpp"
+
+namespace cs550::viewer {
+
+inline void push_font(const Typeface& face) {
+#if IMGUI_VERSION_NUM >= 19200
+  ImGui::PushFont(face.font, face.size);
+#else
+  ImGui::PushFont(face.font);
+#endif
+}
+
+inline void add_outline(ImDrawList* list, ImVec2 upper, ImVec2 lower, ImU32 colour, float rounding,
+                        float thickness) {
+#if IMGUI_VERSION_NUM >= 19280
+  list->AddRect(upper, lower, colour, rounding, thickness);
+#else
+  list->AddRect(upper, lower, colour, rounding, 0, thickness);
+#endif
+}
+
+inline void add_polyline(ImDrawList* list, std::span<const ImVec2> points, ImU32 colour,
+                         float thickness) {
+  const int count = static_cast<int>(points.size());
+#if IMGUI_VERSION_NUM >= 19280
+  list->AddPolyline(points.data(), count, colour, thickness);
+#else
+  list->AddPolyline(points.data(), count, colour, 0, thickness);
+#endif
+}
+
+}  // namespace cs550::viewer
