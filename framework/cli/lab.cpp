@@ -164,7 +164,7 @@ Action declare_lab(CLI::App& app) {
   auto* hint = app.add_option("--hint", options->hint,
                               "the next hint for the first failing step, or hint 1, 2 or 3")
                    ->expected(0, 1)
-                   ->check(CLI::Range(1, 9));
+                   ->check(CLI::Range(1, 3));
   auto* asan =
       app.add_flag("--asan", options->asan, "look for memory errors and undefined behaviour");
   auto* debug =
