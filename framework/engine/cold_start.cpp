@@ -121,6 +121,7 @@ void guess_cold_impulses(WorldState& world, Real h) {
           pair.middle.normal_impulse / static_cast<Real>(pair.rows.size());
     }
   }
+  pairs.clear();  // they look into this world's row order: a copy of the world must not
 }
 
 }  // namespace cs550
