@@ -4,6 +4,7 @@
 #include <regex>
 #include <sstream>
 
+#include "formula_text.hpp"
 #include "lab_files.hpp"
 #include "project.hpp"
 
@@ -54,7 +55,7 @@ std::vector<Step> handout_steps(const std::string& lab_name) {
   Reader reader;
   for (std::string line; std::getline(lines, line);) reader.read(line);
   for (Step& step : reader.steps) {
-    for (Hint& hint : step.hints) hint.answer = reflowed(hint.answer);
+    for (Hint& hint : step.hints) hint.answer = with_plain_formulas(reflowed(hint.answer));
   }
   return reader.steps;
 }

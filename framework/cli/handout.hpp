@@ -10,7 +10,7 @@ namespace cs550::cli {
 /// A hint as the handout hides it in <details>.
 struct Hint {
   std::string question;  ///< the summary, "Where are the neighbours?"
-  std::string answer;
+  std::string answer;    ///< its formulas in plain characters
 };
 
 /// A step: the section `## L3.2 Climb`.

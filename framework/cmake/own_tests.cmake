@@ -1,5 +1,6 @@
 # The framework's own tests: one executable per folder of tests/, `tests_engine`, run on the labs
-# that the engine ships with: the fast kernels where there are any, else the reference. A test whose name ends in Long or Soak carries that label.
+# that the engine ships with: the fast kernels where there are any, else the reference. A test whose
+# name ends in Long or Soak carries that label.
 #
 # ctest lists the tests when it starts, by running the executable: nothing to keep up to date. In a
 # students' copy, where a lab has no reference, a test that needs it is skipped.

@@ -2,6 +2,7 @@
 # work on.
 cs550_add_own_tests(cli)
 target_sources(tests_cli PRIVATE "${PROJECT_SOURCE_DIR}/framework/cli/crash_report.cpp"
+                                 "${PROJECT_SOURCE_DIR}/framework/cli/formula_text.cpp"
                                  "${PROJECT_SOURCE_DIR}/framework/cli/terminal.cpp")
 
 if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutions")
