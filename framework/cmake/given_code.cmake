@@ -14,7 +14,7 @@ endfunction()
 
 cs550_given_library(cs550_engine engine nlohmann_json::nlohmann_json tinyobjloader::tinyobjloader
                     Qhull::qhullcpp Qhull::qhull_r Threads::Threads)
-cs550_given_library(cs550_drawing drawing)
+cs550_given_library(cs550_drawing drawing cs550_engine)
 # Its headers are included as "drawing/palette.hpp".
 target_include_directories(cs550_drawing PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 cs550_given_library(cs550_autograder autograder GTest::gtest nlohmann_json::nlohmann_json)

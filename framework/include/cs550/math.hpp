@@ -74,54 +74,27 @@ struct Bounds {
 
   /// Grows until it holds the point or the box.
   /// @{
-  void include(const Vec3& point) {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
-  void include(const Bounds& other) {
-    lower = lower.cwiseMin(other.lower);
-    upper = upper.cwiseMax(other.upper);
-  }
+  void include(const Vec3& point);
+  void include(const Bounds& other);
   /// @}
 
   /// Whether the other box lies inside, boundary included.
-  bool contains(const Bounds& other) const {
-    return (lower.array() <= other.lower.array()).all() &&
-           (upper.array() >= other.upper.array()).all();
-  }
+  bool contains(const Bounds& other) const;
   /// Whether the boxes share a point.
-  bool overlaps(const Bounds& other) const {
-    return (lower.array() <= other.upper.array()).all() &&
-           (upper.array() >= other.lower.array()).all();
-  }
+  bool overlaps(const Bounds& other) const;
   /// With a margin added on every side (m).
-  Bounds expanded(Real margin) const {
-    Bounds result = *this;
-    result.lower.array() -= margin;
-    result.upper.array() += margin;
-    return result;
-  }
+  Bounds expanded(Real margin) const;
   /// The middle (m).
-  Vec3 center() const { return Real(0.5) * (lower + upper); }
+  Vec3 center() const;
   /// The lengths of the sides (m).
-  Vec3 extent() const { return upper - lower; }
+  Vec3 extent() const;
 };
 
 /// The unit quaternion of a turn by |v| radians about v: exp(v/2) of the pure quaternion (0, v).
 /// @param v rotation vector (rad); zero gives the identity
-inline Quat rotation_exp(const Vec3& v) {
-  const Real half_angle = Real(0.5) * v.norm();
-  // sin(x)/x, by its series where the quotient would lose digits.
-  const Real sinc =
-      half_angle > Real(1e-3) ? std::sin(half_angle) / half_angle : 1 - half_angle * half_angle / 6;
-  const Vec3 axis = (Real(0.5) * sinc) * v;
-  return {std::cos(half_angle), axis.x(), axis.y(), axis.z()};
-}
+Quat rotation_exp(const Vec3& v);
 
 /// A unit vector perpendicular to a unit vector n, chosen away from n's largest components.
-inline Vec3 any_perpendicular(const Vec3& n) {
-  const Vec3 axis = std::abs(n.x()) < Real(0.6) ? Vec3::UnitX() : Vec3::UnitY();
-  return axis.cross(n).normalized();
-}
+Vec3 any_perpendicular(const Vec3& n);
 
 }  // namespace cs550

@@ -1,0 +1,50 @@
+#include "cs550/math.hpp"
+
+namespace cs550 {
+
+void Bounds::include(const Vec3& point) {
+  lower = lower.cwiseMin(point);
+  upper = upper.cwiseMax(point);
+}
+
+void Bounds::include(const Bounds& other) {
+  lower = lower.cwiseMin(other.lower);
+  upper = upper.cwiseMax(other.upper);
+}
+
+bool Bounds::contains(const Bounds& other) const {
+  return (lower.array() <= other.lower.array()).all() &&
+         (upper.array() >= other.upper.array()).all();
+}
+
+bool Bounds::overlaps(const Bounds& other) const {
+  return (lower.array() <= other.upper.array()).all() &&
+         (upper.array() >= other.lower.array()).all();
+}
+
+Bounds Bounds::expanded(Real margin) const {
+  Bounds result = *this;
+  result.lower.array() -= margin;
+  result.upper.array() += margin;
+  return result;
+}
+
+Vec3 Bounds::center() const { return Real(0.5) * (lower + upper); }
+
+Vec3 Bounds::extent() const { return upper - lower; }
+
+Quat rotation_exp(const Vec3& v) {
+  const Real half_angle = Real(0.5) * v.norm();
+  // sin(x)/x, by its series where the quotient would lose digits.
+  const Real sinc =
+      half_angle > Real(1e-3) ? std::sin(half_angle) / half_angle : 1 - half_angle * half_angle / 6;
+  const Vec3 axis = (Real(0.5) * sinc) * v;
+  return {std::cos(half_angle), axis.x(), axis.y(), axis.z()};
+}
+
+Vec3 any_perpendicular(const Vec3& n) {
+  const Vec3 axis = std::abs(n.x()) < Real(0.6) ? Vec3::UnitX() : Vec3::UnitY();
+  return axis.cross(n).normalized();
+}
+
+}  // namespace cs550
