@@ -17,11 +17,16 @@
 
 #include <algorithm>
 
+#include "../features.hpp"
 #include "arc_walk.hpp"
 #include "face_bounds.hpp"
 #include "support_search.hpp"
 
 namespace cs550 {
+
+using lab4::best_feature;
+using lab4::choose;
+
 namespace {
 
 /// Two meshes, and where B is in A's body frame.
@@ -180,63 +185,7 @@ class EdgeSearch {
   std::array<Index, static_cast<std::size_t>(max_shape_faces)> support_;
 };
 
-/// Makes one of the queries the answer.
-SeparatingAxis choose(AxisFeature feature, SeparatingAxis queries, const PosedShape& a,
-                      const PosedShape& b) {
-  queries.feature = feature;
-  switch (feature) {
-    case AxisFeature::FaceA:
-      queries.axis = a.plane(queries.face_a.face).normal;
-      queries.separation = queries.face_a.separation;
-      break;
-    case AxisFeature::FaceB:
-      queries.axis = -b.plane(queries.face_b.face).normal;
-      queries.separation = queries.face_b.separation;
-      break;
-    case AxisFeature::Edges:
-      queries.axis = queries.edges.axis;
-      queries.separation = queries.edges.separation;
-      break;
-    case AxisFeature::None:
-      break;
-  }
-  return queries;
-}
-
-/// The feature of largest separation; among those within the tolerance of it last step's kind, then
-/// the order A's faces, B's faces, edges.
-AxisFeature best_feature(const SeparatingAxis& queries, AxisFeature last, Real tolerance) {
-  struct Candidate {
-    AxisFeature feature;
-    Real separation;
-  };
-  const Candidate candidates[] = {
-      {AxisFeature::FaceA, queries.face_a.separation},
-      {AxisFeature::FaceB, queries.face_b.separation},
-      {AxisFeature::Edges, queries.edges ? queries.edges.separation : -HUGE_VALF}};
-
-  Real largest = -HUGE_VALF;
-  for (const Candidate& candidate : candidates) largest = std::max(largest, candidate.separation);
-
-  AxisFeature best = AxisFeature::None;
-  for (const Candidate& candidate : candidates) {
-    const bool tied = candidate.separation >= largest - tolerance;
-    if (tied && (best == AxisFeature::None || candidate.feature == last)) best = candidate.feature;
-  }
-  return best;
-}
-
 }  // namespace
-
-bool is_minkowski_face(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 bxa = b.cross(a);
-  const Vec3 dxc = d.cross(c);
-  const Real cba = c.dot(bxa);
-  const Real dba = d.dot(bxa);
-  const Real adc = a.dot(dxc);
-  const Real bdc = b.dot(dxc);
-  return cba * dba < 0 && adc * bdc < 0 && cba * bdc > 0;
-}
 
 FaceQuery query_face_directions(const PosedShape& a, const PosedShape& b) {
   FaceBounds bounds;
