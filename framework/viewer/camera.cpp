@@ -78,16 +78,16 @@ Camera parse_camera(const std::string& text, Camera camera) {
   const std::vector<Real> values = numbers(text);
   if (values.size() != 2 && values.size() != 3 && values.size() != 6) {
     throw std::invalid_argument(
-        "--camera takes YAW,PITCH or YAW,PITCH,DISTANCE or YAW,PITCH,DISTANCE,X,Y,Z (degrees and "
-        "metres), as in --camera=-60,20,8");
+        "write YAW,PITCH or YAW,PITCH,DISTANCE or YAW,PITCH,DISTANCE,X,Y,Z (degrees and metres): "
+        "--camera=-60,20,8");
   }
   if (std::abs(values[1]) > steepest / degree) {
-    throw std::invalid_argument("--camera: the pitch is between -88 and 88 degrees");
+    throw std::invalid_argument("the pitch is between -88 and 88 degrees");
   }
   camera.yaw = values[0] * degree;
   camera.pitch = values[1] * degree;
   if (values.size() > 2) {
-    if (values[2] <= 0) throw std::invalid_argument("--camera: the distance is more than 0 m");
+    if (values[2] <= 0) throw std::invalid_argument("the distance is more than 0 m");
     camera.distance = values[2];
   }
   if (values.size() > 3) camera.target = {values[3], values[4], values[5]};
