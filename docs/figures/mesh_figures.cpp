@@ -85,6 +85,7 @@ Drawing prism_in_faces(int sides, bool chained) {
     if (!chained) sketch.lines.push_back({rim[i], rim[i] + up, {Role::Text, 0.8f}});
   }
   std::vector<Vec3> top;
+  top.reserve(rim.size());
   for (const Vec3& corner : rim) top.push_back(corner + up);
   sketch.polygons.push_back({top, Role::Faint, 1});
   return sketch;

@@ -29,6 +29,7 @@ void add_polygon(TriangleSoup& soup, const std::vector<Index>& corners) {
 
 std::vector<Index> counting(Index first, Index count, Index step) {
   std::vector<Index> numbers;
+  numbers.reserve(static_cast<std::size_t>(count));
   for (Index i = 0; i < count; ++i) numbers.push_back(first + i * step);
   return numbers;
 }
