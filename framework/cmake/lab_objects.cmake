@@ -120,8 +120,8 @@ function(cs550_compile_lab number variant)
   endif()
   cs550_has_fallback(has_fallback ${number} ${variant})
   if(has_fallback)
-    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
-      "sh;${isolation_scripts}/empty_object_on_error.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
+    set(launcher sh "${isolation_scripts}/empty_object_on_error.sh" ${CMAKE_CXX_COMPILER_LAUNCHER})
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${launcher}")
   endif()
 endfunction()
 

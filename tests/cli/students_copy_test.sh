@@ -55,5 +55,11 @@ cmp "$list/tests" "$list/visible" || wrong "the tests are not the visible ones:"
   "$(diff "$list/tests" "$list/visible")"
 cmake --build "$copy/build" --target lab1_assembled_object lab2_assembled_object lab3_assembled_object \
   >"$list/build.log" || { cat "$list/build.log"; exit 1; }
+# An object's code lies in a section that is named after where it comes from.
+for expected in lab1:assembled lab2:stub lab3:assembled; do
+  lab=${expected%:*} origin=${expected#*:}
+  objdump -h "$copy/build/labs/${lab}_assembled.o" | grep -q "cs550_${origin}_$lab" ||
+    wrong "the engine should run on the $origin object of $lab" "$(cat "$list/build.log")"
+done
 echo "  $(wc -l <"$list/tests") tests; the labs build"
 rm -rf "$copy" "$list"
