@@ -22,6 +22,7 @@ constexpr int not_found = 127;
 /// Runs a program without its chatter. @return its exit code; not_found if there is no such program
 int run(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   const pid_t child = fork();
