@@ -36,7 +36,7 @@ std::string three_digits(double value) {
   } else {
     std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
   }
-  const std::string result = text.data();
+  std::string result = text.data();
   // A rounded zero has no sign; a true minus is as wide as a plus.
   const bool is_zero = result.find_first_not_of("-0.") == std::string::npos;
   if (result[0] != '-') return result;

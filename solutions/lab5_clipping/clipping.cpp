@@ -338,7 +338,7 @@ Manifold build_manifold(const PosedShape& a, const PosedShape& b, const Separati
     return edge_manifold(a, b, axis);
   }
 
-  const Manifold manifold = face_manifold(a, b, face_axis, margin);
+  Manifold manifold = face_manifold(a, b, face_axis, margin);
   const bool lost_the_deepest = deepest_separation(manifold) > face.separation + preference;
   if (!lost_the_deepest) return manifold;
   if (axis.edges && axis.edges.separation >= face.separation) return edge_manifold(a, b, axis);

@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -81,9 +82,13 @@ void solve_one_by_one(System& system, const ContactStep& step) {
   }
 }
 
-template <class Numbers>
-bool same_bits(const Numbers& x, const Numbers& y) {
-  return std::memcmp(&x, &y, sizeof x) == 0;
+bool same_bits(Real x, Real y) {
+  return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+}
+
+template <class Vector>
+bool same_bits(const Vector& x, const Vector& y) {
+  return std::equal(x.begin(), x.end(), y.begin(), [](Real a, Real b) { return same_bits(a, b); });
 }
 
 ContactStep step_of(ContactModel model, bool use_bias, bool backwards) {

@@ -80,6 +80,7 @@ TEST(RowOrder, BoxesOnOneFloorFillTheirGroups) {
   constexpr Index boxes = 8;
   const std::vector<RigidBody> bodies = bodies_of_kinds(boxes, 1);
   std::vector<Contact> contacts;
+  contacts.reserve(boxes);
   for (Index i = 0; i < boxes; ++i) contacts.push_back(contact_between(i, boxes, 4));
   RowOrder order;
   arrange_rows(contacts, bodies, order);

@@ -176,6 +176,7 @@ std::vector<const Solid*> SolidRenderer::drawing_order(const Projection& project
     return std::tie(a.is_ground, a.mesh, a.depth) < std::tie(b.is_ground, b.mesh, b.depth);
   });
   std::vector<const Solid*> order;
+  order.reserve(entries.size());
   for (const Entry& entry : entries) order.push_back(entry.solid);
   return order;
 }
