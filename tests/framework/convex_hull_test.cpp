@@ -92,8 +92,8 @@ TEST(ConvexHull, OfRandomPointsOnASphereHasThemAll) {
 TEST(ConvexHull, HoldsAllPointsOfRandomClouds) {
   Random random(14);
   for (int i = 0; i < 50; ++i) {
-    std::vector<Vec3> points;
-    for (int k = 0; k < 60; ++k) points.push_back(random.point_in_box({1, 2, 3}));
+    std::vector<Vec3> points(60);
+    for (Vec3& point : points) point = random.point_in_box({1, 2, 3});
     const ShapeResult result = hull_shape(points);
     ASSERT_TRUE(result) << result.error;
     for (const Face& face : result.shape->mesh.faces) {
@@ -110,6 +110,7 @@ TEST(ConvexHull, IsTheSameInEveryThread) {
   const TriangleSoup expected = convex_hull(points).soup;
   std::vector<TriangleSoup> soups(4);
   std::vector<std::thread> threads;
+  threads.reserve(soups.size());
   for (TriangleSoup& soup : soups) {
     threads.emplace_back([&] {
       for (int i = 0; i < 10; ++i) soup = convex_hull(points).soup;
