@@ -92,6 +92,14 @@ ShapeResult make_shape(std::span<const Vec3> vertices, std::span<const Triangle>
   return make_shape(merge_coplanar_faces(build.mesh));
 }
 
+Vec3 PosedShape::vertex(Index v) const { return pose.to_world(mesh().vertex(v)); }
+
+Plane PosedShape::plane(Index f) const {
+  const Plane& local = mesh().face(f).plane;
+  const Vec3 normal = pose.rotate(local.normal);
+  return {normal, local.offset + normal.dot(pose.position)};
+}
+
 Bounds world_bounds(const PosedShape& body) {
   const ConvexShape& shape = *body.shape;
   const Vec3 center = body.pose.to_world(shape.bounds.center());

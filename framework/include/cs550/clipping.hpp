@@ -29,9 +29,9 @@ struct ClipEdge {
 /// A corner of a clipped polygon. The two edges that meet in it name it: two incident edges are an
 /// incident vertex, one of each a crossing, two reference edges a corner of the reference face.
 struct ClipVertex {
-  Vec3 point = Vec3::Zero();  ///< any frame: face_manifold() takes the reference body's (m)
-  ClipEdge in;                ///< the edge that ends here, going counter-clockwise
-  ClipEdge out;               ///< the edge that leaves here
+  Vec3 point = {0, 0, 0};  ///< any frame: face_manifold() takes the reference body's (m)
+  ClipEdge in;             ///< the edge that ends here, going counter-clockwise
+  ClipEdge out;            ///< the edge that leaves here
 };
 
 /// A convex polygon, counter-clockwise about its face's normal. Clipping adds at most one corner per

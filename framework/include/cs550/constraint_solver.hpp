@@ -12,10 +12,10 @@ namespace cs550 {
 
 /// One row of the constraint matrix: JV = linear_a·v_A + angular_a·ω_A + linear_b·v_B + angular_b·ω_B.
 struct ContactJacobian {
-  Vec3 linear_a = Vec3::Zero();   ///< times v of A
-  Vec3 angular_a = Vec3::Zero();  ///< times ω of A (m)
-  Vec3 linear_b = Vec3::Zero();   ///< times v of B
-  Vec3 angular_b = Vec3::Zero();  ///< times ω of B (m)
+  Vec3 linear_a = {0, 0, 0};   ///< times v of A
+  Vec3 angular_a = {0, 0, 0};  ///< times ω of A (m)
+  Vec3 linear_b = {0, 0, 0};   ///< times v of B
+  Vec3 angular_b = {0, 0, 0};  ///< times ω of B (m)
 };
 
 /// How penetration is undone.

@@ -48,12 +48,12 @@ struct FeatureId {
 /// One point of a manifold: a point on A and a point on B that are `separation` apart along the
 /// normal, and the impulses that the solver has gathered there.
 struct ContactPoint {
-  Vec3 anchor_a = Vec3::Zero();         ///< on A, A's body frame (m)
-  Vec3 anchor_b = Vec3::Zero();         ///< on B, B's body frame (m)
-  Real separation = 0;                  ///< normal·(point on B − point on A) (m)
-  FeatureId feature;                    ///< what meets here
-  Real normal_impulse = 0;              ///< λ_n ≥ 0 of the last substep (N·s)
-  Vec2 tangent_impulse = Vec2::Zero();  ///< λ_u, λ_v of the last substep (N·s)
+  Vec3 anchor_a = {0, 0, 0};      ///< on A, A's body frame (m)
+  Vec3 anchor_b = {0, 0, 0};      ///< on B, B's body frame (m)
+  Real separation = 0;            ///< normal·(point on B − point on A) (m)
+  FeatureId feature;              ///< what meets here
+  Real normal_impulse = 0;        ///< λ_n ≥ 0 of the last substep (N·s)
+  Vec2 tangent_impulse = {0, 0};  ///< λ_u, λ_v of the last substep (N·s)
 };
 
 /// The most points of a manifold.
@@ -61,8 +61,8 @@ inline constexpr int max_manifold_points = 4;
 
 /// How two bodies touch: up to four points that share a normal.
 struct Manifold {
-  Vec3 normal = Vec3::Zero();   ///< n, unit, A → B, world frame
-  Vec3 tangent = Vec3::Zero();  ///< u, unit, perpendicular to n, world frame; v = n × u
+  Vec3 normal = {0, 0, 0};   ///< n, unit, A → B, world frame
+  Vec3 tangent = {0, 0, 0};  ///< u, unit, perpendicular to n, world frame; v = n × u
   AxisFeature reference = AxisFeature::None;  ///< whose face the points were clipped against
   StaticVector<ContactPoint, max_manifold_points> points;  ///< none while apart
 };

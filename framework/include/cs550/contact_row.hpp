@@ -9,20 +9,17 @@ namespace cs550 {
 
 /// All that a contact solver sees of a body. Immovable bodies have zero inverse mass and inertia.
 struct BodyVelocity {
-  Vec3 v = Vec3::Zero();                      ///< of the centre of mass, world (m/s)
-  Vec3 w = Vec3::Zero();                      ///< ω, world (rad/s)
+  Vec3 v = {0, 0, 0};                         ///< of the centre of mass, world (m/s)
+  Vec3 w = {0, 0, 0};                         ///< ω, world (rad/s)
   Real inverse_mass = 0;                      ///< 1/kg
   Mat3 world_inverse_inertia = Mat3::Zero();  ///< 1/(kg·m²)
-  Vec3 delta_position = Vec3::Zero();         ///< moved since the step began (m)
-  Vec3 delta_rotation = Vec3::Zero();         ///< turned since then: Σ h·ω (rad)
+  Vec3 delta_position = {0, 0, 0};            ///< moved since the step began (m)
+  Vec3 delta_rotation = {0, 0, 0};            ///< turned since then: Σ h·ω (rad)
 
   /// Changes the velocities as an impulse at an offset from the centre of mass does.
   /// @param impulse world frame (N·s)
   /// @param r where it acts, from the centre of mass, world frame (m)
-  void apply(const Vec3& impulse, const Vec3& r) {
-    v += inverse_mass * impulse;
-    w += world_inverse_inertia * r.cross(impulse);
-  }
+  void apply(const Vec3& impulse, const Vec3& r);
 };
 
 /// What a soft contact makes of an impulse: λ = −m_scale·m·(Jv + b) − λ_scale·λ_acc.
@@ -42,10 +39,10 @@ Softness soft_contact(Real hertz, Real damping_ratio, Real h);
 struct ContactRow {
   Index body_a = no_index;  ///< place in the array of BodyVelocity
   Index body_b = no_index;  ///< place in the array of BodyVelocity
-  Vec3 n = Vec3::Zero();    ///< unit, A → B, world frame
-  Vec3 u = Vec3::Zero();    ///< unit, first tangent, world frame; the second is v = n × u
-  Vec3 r_a = Vec3::Zero();  ///< contact from A's centre of mass, world frame (m)
-  Vec3 r_b = Vec3::Zero();  ///< contact from B's centre of mass, world frame (m)
+  Vec3 n = {0, 0, 0};       ///< unit, A → B, world frame
+  Vec3 u = {0, 0, 0};       ///< unit, first tangent, world frame; the second is v = n × u
+  Vec3 r_a = {0, 0, 0};     ///< contact from A's centre of mass, world frame (m)
+  Vec3 r_b = {0, 0, 0};     ///< contact from B's centre of mass, world frame (m)
   Real separation = 0;      ///< along n when the step began (m)
   Real friction = 0;        ///< μ
   Real restitution = 0;     ///< e
@@ -57,11 +54,11 @@ struct ContactRow {
   Real approach_velocity = 0;  ///< v_n⁰ before this substep's gravity and warm start (m/s)
   bool struck = false;         ///< λ_n has been positive earlier in this step: v_n⁰ is spent
 
-  Real normal_impulse = 0;              ///< accumulated λ_n ≥ 0 (N·s)
-  Vec2 tangent_impulse = Vec2::Zero();  ///< accumulated λ_u, λ_v (N·s)
+  Real normal_impulse = 0;        ///< accumulated λ_n ≥ 0 (N·s)
+  Vec2 tangent_impulse = {0, 0};  ///< accumulated λ_u, λ_v (N·s)
 
   /// The second tangent, unit, world frame.
-  Vec3 v() const { return n.cross(u); }
+  Vec3 v() const;
 };
 
 }  // namespace cs550

@@ -17,13 +17,13 @@ inline constexpr Index max_face_vertices = 128;
 
 /// A convex polyhedron, immutable once made, its origin at its centroid.
 struct ConvexShape {
-  HalfEdgeMesh mesh;                  ///< body frame, coplanar faces merged
-  Real volume = 0;                    ///< m³
-  Mat3 unit_inertia = Mat3::Zero();   ///< about the origin, for density 1 (m⁵)
-  Vec3 source_origin = Vec3::Zero();  ///< where the frame of the input had its origin (body frame)
-  Bounds bounds;                      ///< body frame
-  Real radius = 0;                    ///< of the smallest sphere about the origin that holds it (m)
-  Real smallest_half_extent = 0;      ///< half the smallest width over the face normals (m)
+  HalfEdgeMesh mesh;                 ///< body frame, coplanar faces merged
+  Real volume = 0;                   ///< m³
+  Mat3 unit_inertia = Mat3::Zero();  ///< about the origin, for density 1 (m⁵)
+  Vec3 source_origin = {0, 0, 0};    ///< where the frame of the input had its origin (body frame)
+  Bounds bounds;                     ///< body frame
+  Real radius = 0;                   ///< of the smallest sphere about the origin that holds it (m)
+  Real smallest_half_extent = 0;     ///< half the smallest width over the face normals (m)
 };
 
 /// How shapes are shared: by bodies, worlds and threads, since nobody can change them.
@@ -55,13 +55,9 @@ struct PosedShape {
   /// Its mesh, in the body frame.
   const HalfEdgeMesh& mesh() const { return shape->mesh; }
   /// A vertex in the world (m).
-  Vec3 vertex(Index v) const { return pose.to_world(mesh().vertex(v)); }
+  Vec3 vertex(Index v) const;
   /// The plane of a face in the world.
-  Plane plane(Index f) const {
-    const Plane& local = mesh().face(f).plane;
-    const Vec3 normal = pose.rotate(local.normal);
-    return {normal, local.offset + normal.dot(pose.position)};
-  }
+  Plane plane(Index f) const;
 };
 
 /// Bounds in the world of a posed shape.

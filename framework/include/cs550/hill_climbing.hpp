@@ -34,8 +34,8 @@ Support hill_climb(const HalfEdgeMesh& mesh, const Vec3& direction, Index start,
 
 /// A vertex and where it is.
 struct SupportPoint {
-  Index vertex = no_index;    ///< of the body's mesh
-  Vec3 point = Vec3::Zero();  ///< world frame (m)
+  Index vertex = no_index;  ///< of the body's mesh
+  Vec3 point = {0, 0, 0};   ///< world frame (m)
 };
 
 /// **L3.3** The most extreme point of a body in a world direction. The direction is turned into the

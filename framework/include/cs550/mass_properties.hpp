@@ -9,7 +9,7 @@ namespace cs550 {
 /// The integrals of a solid of uniform density.
 struct MassProperties {
   Real volume = 0;                   ///< m³; mass = density·volume
-  Vec3 centroid = Vec3::Zero();      ///< in the frame of the mesh (m)
+  Vec3 centroid = {0, 0, 0};         ///< in the frame of the mesh (m)
   Mat3 unit_inertia = Mat3::Zero();  ///< about the centroid, for density 1 (m⁵)
 };
 

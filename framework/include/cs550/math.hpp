@@ -41,36 +41,36 @@ inline constexpr Real pi = static_cast<Real>(3.14159265358979323846L);
 
 /// The points x with `normal·x = offset`. The normal is unit length.
 struct Plane {
-  Vec3 normal = Vec3::UnitZ();  ///< unit
-  Real offset = 0;              ///< m, along the normal from the origin
+  Vec3 normal = {0, 0, 1};  ///< unit
+  Real offset = 0;          ///< m, along the normal from the origin
 
   /// Signed distance of a point (m), positive on the side to which the normal points.
-  Real distance(const Vec3& point) const { return normal.dot(point) - offset; }
+  Real distance(const Vec3& point) const;
 };
 
 /// Where a body is: `x_world = R(orientation)·x_body + position`.
 struct Pose {
-  Vec3 position = Vec3::Zero();         ///< of the body's origin, in the world (m)
-  Quat orientation = Quat::Identity();  ///< unit length, body to world
+  Vec3 position = {0, 0, 0};        ///< of the body's origin, in the world (m)
+  Quat orientation = {1, 0, 0, 0};  ///< unit length, body to world
 
   /// R, body to world.
-  Mat3 rotation() const { return orientation.toRotationMatrix(); }
+  Mat3 rotation() const;
   /// The same point in the other frame (m).
   /// @{
-  Vec3 to_world(const Vec3& point) const { return orientation * point + position; }
-  Vec3 to_body(const Vec3& point) const { return orientation.conjugate() * (point - position); }
+  Vec3 to_world(const Vec3& point) const;
+  Vec3 to_body(const Vec3& point) const;
   /// @}
 
   /// Turns a direction from body to world; directions ignore the position.
-  Vec3 rotate(const Vec3& direction) const { return orientation * direction; }
+  Vec3 rotate(const Vec3& direction) const;
   /// Turns a direction from world to body.
-  Vec3 unrotate(const Vec3& direction) const { return orientation.conjugate() * direction; }
+  Vec3 unrotate(const Vec3& direction) const;
 };
 
 /// An axis-aligned box; empty until it includes a point.
 struct Bounds {
-  Vec3 lower = Vec3::Constant(HUGE_VALF);   ///< the smallest coordinates (m)
-  Vec3 upper = Vec3::Constant(-HUGE_VALF);  ///< the largest coordinates (m)
+  Vec3 lower = {HUGE_VALF, HUGE_VALF, HUGE_VALF};     ///< the smallest coordinates (m)
+  Vec3 upper = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};  ///< the largest coordinates (m)
 
   /// Grows until it holds the point or the box.
   /// @{

@@ -26,14 +26,14 @@ struct RigidBody {
   Mat3 inertia = Mat3::Identity();          ///< body frame, about the centre of mass (kg·m²)
   Mat3 inverse_inertia = Mat3::Identity();  ///< body frame; 0 unless dynamic
 
-  Pose pose;                             ///< body → world
-  Vec3 linear_momentum = Vec3::Zero();   ///< P, world (kg·m/s)
-  Vec3 angular_momentum = Vec3::Zero();  ///< L about the centre of mass, world (kg·m²/s)
-  Vec3 force = Vec3::Zero();             ///< gathered since the last step, world (N)
-  Vec3 torque = Vec3::Zero();            ///< about the centre of mass, world (N·m)
+  Pose pose;                          ///< body → world
+  Vec3 linear_momentum = {0, 0, 0};   ///< P, world (kg·m/s)
+  Vec3 angular_momentum = {0, 0, 0};  ///< L about the centre of mass, world (kg·m²/s)
+  Vec3 force = {0, 0, 0};             ///< gathered since the last step, world (N)
+  Vec3 torque = {0, 0, 0};            ///< about the centre of mass, world (N·m)
 
-  Vec3 linear_velocity = Vec3::Zero();        ///< v = P/m, world (m/s)
-  Vec3 angular_velocity = Vec3::Zero();       ///< ω = R·I⁻¹·Rᵀ·L, world (rad/s)
+  Vec3 linear_velocity = {0, 0, 0};           ///< v = P/m, world (m/s)
+  Vec3 angular_velocity = {0, 0, 0};          ///< ω = R·I⁻¹·Rᵀ·L, world (rad/s)
   Mat3 world_inverse_inertia = Mat3::Zero();  ///< R·I⁻¹·Rᵀ
 };
 

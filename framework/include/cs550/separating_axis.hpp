@@ -20,10 +20,10 @@ struct FaceQuery {
 
 /// The best pair of edges; false when no arcs of the two Gauss maps cross.
 struct EdgeQuery {
-  Index edge_a = no_index;   ///< half-edge of A
-  Index edge_b = no_index;   ///< half-edge of B
-  Vec3 axis = Vec3::Zero();  ///< unit, A → B, world frame
-  Real separation = 0;       ///< axis·(p_B − p_A), p on the edges (m)
+  Index edge_a = no_index;  ///< half-edge of A
+  Index edge_b = no_index;  ///< half-edge of B
+  Vec3 axis = {0, 0, 0};    ///< unit, A → B, world frame
+  Real separation = 0;      ///< axis·(p_B − p_A), p on the edges (m)
 
   /// Whether any pair of edges counts.
   explicit operator bool() const { return edge_a != no_index; }
@@ -41,7 +41,7 @@ enum class AxisFeature : std::uint8_t {
 /// early out did not reach are empty (they test false).
 struct SeparatingAxis {
   AxisFeature feature = AxisFeature::None;  ///< what gives the axis
-  Vec3 axis = Vec3::Zero();                 ///< unit, A → B, world frame
+  Vec3 axis = {0, 0, 0};                    ///< unit, A → B, world frame
   Real separation = 0;  ///< along the axis: positive apart, negative overlapping (m)
   FaceQuery face_a;     ///< faces of A against vertices of B
   FaceQuery face_b;     ///< faces of B against vertices of A

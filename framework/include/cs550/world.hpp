@@ -55,16 +55,16 @@ struct CollisionFilter {
 
 /// Everything that a new body needs.
 struct BodyDef {
-  BodyKind kind = BodyKind::Dynamic;     ///< what makes it move
-  ShapePtr shape;                        ///< required
-  Real density = 1000;                   ///< kg/m³
-  std::optional<Real> mass;              ///< kg; overrides the density
-  Pose pose;                             ///< at the start
-  Vec3 linear_velocity = Vec3::Zero();   ///< world (m/s)
-  Vec3 angular_velocity = Vec3::Zero();  ///< world (rad/s)
-  Real friction = Real(0.6);             ///< μ; a pair uses the geometric mean
-  Real restitution = 0;                  ///< e; a pair uses the larger one
-  CollisionFilter filter;                ///< which bodies it may touch
+  BodyKind kind = BodyKind::Dynamic;  ///< what makes it move
+  ShapePtr shape;                     ///< required
+  Real density = 1000;                ///< kg/m³
+  std::optional<Real> mass;           ///< kg; overrides the density
+  Pose pose;                          ///< at the start
+  Vec3 linear_velocity = {0, 0, 0};   ///< world (m/s)
+  Vec3 angular_velocity = {0, 0, 0};  ///< world (rad/s)
+  Real friction = Real(0.6);          ///< μ; a pair uses the geometric mean
+  Real restitution = 0;               ///< e; a pair uses the larger one
+  CollisionFilter filter;             ///< which bodies it may touch
 };
 
 /// Names a body for as long as it lives; never names a later one that takes its place.
@@ -118,11 +118,11 @@ struct ContactEvent {
 
 /// What a ray met first.
 struct RayHit {
-  BodyId body;                 ///< the one that was hit
-  Index face = no_index;       ///< of its mesh
-  Real distance = 0;           ///< along the ray (m)
-  Vec3 point = Vec3::Zero();   ///< world (m)
-  Vec3 normal = Vec3::Zero();  ///< of the face, world
+  BodyId body;              ///< the one that was hit
+  Index face = no_index;    ///< of its mesh
+  Real distance = 0;        ///< along the ray (m)
+  Vec3 point = {0, 0, 0};   ///< world (m)
+  Vec3 normal = {0, 0, 0};  ///< of the face, world
 };
 
 class AabbTree;

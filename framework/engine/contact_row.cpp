@@ -2,6 +2,13 @@
 
 namespace cs550 {
 
+void BodyVelocity::apply(const Vec3& impulse, const Vec3& r) {
+  v += inverse_mass * impulse;
+  w += world_inverse_inertia * r.cross(impulse);
+}
+
+Vec3 ContactRow::v() const { return n.cross(u); }
+
 Softness soft_contact(Real hertz, Real damping_ratio, Real h) {
   const Real omega = 2 * pi * hertz;
   const Real a1 = 2 * damping_ratio + h * omega;
