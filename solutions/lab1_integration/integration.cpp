@@ -22,8 +22,11 @@ Quat turned_explicitly(const Quat& q, const Vec3& w, Real h) {
 Vec3 midpoint_angular_velocity(const RigidBody& body, Real h) {
   const Quat& q = body.pose.orientation;
   Vec3 w = body.angular_velocity;
-  for (int i = 0; i < midpoint_iterations; ++i)
+  for (int i = 0; i < midpoint_iterations; ++i) {
+    const Vec3 before = w;
     w = angular_velocity_at(body, rotation_exp(Real(0.5) * h * w) * q);
+    if (w == before) break;
+  }
   return w;
 }
 
