@@ -6,16 +6,21 @@ namespace cs550 {
 
 namespace {
 
-/// Every contact goes into the first group that has room and comes after those of both its bodies (list
-/// scheduling).
+Index point_count(const Contact& contact) { return contact.manifold.points.size(); }
+
+/// Every contact goes into the first group that comes after those of both its bodies (list
+/// scheduling), has room, and grows no longer by it: a lane that has run out of points idles.
 class Grouping {
  public:
-  explicit Grouping(std::vector<ContactGroup>& groups) : groups_(groups) { groups_.clear(); }
+  Grouping(std::span<const Contact> contacts, std::vector<ContactGroup>& groups)
+      : contacts_(contacts), groups_(groups) {
+    groups_.clear();
+  }
 
   /// @param earliest the contact's bodies are busy before that group
   Index place(Index contact, Index earliest) {
     Index group = std::max(earliest, first_open_);
-    while (group < count() && at(group).full()) ++group;
+    while (group < count() && !takes(at(group), contact)) ++group;
     if (group == count()) groups_.emplace_back();
     at(group).push_back(contact);
     while (first_open_ < count() && at(first_open_).full()) ++first_open_;
@@ -25,16 +30,21 @@ class Grouping {
  private:
   Index count() const { return static_cast<Index>(groups_.size()); }
   ContactGroup& at(Index group) { return groups_[static_cast<std::size_t>(group)]; }
+  Index points_of(Index contact) const {
+    return point_count(contacts_[static_cast<std::size_t>(contact)]);
+  }
+  bool takes(const ContactGroup& group, Index contact) const {
+    return !group.full() && points_of(contact) <= points_of(group[0]);
+  }
 
+  std::span<const Contact> contacts_;
   std::vector<ContactGroup>& groups_;
   Index first_open_ = 0;
 };
 
-Index point_count(const Contact& contact) { return contact.manifold.points.size(); }
-
 void find_groups(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
                  RowOrder& order) {
-  Grouping grouping(order.groups);
+  Grouping grouping(contacts, order.groups);
   order.group_after_body.assign(bodies.size(), 0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (point_count(contacts[i]) == 0) continue;
