@@ -1,6 +1,7 @@
 // L1.6: position, and the explicit rotation with all its faults.
 #include <cs550/graded_test.hpp>
 
+#include "lab1_integration/convergence.hpp"
 #include "lab1_integration/kinematic_body.hpp"
 #include "lab1_integration/pictures.hpp"
 #include "support/story.hpp"
@@ -73,26 +74,8 @@ GRADED_TEST(Lab1, ExplicitTurnOfAKinematicBody, 2, "L1.6") {
 }
 
 GRADED_TEST(Lab1, ExplicitStepConvergesAtFirstOrder, 2, "L1.6") {
-  Story story =
-      with_causes(Story("Half the step, half the error: the explicit step is of order 1"));
-  story.given("half-extents", racket, "m").given("body ω", Vec3(Real(0.5), 5, Real(0.5)), "rad/s");
-  story.when("orientation after 1 s against a Runge–Kutta solution in double precision");
-  const RigidBody start = spinning_box(racket, Vec3(Real(0.5), 5, Real(0.5)));
-  story.picture([&] { return tumbling_picture(start, 1, 240, method); });
-  FreeRotation exact(start);
-  exact.advance(1);
-  double coarser = 0;
-  for (const int rate : {30, 60, 120, 240}) {
-    RigidBody body = start;
-    for (int i = 0; i < rate; ++i) turn(body, Real(1) / static_cast<Real>(rate), method);
-    const double error = orientation_error(body, exact.orientation());
-    Story here = story;
-    here.given("rate", rate, "Hz").given("error", error, "rad");
-    // The next order in h is still visible at 30 Hz.
-    if (coarser > 0)
-      here.expect_near("slope log₂(error/error)", std::log2(coarser / error), 1, 0.1);
-    coarser = error;
-  }
+  expect_order(with_causes(Story("Half the step, half the error: the explicit step is of order 1")),
+               method, 1, 240);
 }
 
 GRADED_TEST(Lab1, ExplicitTurnClimbsToTheGreatestEnergy, 3, "L1.6") {

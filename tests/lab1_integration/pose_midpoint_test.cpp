@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lab1_integration/convergence.hpp"
 #include "lab1_integration/flips.hpp"
 #include "lab1_integration/kinematic_body.hpp"
 #include "lab1_integration/pictures.hpp"
@@ -22,25 +23,9 @@ Story with_causes(Story story) {
 }
 
 GRADED_TEST(Lab1, MidpointConvergesAtSecondOrder, 2, "L1.7") {
-  Story story =
-      with_causes(Story("Half the step, a quarter of the error: the midpoint is of order 2"));
-  story.given("half-extents", racket, "m").given("body ω", Vec3(Real(0.5), 5, Real(0.5)), "rad/s");
-  story.when("orientation after 1 s against a Runge–Kutta solution in double precision");
-  const RigidBody start = spinning_box(racket, Vec3(Real(0.5), 5, Real(0.5)));
-  story.picture([&] { return tumbling_picture(start, 1, 60, method); });
-  FreeRotation exact(start);
-  exact.advance(1);
-  double coarser = 0;
-  for (const int rate : {30, 60, 120, 240}) {
-    RigidBody body = start;
-    for (int i = 0; i < rate; ++i) turn(body, Real(1) / static_cast<Real>(rate), method);
-    const double error = orientation_error(body, exact.orientation());
-    Story here = story;
-    here.given("rate", rate, "Hz").given("error", error, "rad");
-    if (coarser > 0)
-      here.expect_near("slope log₂(error/error)", std::log2(coarser / error), 2, 0.1);
-    coarser = error;
-  }
+  expect_order(
+      with_causes(Story("Half the step, a quarter of the error: the midpoint is of order 2")),
+      method, 2, 60);
 }
 
 GRADED_TEST(Lab1, MidpointKeepsTheEnergy, 3, "L1.7") {

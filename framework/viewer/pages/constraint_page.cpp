@@ -33,12 +33,6 @@ void describe(ConstraintSettings& settings, KnobVisitor& visit) {
   visit.whole({"row", "of contact", ""}, settings.row, 0, 39);
 }
 
-std::vector<std::vector<Real>> impulses_of(const StackRun& run) {
-  std::vector<std::vector<Real>> history;
-  for (const Stack& stack : run) history.push_back(level_impulses(stack));
-  return history;
-}
-
 /// Beside the stack, flat on the ground; its radius stands for the limit.
 void add_disk(const ContactRow& row, const Stack& before, Content& content) {
   const Real limit = row.friction * row.normal_impulse;
@@ -58,27 +52,19 @@ Content show(const ConstraintSettings& settings) {
   const StackRun warm = solve_accumulating(start, settings.passes, cold.back().rows);
   const StackRun& run = settings.warm_start ? warm : cold;
 
-  Content content;
-  content.step_count = static_cast<int>(run.size());
-  const int step = shown_step(settings.step, content.step_count);
-  const Stack& shown = run[static_cast<std::size_t>(step)];
-  content.solids = stack_solids(shown);
-  const Real scale = drawing::impulse_scale(run.back().rows, Real(0.75));
-  content.drawing = drawing::draw_impulses(shown.rows, shown.centers, scale);
-  const std::size_t row = std::min(static_cast<std::size_t>(settings.row), shown.rows.size() - 1);
-  if (settings.disk) add_disk(shown.rows[row], start, content);
-
-  content.plots = {compare_solvers(start, settings.passes), plot_levels(impulses_of(run))};
-  content.facts = {
-      {"pass", std::to_string(step)},
-      {"fastest approach", quantity(static_cast<double>(approach_error(shown)), "m/s")},
-      {"contact", std::to_string(row)},
-      {"λ normal", quantity(static_cast<double>(shown.rows[row].normal_impulse), "N·s")},
-      {"|λ friction|",
-       quantity(static_cast<double>(shown.rows[row].tangent_impulse.norm()), "N·s")}};
-  content.focus = {start.centers[start.centers.size() / 2], Real(0.75) * start.centers.back().z()};
-  content.focus.radius = std::max(content.focus.radius, Real(1.2));
-  if (settings.disk) content.focus.center.x() += Real(0.5);
+  Content content = show_pass(start, run, settings.step);
+  const std::vector<ContactRow>& rows =
+      run[static_cast<std::size_t>(shown_step(settings.step, content.step_count))].rows;
+  const std::size_t row = std::min(static_cast<std::size_t>(settings.row), rows.size() - 1);
+  content.facts.insert(
+      content.facts.end(),
+      {{"contact", std::to_string(row)},
+       {"λ normal", quantity(static_cast<double>(rows[row].normal_impulse), "N·s")},
+       {"|λ friction|", quantity(static_cast<double>(rows[row].tangent_impulse.norm()), "N·s")}});
+  if (settings.disk) {
+    add_disk(rows[row], start, content);
+    content.focus.center.x() += Real(0.5);
+  }
   return content;
 }
 
@@ -89,8 +75,7 @@ std::unique_ptr<Page> make_constraint_page(Isolation isolation) {
   parts.lab = 7;
   parts.story =
       "Impulses are accumulated and may go back down, so passes converge to the forces that carry "
-      "the "
-      "stack. Last step's impulses are a better start; friction stays in its disk.";
+      "the stack. Last step's impulses are a better start; friction stays in its disk.";
   parts.first_view = seen_from(Real(-1.1), Real(0.3));
   parts.describe = describe;
   parts.show = show;

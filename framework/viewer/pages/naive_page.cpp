@@ -1,8 +1,6 @@
 // Lab 6: a stack of boxes by impulses that are never taken back.
-#include "drawing/impulse_drawing.hpp"
 #include "viewer/pages/lab_page.hpp"
 #include "viewer/pages/stack_runs.hpp"
-#include "viewer/units.hpp"
 
 namespace cs550::viewer {
 namespace {
@@ -25,23 +23,8 @@ void describe(NaiveSettings& settings, KnobVisitor& visit) {
 
 Content show(const NaiveSettings& settings) {
   const Stack start = make_stack(settings.stack);
-  const StackRun run = solve_naively(start, settings.passes);
-  Content content;
-  content.step_count = static_cast<int>(run.size());
-  const int step = shown_step(settings.step, content.step_count);
-  const Stack& shown = run[static_cast<std::size_t>(step)];
-  content.solids = stack_solids(shown);
-  const Real scale = drawing::impulse_scale(run.back().rows, Real(0.75));
-  content.drawing = drawing::draw_impulses(shown.rows, shown.centers, scale);
-  std::vector<std::vector<Real>> history;
-  for (const Stack& stack : run) history.push_back(level_impulses(stack));
-  content.plots = {compare_solvers(start, settings.passes), plot_levels(history)};
-  content.facts = {
-      {"pass", std::to_string(step)},
-      {"fastest approach", quantity(static_cast<double>(approach_error(shown)), "m/s")},
-      {"contacts", std::to_string(shown.rows.size())}};
-  content.focus = {start.centers[start.centers.size() / 2], Real(0.75) * start.centers.back().z()};
-  content.focus.radius = std::max(content.focus.radius, Real(1.2));
+  Content content = show_pass(start, solve_naively(start, settings.passes), settings.step);
+  content.facts.push_back({"contacts", std::to_string(start.rows.size())});
   return content;
 }
 

@@ -3,6 +3,8 @@
 #include "cs550/constraint_solver.hpp"
 #include "cs550/naive_solver.hpp"
 #include "cs550/not_implemented.hpp"
+#include "viewer/pages/lab_page.hpp"
+#include "viewer/units.hpp"
 
 namespace cs550::viewer {
 
@@ -60,6 +62,25 @@ drawing::Plot compare_solvers(const Stack& start, int passes) {
     // Lab 6 comes before lab 7.
   }
   return plot_velocity_errors(curves);
+}
+
+Content show_pass(const Stack& start, const StackRun& run, int pass) {
+  Content content;
+  content.step_count = static_cast<int>(run.size());
+  const int step = shown_step(pass, content.step_count);
+  const Stack& shown = run[static_cast<std::size_t>(step)];
+  content.solids = stack_solids(shown);
+  const Real scale = drawing::impulse_scale(run.back().rows, Real(0.75));
+  content.drawing = drawing::draw_impulses(shown.rows, shown.centers, scale);
+  std::vector<std::vector<Real>> history;
+  for (const Stack& stack : run) history.push_back(level_impulses(stack));
+  content.plots = {compare_solvers(start, content.step_count - 1), plot_levels(history)};
+  content.facts = {
+      {"pass", std::to_string(step)},
+      {"fastest approach", quantity(static_cast<double>(approach_error(shown)), "m/s")}};
+  content.focus = {start.centers[start.centers.size() / 2], Real(0.75) * start.centers.back().z()};
+  content.focus.radius = std::max(content.focus.radius, Real(1.2));
+  return content;
 }
 
 }  // namespace cs550::viewer

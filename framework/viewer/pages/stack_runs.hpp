@@ -22,4 +22,9 @@ StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactRow>
 /// is another function of it.
 drawing::Plot compare_solvers(const Stack& start, int passes);
 
+/// A run after one of its passes: boxes and impulses, and how all passes went.
+/// @param start the stack that the run solves, before any impulse
+/// @param pass counted from the end if negative
+Content show_pass(const Stack& start, const StackRun& run, int pass);
+
 }  // namespace cs550::viewer
