@@ -46,13 +46,23 @@ class Formula {
  public:
   explicit Formula(std::string_view source) : source_(source) {}
 
+  /// A brace that closes nothing stands for itself.
   std::string text() {
+    std::string result = group();
+    while (!source_.empty()) {
+      result += take();
+      result += group();
+    }
+    return result;
+  }
+
+ private:
+  std::string group() {
     std::string result;
     while (!source_.empty() && source_.front() != '}') result += item();
     return result;
   }
 
- private:
   char take() {
     const char first = source_.front();
     source_.remove_prefix(1);
@@ -81,7 +91,7 @@ class Formula {
   }
 
   std::string rest_of_group() {
-    const std::string inside = text();
+    const std::string inside = group();
     if (!source_.empty()) take();
     return inside;
   }

@@ -32,6 +32,7 @@ TEST(FormulaText, LeavesTheRestAlone) {
   EXPECT_EQ(with_plain_formulas("`a_b` costs 5 $ only"), "`a_b` costs 5 $ only");
   EXPECT_EQ(with_plain_formulas("$\\unheardof{x}$"), "\\unheardofx");
   EXPECT_EQ(with_plain_formulas("$\\frac$"), "/");
+  EXPECT_EQ(with_plain_formulas("$a } b$"), "a } b");
   EXPECT_EQ(with_plain_formulas(""), "");
 }
 

@@ -24,10 +24,11 @@ ShapePtr make(const std::string& name) {
 
 }  // namespace
 
-const HalfEdgeMesh& fixture_mesh(const std::string& name) {
-  static std::map<std::string, HalfEdgeMesh> meshes;
+const HalfEdgeMesh& fixture_mesh(std::string_view name) {
+  static std::map<std::string, HalfEdgeMesh, std::less<>> meshes;
   const auto known = meshes.find(name);
-  return known != meshes.end() ? known->second : meshes.emplace(name, load(name)).first->second;
+  return known != meshes.end() ? known->second
+                               : meshes.emplace(name, load(std::string(name))).first->second;
 }
 
 ShapePtr fixture_shape(const std::string& name) {

@@ -4,6 +4,7 @@
 /// each one is.
 
 #include <string>
+#include <string_view>
 
 #include "cs550/convex_shape.hpp"
 
@@ -11,7 +12,7 @@ namespace cs550::test {
 
 /// The mesh in tests/fixtures/meshes/NAME.json, read once.
 /// @throws std::runtime_error if there is none of that name
-const HalfEdgeMesh& fixture_mesh(const std::string& name);
+const HalfEdgeMesh& fixture_mesh(std::string_view name);
 
 /// The shape made of that mesh: the same one for every caller.
 /// @throws std::runtime_error if there is none of that name, or the mesh is not convex
