@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "support/fixtures.hpp"
@@ -59,7 +60,10 @@ TEST_F(ObjFile, ThatNamesMissingVerticesIsRefused) {
 
 TEST_F(ObjFile, WithAVertexNumberedZeroIsNamedWithTheLine) {
   write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 0 2\n");
-  expect_named(load_obj(path).error, "line 4");
+  std::string error = load_obj(path).error;
+  // Versions of tinyobjloader write it as Line too.
+  std::replace(error.begin(), error.end(), 'L', 'l');
+  expect_named(error, "line 4");
 }
 
 TEST_F(JsonFile, RoundTripKeepsEveryBit) {

@@ -26,7 +26,8 @@ std::string status(const testing::TestResult& result) {
   return result.Skipped() ? "blocked" : "passed";
 }
 
-/// All that the test's assertions said, without GoogleTest's own first word.
+/// All that the test's assertions said, without GoogleTest's own first word and, in some versions, its
+/// line break at the end.
 std::string message(const testing::TestResult& result) {
   const std::string noise = "Failed\n";
   std::string text;
@@ -35,6 +36,7 @@ std::string message(const testing::TestResult& result) {
     if (part.compare(0, noise.size(), noise) == 0) {
       part.erase(0, noise.size());
     }
+    while (!part.empty() && part.back() == '\n') part.pop_back();
     text += (text.empty() ? "" : "\n") + part;
   }
   return text;
