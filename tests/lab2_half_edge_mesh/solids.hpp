@@ -63,6 +63,7 @@ inline Solid dodecahedron() {
     }
     std::sort(by_angle.begin(), by_angle.end());
     std::vector<Index> pentagon;
+    pentagon.reserve(by_angle.size());
     for (const auto& entry : by_angle) pentagon.push_back(entry.second);
     solid.polygons.push_back(pentagon);
   }
