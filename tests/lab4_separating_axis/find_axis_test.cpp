@@ -30,10 +30,10 @@ struct Census {
     if (answer.feature == AxisFeature::Edges) ++edges_win;
   }
   void expect_variety(Story& story, int pairs) const {
-    story.expect_at_least("pairs separated by more than the margin", separated, pairs / 8);
-    story.expect_at_least("pairs apart by less than the margin", within_margin, pairs / 20);
-    story.expect_at_least("pairs that penetrate", penetrating, pairs / 4);
-    story.expect_at_least("pairs where edges are best", edges_win, pairs / 10);
+    story.expect_at_least("pairs separated by more than the margin", separated, 0.125 * pairs);
+    story.expect_at_least("pairs apart by less than the margin", within_margin, 0.05 * pairs);
+    story.expect_at_least("pairs that penetrate", penetrating, 0.25 * pairs);
+    story.expect_at_least("pairs where edges are best", edges_win, 0.1 * pairs);
   }
 };
 
