@@ -91,7 +91,7 @@ class Formula {
   }
 
   std::string rest_of_group() {
-    const std::string inside = group();
+    std::string inside = group();
     if (!source_.empty()) take();
     return inside;
   }

@@ -21,6 +21,7 @@ std::vector<double> cradle(int count, Real gap, Story& story) {
   }
   if (!run_world(world, story, 1)) return {};
   std::vector<double> speeds;
+  speeds.reserve(cubes.size());
   for (const BodyId cube_id : cubes) {
     speeds.push_back(static_cast<double>(world.body(cube_id).linear_velocity.x()));
   }

@@ -76,6 +76,7 @@ GRADED_TEST(Lab7, ATowerOfTenBoxesStandsStill, 2, "L7.8", Long) {
     World world = scaled_world(variation.size);
     add_floor(world, 50 * variation.size, Real(0.6), variation.size / 2);
     std::vector<Vec3> places;
+    places.reserve(10);
     for (int i = 0; i < 10; ++i) places.emplace_back(0, 0, Real(0.5) + static_cast<Real>(i));
     const BodyId top = add_boxes(world, places, variation).back();
     const Vec3 start = world.body(top).pose.position;
@@ -114,6 +115,7 @@ GRADED_TEST(Lab7, APyramidOfTwentyRowsStandsStill, 2, "L7.8", Long) {
     add_floor(world, 50 * variation.size, Real(0.6), variation.size / 2);
     const std::vector<BodyId> boxes = add_boxes(world, places, variation);
     std::vector<Vec3> start;
+    start.reserve(boxes.size());
     for (const BodyId box : boxes) start.push_back(world.body(box).pose.position);
     const World at_start = world;
     story.picture([&] { return standing_picture(at_start, world); });

@@ -23,6 +23,7 @@ GRADED_TEST(Lab5, RandomPolygonsAreClippedToHalfPlanes, 3, "L5.1") {
     for (Real& angle : angles) angle = random.real(0, 2 * pi);
     std::sort(angles.begin(), angles.end());
     std::vector<Vec3> corners;
+    corners.reserve(angles.size());
     for (const Real angle : angles) {
       corners.push_back(size * (std::cos(angle) * u + std::sin(angle) * normal.cross(u)));
     }
