@@ -25,7 +25,7 @@ Vec3 midpoint_angular_velocity(const RigidBody& body, Real h) {
   for (int i = 0; i < midpoint_iterations; ++i) {
     const Vec3 before = w;
     w = angular_velocity_at(body, rotation_exp(Real(0.5) * h * w) * q);
-    if (w == before) break;
+    if (w == before) break;  // and so would all further ones
   }
   return w;
 }

@@ -51,7 +51,7 @@ struct Plane {
 /// Where a body is: `x_world = R(orientation)·x_body + position`.
 struct Pose {
   Vec3 position = {0, 0, 0};        ///< of the body's origin, in the world (m)
-  Quat orientation = {1, 0, 0, 0};  ///< unit length, body to world
+  Quat orientation = {1, 0, 0, 0};  ///< unit length, body to world; given as w, x, y, z
 
   /// R, body to world.
   Mat3 rotation() const;
