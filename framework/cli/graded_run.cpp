@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "crash_report.hpp"
 #include "process.hpp"
@@ -107,6 +109,59 @@ class Watch {
   Clock::time_point since_ = Clock::now();
 };
 
+std::size_t processors() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+/// As cards are dealt: neighbours, which often cost alike, go to different hands. No hand is empty.
+std::vector<std::vector<GradedTest>> deal(const std::vector<GradedTest>& tests, std::size_t hands) {
+  std::vector<std::vector<GradedTest>> shares(std::min(hands, tests.size()));
+  for (std::size_t i = 0; i < tests.size(); ++i) shares[i % hands].push_back(tests[i]);
+  return shares;
+}
+
+/// Runs tests one after the other. When one ends the program, that is its verdict, and the program
+/// is started again for those after it.
+/// @param draft beginning of the names of files to write to meanwhile
+std::vector<Verdict> run_share(const fs::path& program, int lab,
+                               const std::vector<GradedTest>& tests, std::chrono::seconds patience,
+                               const fs::path& draft) {
+  const fs::path results = draft.string() + ".json";
+  const fs::path output = draft.string() + ".txt";
+
+  std::vector<Verdict> verdicts;
+  std::vector<GradedTest> waiting = tests;
+  while (!waiting.empty()) {
+    fs::remove(results);
+    Watch watch(results, patience);
+    const Ending ending = run({program, filter(lab, waiting), "--results", results},
+                              {project_root(), output, [&] { return watch.stands_still(); }});
+
+    const std::map<std::string, Json> rows = read_results(results);
+    std::vector<GradedTest> not_reached;
+    bool one_ended_it = false;
+    for (const GradedTest& test : waiting) {
+      const auto row = rows.find(test.name);
+      if (row == rows.end()) {
+        not_reached.push_back(test);
+      } else if (row->second.at("status") == "running") {
+        verdicts.push_back(ended_the_program(test, ending, output));
+        one_ended_it = true;
+      } else {
+        verdicts.push_back(to_verdict(test, row->second));
+      }
+    }
+    if (!one_ended_it) {  // the code did it before or after the tests: it would do so again
+      for (const GradedTest& test : not_reached) {
+        verdicts.push_back(ended_the_program(test, ending, output));
+      }
+      not_reached.clear();
+    }
+    waiting = not_reached;
+  }
+  fs::remove(results);
+  fs::remove(output);
+  return verdicts;
+}
+
 }  // namespace
 
 std::string to_string(Verdict::Kind kind) {
@@ -149,42 +204,20 @@ std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
                                       std::chrono::seconds patience) {
   const fs::path folder = project_root() / "build/results";
   fs::create_directories(folder);
-  const fs::path draft = folder / ("lab" + std::to_string(lab) + '.' + std::to_string(getpid()));
-  const fs::path results = draft.string() + ".json";
-  const fs::path output = draft.string() + ".txt";
+  const std::string draft = "lab" + std::to_string(lab) + '.' + std::to_string(getpid()) + '.';
 
-  std::vector<Verdict> verdicts;
-  std::vector<GradedTest> waiting = tests;
-  while (!waiting.empty()) {
-    fs::remove(results);
-    Watch watch(results, patience);
-    const Ending ending = run({program, filter(lab, waiting), "--results", results},
-                              {project_root(), output, [&] { return watch.stands_still(); }});
-
-    const std::map<std::string, Json> rows = read_results(results);
-    std::vector<GradedTest> not_reached;
-    bool one_ended_it = false;
-    for (const GradedTest& test : waiting) {
-      const auto row = rows.find(test.name);
-      if (row == rows.end()) {
-        not_reached.push_back(test);
-      } else if (row->second.at("status") == "running") {
-        verdicts.push_back(ended_the_program(test, ending, output));
-        one_ended_it = true;
-      } else {
-        verdicts.push_back(to_verdict(test, row->second));
-      }
-    }
-    if (!one_ended_it) {  // the code did it before or after the tests: it would do so again
-      for (const GradedTest& test : not_reached) {
-        verdicts.push_back(ended_the_program(test, ending, output));
-      }
-      not_reached.clear();
-    }
-    waiting = not_reached;
+  const std::vector<std::vector<GradedTest>> shares = deal(tests, processors());
+  std::vector<std::future<std::vector<Verdict>>> runs;
+  runs.reserve(shares.size());
+  for (const std::vector<GradedTest>& share : shares) {
+    runs.push_back(std::async(std::launch::async, run_share, program, lab, share, patience,
+                              folder / (draft + std::to_string(runs.size()))));
   }
-  fs::remove(results);
-  fs::remove(output);
+  std::vector<Verdict> verdicts;
+  for (std::future<std::vector<Verdict>>& run : runs) {
+    const std::vector<Verdict> share = run.get();
+    verdicts.insert(verdicts.end(), share.begin(), share.end());
+  }
   return in_order_of(tests, verdicts);
 }
 

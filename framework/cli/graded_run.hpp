@@ -41,8 +41,9 @@ std::vector<GradedTest> graded_tests(const std::string& lab_name);
 /// Points of tests that the manifest lists but whose sources are elsewhere.
 int points_graded_elsewhere(const std::string& lab_name);
 
-/// Runs tests of lab `lab` in a graded program. When one ends the program, that is its verdict, and
-/// the program is started again for those after it. Verdicts come in the order of the tests.
+/// Runs tests of lab `lab` in a graded program, of which as many run side by side as there are
+/// processors. A test that ends its program has that as its verdict; the others still run. Verdicts
+/// come in the order of the tests.
 /// @param patience longest time for one test
 std::vector<Verdict> run_graded_tests(const std::filesystem::path& program, int lab,
                                       const std::vector<GradedTest>& tests,

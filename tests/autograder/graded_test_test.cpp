@@ -128,8 +128,8 @@ TEST(GradedTestProgram, PointsAndStepReachTheXmlReport) {
 TEST(GradedTestProgram, ManifestListsEveryTestInOrder) {
   const nlohmann::json manifest = nlohmann::json::parse(run_fake_lab("--manifest").output);
   EXPECT_EQ(manifest["lab"], 5);
-  EXPECT_EQ(manifest["points"]["visible"], 23);
-  ASSERT_EQ(manifest["tests"].size(), 7U);
+  EXPECT_EQ(manifest["points"]["visible"], 25);
+  ASSERT_EQ(manifest["tests"].size(), 9U);
   EXPECT_EQ(manifest["tests"].at(0)["name"], "Passes");
   EXPECT_EQ(manifest["tests"].at(0)["long"], false);
   EXPECT_EQ(manifest["tests"].at(4)["name"], "Throws");

@@ -19,3 +19,7 @@ GRADED_TEST(Lab5, Throws, 2, "L5.3", Long) { throw std::out_of_range("index 9 of
 GRADED_TEST(Lab5, ThrowsANumber, 2, "L5.3") { throw 7; }
 
 GRADED_TEST(Lab5, Crashes, 1, "L5.3") { std::abort(); }
+
+GRADED_TEST(Lab5, Leaves, 1, "L5.3") { std::exit(3); }
+
+GRADED_TEST(Lab5, PassesToo, 1, "L5.3", Long) {}

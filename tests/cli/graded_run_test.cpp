@@ -1,0 +1,78 @@
+/// What becomes of a lab's tests when some of them end the program that runs them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "cli/graded_run.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cs550::cli::GradedTest;
+using cs550::cli::run_graded_tests;
+using cs550::cli::Verdict;
+using Kind = cs550::cli::Verdict::Kind;
+
+constexpr std::chrono::seconds patience{60};
+
+class GradedRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(root);
+    setenv("CS550_ROOT", root.c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("CS550_ROOT");
+    fs::remove_all(root);
+  }
+
+  const fs::path root =
+      fs::path(testing::TempDir()) /
+      (std::string("graded_run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(GradedRun, GivesEveryTestItsVerdictInTheOrderOfTheTests) {
+  // Two crash, wherever among the processors they run: those dealt out with them still count.
+  const std::vector<GradedTest> tests = {
+      {"Crashes", "L5.3", 1, false}, {"Passes", "L5.1", 6, false},
+      {"Fails", "L5.1", 5, false},   {"ReachesAnEarlierLab", "L5.2", 3, false},
+      {"Throws", "L5.3", 2, true},   {"Leaves", "L5.3", 1, false},
+      {"PassesToo", "L5.3", 1, true}};
+  const std::vector<Verdict> verdicts = run_graded_tests(CS550_FAKE_LAB, 5, tests, patience);
+
+  const std::vector<Kind> expected = {Kind::Failed, Kind::Passed, Kind::Failed, Kind::Blocked,
+                                      Kind::Failed, Kind::Failed, Kind::Passed};
+  ASSERT_EQ(verdicts.size(), tests.size());
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    EXPECT_EQ(verdicts[i].test.name, tests[i].name);
+    EXPECT_EQ(verdicts[i].kind, expected[i]) << tests[i].name << ": " << verdicts[i].message;
+  }
+  EXPECT_NE(verdicts[0].message.find("crashed: Aborted"), std::string::npos);
+  EXPECT_NE(verdicts[5].message.find("exit code 3"), std::string::npos);
+  EXPECT_EQ(verdicts[1].earned(), 6);
+  EXPECT_TRUE(fs::is_empty(root / "build/results")) << "drafts are left behind";
+}
+
+TEST_F(GradedRun, StopsAProgramThatComesToNoEnd) {
+  const fs::path program = root / "endless";
+  std::ofstream(program) << "#!/bin/sh\nwhile :; do :; done\n";
+  fs::permissions(program, fs::perms::owner_all);
+  const std::vector<Verdict> verdicts = run_graded_tests(
+      program, 5, {{"Passes", "L5.1", 6, false}, {"Fails", "L5.1", 5, false}}, patience / 60);
+  ASSERT_EQ(verdicts.size(), 2U);
+  for (const Verdict& verdict : verdicts) {
+    EXPECT_EQ(verdict.kind, Kind::Failed);
+    EXPECT_NE(verdict.message.find("endless loop"), std::string::npos) << verdict.message;
+  }
+}
+
+TEST_F(GradedRun, NothingToRunGivesNoVerdicts) {
+  EXPECT_TRUE(run_graded_tests(CS550_FAKE_LAB, 5, {}, patience).empty());
+}
+
+}  // namespace
