@@ -14,22 +14,22 @@ namespace fs = std::filesystem;
 
 class CommandLine : public testing::Test {
  protected:
-  CommandLine() : folder_(fs::temp_directory_path() / ("cs550-view-" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
+  CommandLine() : folder(fs::temp_directory_path() / ("cs550-view-" + std::to_string(getpid()))) {
+    fs::create_directories(folder);
   }
-  ~CommandLine() override { fs::remove_all(folder_); }
+  ~CommandLine() override { fs::remove_all(folder); }
 
   static Outcome view(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), CS550_VIEWER_PROGRAM);
     return run_program(arguments);
   }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string file(const std::string& name) const { return (folder / name).string(); }
   static std::string bytes(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  fs::path folder_;
+  fs::path folder;
 };
 
 TEST_F(CommandLine, TheSameCommandGivesTheSameBytes) {

@@ -19,8 +19,8 @@ using namespace viewer;
 
 class Frames : public testing::Test {
  protected:
-  HeadlessContext context_;
-  Interface interface_{nullptr, 1};
+  HeadlessContext context;
+  Interface ui{nullptr, 1};
 };
 
 /// The least that the program has asked for and not given back, after any of so many frames (bytes).
@@ -48,7 +48,7 @@ TEST_F(Frames, AThousandDoNotGrowLong) {
   for (const char* overlay : {"contacts", "impulses", "bounds", "tree", "velocities"}) {
     options.settings.push_back(std::string(overlay) + "=on");
   }
-  App app(options, interface_);
+  App app(options, ui);
   Canvas canvas({320, 180});
   app.toggle_play();
   constexpr int half = 500;  // frames
@@ -63,7 +63,7 @@ TEST_F(Frames, AThousandDoNotGrowLong) {
 TEST_F(Frames, EveryPageCanBeLeftAndEntered) {
   Options options;
   options.scene = "bounce";
-  App app(options, interface_);
+  App app(options, ui);
   Canvas canvas({320, 180});
   for (int lab = 7; lab >= 0; --lab) {
     app.open(lab);
@@ -78,7 +78,7 @@ TEST_F(Frames, EveryPageCanBeLeftAndEntered) {
 TEST_F(Frames, EverySizeCanBeDrawn) {
   Options options;
   options.lab = 4;
-  App app(options, interface_);
+  App app(options, ui);
   for (const Size size : {Size{64, 64}, Size{2000, 300}, Size{300, 1200}, Size{1, 1}}) {
     Canvas canvas(size);
     app.draw(canvas);

@@ -42,18 +42,18 @@ TEST(Headless, AHiddenWindowDrawsWhatEglDraws) {
 class WithoutEgl : public testing::Test {
  protected:
   WithoutEgl()
-      : file_(fs::temp_directory_path() / ("cs550-no-egl-" + std::to_string(getpid()) + ".png")) {}
-  ~WithoutEgl() override { fs::remove(file_); }
+      : file(fs::temp_directory_path() / ("cs550-no-egl-" + std::to_string(getpid()) + ".png")) {}
+  ~WithoutEgl() override { fs::remove(file); }
 
   Outcome view(std::vector<std::string> command) const {
     const std::vector<std::string> arguments{
-        CS550_VIEWER_PROGRAM, "--lab", "4", "--size", "640x360", "--snapshot", file_};
+        CS550_VIEWER_PROGRAM, "--lab", "4", "--size", "640x360", "--snapshot", file};
     command.insert(command.begin(), "env");
     command.insert(command.end(), arguments.begin(), arguments.end());
     return run_program(command);
   }
 
-  fs::path file_;
+  fs::path file;
 };
 
 TEST_F(WithoutEgl, TheProgramDrawsInAHiddenWindow) {
@@ -63,7 +63,7 @@ TEST_F(WithoutEgl, TheProgramDrawsInAHiddenWindow) {
   const Outcome outcome = view({no_egl});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const HeadlessContext context(HeadlessWay::Egl);
-  EXPECT_LT(share_that_differs(read_png(file_), viewer::take_picture(small_page())), 1e-3);
+  EXPECT_LT(share_that_differs(read_png(file), viewer::take_picture(small_page())), 1e-3);
 }
 
 TEST_F(WithoutEgl, AndWithoutAScreenTheProgramSaysWhatToInstall) {
@@ -73,7 +73,7 @@ TEST_F(WithoutEgl, AndWithoutAScreenTheProgramSaysWhatToInstall) {
   for (const char* word : {"neither", "libegl1", "./cs550 doctor --install viewer"}) {
     EXPECT_NE(outcome.output.find(word), std::string::npos) << outcome.output;
   }
-  EXPECT_FALSE(fs::exists(file_));
+  EXPECT_FALSE(fs::exists(file));
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ Picture read_png(const std::filesystem::path& file) {
   unsigned char* pixels = stbi_load(file.c_str(), &picture.size.width, &picture.size.height,
                                     &stored_channels, channels);
   if (pixels == nullptr) throw std::runtime_error(file.string() + " is not a picture");
-  const auto count = static_cast<std::size_t>(channels * picture.size.width * picture.size.height);
+  const auto count = std::size_t{channels} * static_cast<std::size_t>(picture.size.width) *
+                     static_cast<std::size_t>(picture.size.height);
   picture.pixels.assign(pixels, pixels + count);
   stbi_image_free(pixels);
   return picture;

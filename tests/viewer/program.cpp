@@ -12,6 +12,7 @@ namespace {
 
 pid_t start(const std::vector<std::string>& command, int output, bool with_errors) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   const pid_t child = fork();

@@ -65,7 +65,7 @@ fs::path reference_of(const Case& test_case) {
 
 class Snapshot : public testing::TestWithParam<Case> {
  protected:
-  viewer::HeadlessContext context_;
+  viewer::HeadlessContext context;
 };
 
 TEST_P(Snapshot, LooksLikeItsReference) {
