@@ -180,8 +180,8 @@ std::vector<NamedBody> drop(SceneReader& generator, const SceneShapes&) {
   for (int i = 0; i < count; ++i) {
     const int column = i % columns[0];
     const int row = i % layer_size / columns[0];
-    const Vec3 place(from_middle(column, columns[0]), from_middle(row, columns[1]),
-                     static_cast<Real>(i / layer_size));
+    const int layer = i / layer_size;
+    const Vec3 place(from_middle(column, columns[0]), from_middle(row, columns[1]), Real(layer));
     NamedBody& added = copies.add(spacing.cwiseProduct(place));
     added.def.shape = random_shape(generator, shapes, random);
     added.def.pose.orientation = random.orientation();

@@ -172,16 +172,19 @@ std::vector<std::string> SceneReader::keys() const {
 }
 
 void SceneReader::refuse_other_keys() const {
-  for (const std::string& key : keys()) {
-    if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-    std::vector<std::string> known = asked_;
-    std::sort(known.begin(), known.end());
-    known.erase(std::unique(known.begin(), known.end()), known.end());
-    std::string all;
-    for (const std::string& word : known) all.append(all.empty() ? "" : ", ").append(word);
-    throw SceneFault(path_of(key), "there is no key \"" + key + "\" here" +
-                                       did_you_mean(key, known) + "; expected one of " + all);
-  }
+  const std::vector<std::string> present = keys();
+  const auto other = std::find_if(present.begin(), present.end(), [this](const std::string& key) {
+    return std::find(asked_.begin(), asked_.end(), key) == asked_.end();
+  });
+  if (other == present.end()) return;
+
+  std::vector<std::string> known = asked_;
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  std::string all;
+  for (const std::string& word : known) all.append(all.empty() ? "" : ", ").append(word);
+  throw SceneFault(path_of(*other), "there is no key \"" + *other + "\" here" +
+                                        did_you_mean(*other, known) + "; expected one of " + all);
 }
 
 void SceneReader::refuse(const std::string& key, const std::string& expected,
