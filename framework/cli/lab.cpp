@@ -142,7 +142,6 @@ int run_engine(const LabOptions& options) {
 
 int run_lab(LabOptions options) {
   options.name = lab_name(options.lab);
-  if (options.name.empty()) return no_such_lab(options.lab);
   if (options.reset) return reset_lab(options);
   if (options.run) return run_engine(options);
   const std::vector<GradedTest> all = graded_tests(options.name);
@@ -159,7 +158,7 @@ int run_lab(LabOptions options) {
 
 Action declare_lab(CLI::App& app) {
   const auto options = std::make_shared<LabOptions>();
-  app.add_option("N", options->lab, "number of the lab")->required();
+  app.add_option("N", options->lab, "number of the lab")->required()->check(fault_of_lab_number);
   auto* step = app.add_option("--step", options->step, "only the tests of this step, as in L3.2");
   auto* hint = app.add_option("--hint", options->hint,
                               "the next hint for the first failing step, or hint 1, 2 or 3")

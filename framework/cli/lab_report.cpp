@@ -7,7 +7,6 @@
 
 #include "project.hpp"
 #include "terminal.hpp"
-#include "verb.hpp"
 
 namespace cs550::cli {
 namespace {
@@ -33,10 +32,13 @@ std::string title(const std::string& lab_name) {
   return title;
 }
 
-int no_such_lab(int number) {
-  std::cerr << "cs550: there is no lab " << number << ". The labs:\n";
-  for (const std::string& lab : lab_names()) std::cerr << "  " << title(lab) << '\n';
-  return Misused;
+std::string fault_of_lab_number(const std::string& word) {
+  std::string fault = "there is no lab " + word + ". The labs:";
+  for (const std::string& lab : lab_names()) {
+    if (std::to_string(lab_number(lab)) == word) return {};
+    fault.append("\n  ").append(title(lab));
+  }
+  return fault;
 }
 
 void print(const std::vector<Verdict>& verdicts) {

@@ -12,9 +12,8 @@ namespace cs550::cli {
 /// A lab's name as people say it: "Lab 3: hill climbing".
 std::string title(const std::string& lab_name);
 
-/// Says so, and which labs there are.
-/// @return the exit code for wrong usage
-int no_such_lab(int number);
+/// Why a word is not the number of a lab, and which labs there are; empty when it is one.
+std::string fault_of_lab_number(const std::string& word);
 
 /// One line for each test, and what it said. The same words are not said twice in a row: an
 /// unwritten function stops many tests.

@@ -100,7 +100,6 @@ std::string fault_of(const fs::path& out) {
 }
 
 int run_submit(const SubmitOptions& options) {
-  if (options.lab && lab_name(*options.lab).empty()) return no_such_lab(*options.lab);
   const fs::path out = zip_file(options);
   if (const std::string fault = fault_of(out); !fault.empty()) {
     std::cerr << "cs550: " << fault << '\n';
@@ -131,7 +130,8 @@ int run_submit(const SubmitOptions& options) {
 
 Action declare_submit(CLI::App& app) {
   const auto options = std::make_shared<SubmitOptions>();
-  app.add_option("N", options->lab, "number of the lab; without it every lab that was begun");
+  app.add_option("N", options->lab, "number of the lab; without it every lab that was begun")
+      ->check(fault_of_lab_number);
   app.add_option("--out", options->out, "the zip file to write; labN.zip if not given");
   app.add_flag("--force", options->force, "pack a file even if it is the untouched starter");
   return [options] { return run_submit(*options); };

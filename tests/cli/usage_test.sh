@@ -20,6 +20,8 @@ says() { grep -qF "$1" "$scratch/said" || wrong "should say: $1"; }
 
 refuses lab
 refuses lab three
+says "there is no lab three"
+says "Lab 1: integration"
 refuses lab 99
 says "Lab 1: integration"
 refuses lab 3 --step L4.1
@@ -28,6 +30,7 @@ refuses lab 3 --hint 9
 refuses lab 3 --reset --run
 refuses lab 3 --asan --debug
 refuses submit three
+says "Lab 1: integration"
 refuses submit 0
 says "Lab 1: integration"
 refuses submit 3 --out .
