@@ -33,19 +33,19 @@ Outcome run_fake_lab(const std::string& arguments) {
 class GradedTestVerdict : public testing::Test {
  protected:
   nlohmann::json verdict(const std::string& test) {
-    run_ = run_fake_lab("--gtest_filter=Lab5." + test + " --results " + file_.string());
-    results_ = nlohmann::json::parse(std::ifstream(file_));
-    return results_["tests"].at(0);
+    run = run_fake_lab("--gtest_filter=Lab5." + test + " --results " + file.string());
+    results = nlohmann::json::parse(std::ifstream(file));
+    return results["tests"].at(0);
   }
 
-  void TearDown() override { std::filesystem::remove(file_); }
+  void TearDown() override { std::filesystem::remove(file); }
 
-  const std::filesystem::path file_ =
+  const std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) /
       (std::string("verdict_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
        ".json");
-  Outcome run_;
-  nlohmann::json results_;
+  Outcome run;
+  nlohmann::json results;
 };
 
 TEST_F(GradedTestVerdict, PassingEarnsThePoints) {
@@ -55,16 +55,16 @@ TEST_F(GradedTestVerdict, PassingEarnsThePoints) {
   EXPECT_EQ(test["step"], "L5.1");
   EXPECT_EQ(test["points"], 6);
   EXPECT_EQ(test["earned"], 6);
-  EXPECT_EQ(results_["earned"], 6);
-  EXPECT_EQ(run_.exit_code, 0);
+  EXPECT_EQ(results["earned"], 6);
+  EXPECT_EQ(run.exit_code, 0);
 }
 
 TEST_F(GradedTestVerdict, FailingEarnsNothing) {
   const nlohmann::json test = verdict("Fails");
   EXPECT_EQ(test["status"], "failed");
   EXPECT_EQ(test["earned"], 0);
-  EXPECT_EQ(results_["points"], 5);
-  EXPECT_EQ(run_.exit_code, 1);
+  EXPECT_EQ(results["points"], 5);
+  EXPECT_EQ(run.exit_code, 1);
 }
 
 TEST_F(GradedTestVerdict, UnwrittenStepSaysSoAndNothingElse) {
@@ -75,7 +75,7 @@ TEST_F(GradedTestVerdict, UnwrittenStepSaysSoAndNothingElse) {
             0U)
       << message;
   EXPECT_EQ(message.find("exception"), std::string::npos) << message;
-  EXPECT_EQ(run_.exit_code, 1);
+  EXPECT_EQ(run.exit_code, 1);
 }
 
 TEST_F(GradedTestVerdict, UnfinishedEarlierLabBlocksRatherThanFails) {
@@ -84,12 +84,12 @@ TEST_F(GradedTestVerdict, UnfinishedEarlierLabBlocksRatherThanFails) {
   EXPECT_EQ(test["earned"], 0);
   const std::string message = test["message"];
   EXPECT_NE(message.find("blocked by lab 2: not implemented: L2.3 merge"), std::string::npos);
-  EXPECT_EQ(run_.exit_code, 77);
+  EXPECT_EQ(run.exit_code, 77);
 }
 
 TEST_F(GradedTestVerdict, ExceptionIsNamedWithItsStep) {
   EXPECT_EQ(verdict("Throws")["message"], "uncaught exception in L5.3: index 9 of 4");
-  EXPECT_EQ(run_.exit_code, 1);
+  EXPECT_EQ(run.exit_code, 1);
 }
 
 TEST_F(GradedTestVerdict, ThrownNumberIsAFailureToo) {
@@ -101,10 +101,10 @@ TEST_F(GradedTestVerdict, ThrownNumberIsAFailureToo) {
 TEST_F(GradedTestVerdict, CrashLeavesTheTestThatRanLast) {
   const nlohmann::json test = verdict("Passes:Lab5.Crashes");
   EXPECT_EQ(test["status"], "passed");
-  EXPECT_EQ(results_["tests"].at(1)["test"], "Lab5.Crashes");
-  EXPECT_EQ(results_["tests"].at(1)["status"], "running");
-  EXPECT_EQ(results_["earned"], 6);
-  EXPECT_NE(run_.exit_code, 0);
+  EXPECT_EQ(results["tests"].at(1)["test"], "Lab5.Crashes");
+  EXPECT_EQ(results["tests"].at(1)["status"], "running");
+  EXPECT_EQ(results["earned"], 6);
+  EXPECT_NE(run.exit_code, 0);
 }
 
 TEST(GradedTestProgram, FilterThatMatchesNothingIsWrongUsage) {

@@ -21,26 +21,26 @@ namespace fs = std::filesystem;
 /// A folder for pictures of its own, as long as the test runs.
 class Picture : public testing::Test {
  protected:
-  Picture() { setenv("CS550_PICTURES", folder_.c_str(), 1); }
+  Picture() { setenv("CS550_PICTURES", folder.c_str(), 1); }
   ~Picture() override {
     unsetenv("CS550_PICTURES");
-    fs::remove_all(folder_);
+    fs::remove_all(folder);
   }
 
   std::string written() const {
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::ifstream file(folder_ / ("Picture." + test + ".svg"));
+    std::ifstream file(folder / ("Picture." + test + ".svg"));
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("cs550_pictures_" + std::to_string(getpid()));
+  fs::path folder = fs::temp_directory_path() / ("cs550_pictures_" + std::to_string(getpid()));
 };
 
 TEST_F(Picture, IsNotDrawnWhileTheChecksHold) {
   Story story("Two is two");
   story.picture([]() -> std::string { throw std::runtime_error("drawn all the same"); });
   EXPECT_TRUE(story.expect_equal("two", 2, 2));
-  EXPECT_FALSE(fs::exists(folder_));
+  EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST_F(Picture, IsWrittenAndNamedByTheFirstFailure) {
@@ -62,11 +62,11 @@ TEST_F(Picture, ThatCannotBeDrawnIsLeftOut) {
 }
 
 TEST_F(Picture, ThatCannotBeWrittenIsLeftOut) {
-  std::ofstream(folder_) << "a file where the folder should be";
+  std::ofstream(folder) << "a file where the folder should be";
   Story story("Two is three");
   story.picture([] { return "<svg/>"; });
   EXPECT_NONFATAL_FAILURE(story.expect_equal("two", 2, 3), "expected  3");
-  EXPECT_TRUE(fs::is_regular_file(folder_));
+  EXPECT_TRUE(fs::is_regular_file(folder));
 }
 
 TEST_F(Picture, ShowsTheGotBesideTheExpected) {
