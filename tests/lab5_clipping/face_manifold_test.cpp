@@ -95,6 +95,7 @@ GRADED_TEST(Lab5, OverhangIsCutAtTheReferenceFace, 2, "L5.3") {
   const auto check = [&](Story here, Real x, Real y, const std::vector<Vec3>& corners) {
     const BoxOnSlab scene(1, outer, {Vec3(x, y, Real(0.54)), Quat::Identity()});
     std::vector<Vec3> expected;
+    expected.reserve(corners.size());
     for (const Vec3& corner : corners) expected.push_back(outer.to_world(corner));
     here.given("middle of the cube of 1 m above the slab of 2 m at x", x, "m").given("y", y, "m");
     const Manifold manifold = face_manifold(
@@ -176,8 +177,9 @@ GRADED_TEST(Lab5, AnchorsLieOnBothBodies, 2, "L5.3") {
     const Manifold manifold = face_manifold(a.body, b.body, axis, 0);
     points += manifold.points.size();
     Story here = story;
-    here.given(by_a ? "A is a " + name_a + " with the reference face, B a " + name_b
-                    : "A is a " + name_a + ", B a " + name_b + " with the reference face");
+    here.given("A is a " + name_a)
+        .given("B is a " + name_b)
+        .given(by_a ? "the reference face is A's" : "the reference face is B's");
     here.given("size", size, "m").when("they overlap");
     if (!here.expect_near("normal", manifold.normal, axis.axis, 1e-5) ||
         !expect_sound(here, a.body, b.body, manifold, 3 * size)) {
