@@ -23,11 +23,11 @@ constexpr const char* program = "milestones_student";
 
 fs::path memory() { return project_root() / "build/results/engine.json"; }
 
-/// Of all lab files together: a change in any may change the engine.
-std::vector<std::string> hashes(const std::vector<LabResult>& labs) {
+/// Of all labs together: a change in any may change the engine.
+std::vector<std::string> fingerprints(const std::vector<LabResult>& labs) {
   std::vector<std::string> list;
   list.reserve(labs.size());
-  for (const LabResult& lab : labs) list.push_back(lab.file_hash);
+  for (const LabResult& lab : labs) list.push_back(lab.fingerprint);
   return list;
 }
 
@@ -35,7 +35,7 @@ std::optional<std::set<int>> remembered(const std::vector<LabResult>& labs) {
   std::ifstream stream(memory());
   if (!stream) return std::nullopt;
   const Json json = Json::parse(stream, nullptr, false);
-  const bool stale = !json.is_object() || json.at("lab_files") != Json(hashes(labs)) ||
+  const bool stale = !json.is_object() || json.at("lab_files") != Json(fingerprints(labs)) ||
                      has_newer_file(project_root() / "framework", fs::last_write_time(memory()));
   return stale ? std::nullopt : std::optional(json.at("reached").get<std::set<int>>());
 }
@@ -71,7 +71,8 @@ std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
     }
   }
   fs::create_directories(memory().parent_path());
-  write_text(memory(), Json{{"lab_files", hashes(labs)}, {"reached", reached}}.dump(2) + '\n');
+  write_text(memory(),
+             Json{{"lab_files", fingerprints(labs)}, {"reached", reached}}.dump(2) + '\n');
   return reached;
 }
 

@@ -117,13 +117,14 @@ int give_hint(const LabOptions& options) {
 }
 
 int reset_lab(const LabOptions& options) {
-  const fs::path file = fs::relative(lab_file(options.name), project_root());
-  const fs::path backup = reset_to_starter(options.name);
-  if (backup.empty()) {
-    std::cout << file.string() << " is the starter: nothing to do.\n";
-  } else {
-    std::cout << file.string() << " is the starter again.\nYour work is in "
-              << fs::relative(backup, project_root()).string() << ".\n";
+  const std::vector<fs::path> backups = reset_to_starter(options.name);
+  if (backups.empty()) {
+    std::cout << "labs/" << options.name << " is the starter: nothing to do.\n";
+    return Good;
+  }
+  std::cout << "labs/" << options.name << " is the starter again. Your work is in\n";
+  for (const fs::path& backup : backups) {
+    std::cout << "  " << fs::relative(backup, project_root()).string() << '\n';
   }
   return Good;
 }
@@ -169,7 +170,7 @@ Action declare_lab(CLI::App& app) {
   auto* debug =
       app.add_flag("--debug", options->debug, "then open gdb where the first failing test fails");
   auto* reset = app.add_flag("--reset", options->reset,
-                             "put the starter back; your file is kept beside it as a backup");
+                             "put the starter back; your files are kept beside it as backups");
   auto* run =
       app.add_flag("--run", options->run,
                    "run the lab's scenes in your own engine, and compare with the reference");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "process.hpp"
@@ -16,10 +18,52 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// labs/lab3_hill_climbing/hill_climbing.cpp, seen from the root.
-fs::path path_in_project(const std::string& lab_name) {
-  const std::string topic = lab_name.substr(lab_name.find('_') + 1);
-  return fs::path("labs") / lab_name / (topic + ".cpp");
+/// Texts by the names of their files.
+using Texts = std::map<fs::path, std::string>;
+
+fs::path lab_folder(const std::string& lab_name) { return project_root() / "labs" / lab_name; }
+
+bool is_code(const fs::path& file) {
+  return file.extension() == ".cpp" || file.extension() == ".hpp";
+}
+
+std::vector<fs::path> code_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::exists(folder)) return files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && is_code(entry.path())) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Texts texts_in(const fs::path& folder) {
+  Texts texts;
+  for (const fs::path& file : code_in(folder)) texts[file.filename()] = read_text(file);
+  return texts;
+}
+
+/// Throws std::runtime_error where git does not know the folder.
+Texts committed_texts(const fs::path& folder) {
+  const std::string tree = "HEAD:./" + fs::relative(folder, project_root()).string() + '/';
+  std::istringstream names(output_of({"git", "ls-tree", "--name-only", tree}, project_root()));
+  Texts texts;
+  for (std::string name; std::getline(names, name);) {
+    if (is_code(name)) texts[name] = output_of({"git", "show", tree + name}, project_root());
+  }
+  return texts;
+}
+
+Texts starter_of(const std::string& lab_name) {
+  if (Texts pristine = texts_in(project_root() / ".starters" / lab_name); !pristine.empty()) {
+    return pristine;
+  }
+  try {
+    return committed_texts(lab_folder(lab_name));
+  } catch (const std::exception&) {
+    throw std::runtime_error("there is no starter of labs/" + lab_name +
+                             ": neither .starters/ nor git has it");
+  }
 }
 
 fs::path first_free_backup(const fs::path& file) {
@@ -31,41 +75,38 @@ fs::path first_free_backup(const fs::path& file) {
 
 }  // namespace
 
-fs::path lab_file(const std::string& lab_name) {
-  return project_root() / path_in_project(lab_name);
+std::vector<fs::path> lab_files(const std::string& lab_name) {
+  return code_in(lab_folder(lab_name));
 }
 
-std::string starter_text(const std::string& lab_name) {
-  const fs::path path = path_in_project(lab_name);
-  const fs::path pristine = project_root() / ".starters" / path.lexically_relative("labs");
-  if (fs::exists(pristine)) return read_text(pristine);
-  try {
-    return output_of({"git", "show", "HEAD:./" + path.string()}, project_root());
-  } catch (const std::exception&) {
-    throw std::runtime_error("there is no starter of " + path.string() +
-                             ": neither .starters/ nor git has it");
-  }
+std::string fingerprint(const std::string& lab_name) {
+  std::string sums;
+  for (const fs::path& file : lab_files(lab_name)) sums += sha256(file);
+  return sums;
 }
 
 bool is_untouched(const std::string& lab_name) {
   try {
-    return read_text(lab_file(lab_name)) == starter_text(lab_name);
+    return texts_in(lab_folder(lab_name)) == starter_of(lab_name);
   } catch (const std::runtime_error&) {
     return false;
   }
 }
 
-fs::path reset_to_starter(const std::string& lab_name) {
-  const fs::path file = lab_file(lab_name);
-  const std::string starter = starter_text(lab_name);
-  fs::path backup;
-  if (fs::exists(file)) {
-    if (read_text(file) == starter) return {};
-    backup = first_free_backup(file);
-    fs::copy_file(file, backup);
+std::vector<fs::path> reset_to_starter(const std::string& lab_name) {
+  const Texts starter = starter_of(lab_name);
+  const fs::path folder = lab_folder(lab_name);
+  std::vector<fs::path> backups;
+  for (const auto& [name, text] : texts_in(folder)) {
+    const auto pristine = starter.find(name);
+    if (pristine != starter.end() && pristine->second == text) continue;
+    backups.push_back(first_free_backup(folder / name));
+    fs::rename(folder / name, backups.back());
   }
-  write_text(file, starter);
-  return backup;
+  for (const auto& [name, text] : starter) {
+    if (!fs::exists(folder / name)) write_text(folder / name, text);
+  }
+  return backups;
 }
 
 bool has_newer_file(const fs::path& folder, fs::file_time_type time) {

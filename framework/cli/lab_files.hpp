@@ -4,23 +4,26 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace cs550::cli {
 
-/// The file that the student edits: labs/lab3_hill_climbing/hill_climbing.cpp.
-std::filesystem::path lab_file(const std::string& lab_name);
+/// What the student writes: every .cpp and .hpp in the lab's folder, such as
+/// labs/lab3_hill_climbing/hill_climbing.cpp, sorted by name.
+std::vector<std::filesystem::path> lab_files(const std::string& lab_name);
 
-/// The pristine starter's text: from .starters/ in a students' copy, else as last committed.
-/// Throws std::runtime_error where there is neither.
-std::string starter_text(const std::string& lab_name);
+/// Tells whether lab_files() have changed: their SHA-256, one after the other.
+std::string fingerprint(const std::string& lab_name);
 
-/// Whether the student's file still is the starter; false where no starter is known.
+/// Whether the student's files still are the starter; false where no starter is known.
 bool is_untouched(const std::string& lab_name);
 
-/// Puts the starter in place of the student's file, which stays beside it
-/// as topic.cpp.bak-1, -2, ...
-/// @return the backup; empty when the file was the starter already
-std::filesystem::path reset_to_starter(const std::string& lab_name);
+/// Puts the starter in place of the student's files. Those that were another text stay beside it as
+/// topic.cpp.bak-1, -2, ...
+/// Throws std::runtime_error where no starter is known: it is in .starters/ of a students' copy, else
+/// as last committed.
+/// @return the backups; none when the files were the starter already
+std::vector<std::filesystem::path> reset_to_starter(const std::string& lab_name);
 
 /// Whether a file in a folder, or further down, was written after a moment.
 bool has_newer_file(const std::filesystem::path& folder, std::filesystem::file_time_type moment);

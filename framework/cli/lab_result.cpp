@@ -33,7 +33,7 @@ void ask_sanitizers_for_places() {
   setenv("ASAN_OPTIONS", "handle_abort=1", keep_the_users);
 }
 
-/// A test that is blocked waits for another lab's file.
+/// A test that is blocked waits for another lab's files.
 bool waits_for_other_labs(const LabResult& result) {
   return std::any_of(result.verdicts.begin(), result.verdicts.end(),
                      [](const Verdict& verdict) { return verdict.kind == Verdict::Kind::Blocked; });
@@ -52,7 +52,7 @@ Json to_json(const LabResult& result) {
                      {"seconds", verdict.seconds}});
   }
   return {{"lab", result.lab_name},
-          {"file_sha256", result.file_hash},
+          {"fingerprint", result.fingerprint},
           {"points", result.points()},
           {"earned", result.earned()},
           {"compile_error", result.compile_error},
@@ -60,7 +60,7 @@ Json to_json(const LabResult& result) {
 }
 
 LabResult from_json(const Json& json) {
-  LabResult result{json.at("lab"), json.at("file_sha256"), json.at("compile_error"), {}};
+  LabResult result{json.at("lab"), json.at("fingerprint"), json.at("compile_error"), {}};
   for (const Json& row : json.at("tests")) {
     result.verdicts.push_back({{row.at("test"), row.at("step"), row.at("points"), row.at("long")},
                                verdict_kind(row.at("status")),
@@ -95,11 +95,11 @@ std::optional<LabResult> remembered_result(const std::string& lab_name) {
   std::ifstream stream(result_file(lab_name));
   if (!stream) return std::nullopt;
   const Json json = Json::parse(stream, nullptr, false);
-  if (json.is_discarded()) return std::nullopt;
+  if (!json.contains("fingerprint")) return std::nullopt;  // unreadable, or of an older version
   LabResult result = from_json(json);
   const fs::file_time_type written = fs::last_write_time(result_file(lab_name));
   const fs::path root = project_root();
-  const bool stale = result.file_hash != sha256(lab_file(lab_name)) ||
+  const bool stale = result.fingerprint != fingerprint(lab_name) ||
                      has_newer_file(root / "framework", written) ||
                      has_newer_file(root / "tests" / lab_name, written) ||
                      (waits_for_other_labs(result) && has_newer_file(root / "labs", written));
@@ -124,7 +124,7 @@ LabResult result_of(const std::string& lab_name) {
 }
 
 LabResult result_of_starter(const std::string& lab_name) {
-  LabResult result{lab_name, sha256(lab_file(lab_name)), "", {}};
+  LabResult result{lab_name, fingerprint(lab_name), "", {}};
   for (const GradedTest& test : graded_tests(lab_name)) {
     result.verdicts.push_back({test, Verdict::Kind::Failed, "", 0});
   }

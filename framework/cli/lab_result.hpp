@@ -1,6 +1,6 @@
 #pragma once
 /// @file lab_result.hpp
-/// How a lab stands: graded when its file has changed, else remembered in build/results/labN.json.
+/// How a lab stands: graded when its files have changed, else remembered in build/results/labN.json.
 
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@ namespace cs550::cli {
 
 struct LabResult {
   std::string lab_name;
-  std::string file_hash;      ///< of the file that was graded
+  std::string fingerprint;    ///< of the files that were graded
   std::string compile_error;  ///< the compiler's first error; empty when it compiled
   std::vector<Verdict> verdicts;
 
@@ -22,7 +22,7 @@ struct LabResult {
   std::optional<Verdict> next_failure() const;
 };
 
-/// What is remembered of a lab, if neither its file nor its tests nor the framework have changed.
+/// What is remembered of a lab, if neither its files nor its tests nor the framework have changed.
 std::optional<LabResult> remembered_result(const std::string& lab_name);
 
 void remember(const LabResult& result);

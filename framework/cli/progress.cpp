@@ -37,7 +37,7 @@ struct ProgressOptions {
 /// All labs, and the first of them that is not finished.
 struct Progress {
   std::vector<LabResult> labs;
-  std::set<std::string> untouched;  ///< labs whose file is still the starter
+  std::set<std::string> untouched;  ///< labs that are still the starter
   std::optional<std::size_t> next;
   std::set<int> milestones;  ///< labs whose milestones the assembled engine reaches
 };
@@ -208,11 +208,13 @@ constexpr int whole_message = 1000;
 
 /// When each lab file was last saved. Asking the file system is enough for so few files, and works
 /// where file events do not, as on Windows drives under WSL.
-std::map<std::string, fs::file_time_type> times_of_saving() {
-  std::map<std::string, fs::file_time_type> times;
+std::map<fs::path, fs::file_time_type> times_of_saving() {
+  std::map<fs::path, fs::file_time_type> times;
   for (const std::string& name : lab_names()) {
-    std::error_code absent;  // for an instant, while an editor replaces it
-    times[name] = fs::last_write_time(lab_file(name), absent);
+    for (const fs::path& file : lab_files(name)) {
+      std::error_code absent;  // for an instant, while an editor replaces it
+      times[file] = fs::last_write_time(file, absent);
+    }
   }
   return times;
 }

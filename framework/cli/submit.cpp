@@ -52,11 +52,12 @@ bool compiles(int lab) {
 Json manifest(const std::vector<std::string>& labs) {
   Json files = Json::array();
   for (const std::string& name : labs) {
-    const fs::path file = lab_file(name);
-    files.push_back({{"lab", lab_number(name)},
-                     {"file", fs::relative(file, project_root()).string()},
-                     {"sha256", sha256(file)},
-                     {"bytes", fs::file_size(file)}});
+    for (const fs::path& file : lab_files(name)) {
+      files.push_back({{"lab", lab_number(name)},
+                       {"file", fs::relative(file, project_root()).string()},
+                       {"sha256", sha256(file)},
+                       {"bytes", fs::file_size(file)}});
+    }
   }
   return {{"format", 1}, {"date", date()}, {"starter", starter_version()}, {"files", files}};
 }
@@ -107,10 +108,8 @@ int run_submit(const SubmitOptions& options) {
   }
   const std::vector<std::string> labs = labs_to_pack(options);
   if (labs.empty() || (options.lab && !options.force && is_untouched(labs.front()))) {
-    std::cerr << "cs550: "
-              << (labs.empty() ? "every lab file is"
-                               : "the file of lab " + std::to_string(*options.lab) + " is")
-              << " still the untouched starter. To pack it all the same: --force\n";
+    std::cerr << "cs550: " << (labs.empty() ? "every lab" : "lab " + std::to_string(*options.lab))
+              << " is still the untouched starter. To pack it all the same: --force\n";
     return Failed;
   }
   for (const std::string& name : labs) {
@@ -133,7 +132,7 @@ Action declare_submit(CLI::App& app) {
   app.add_option("N", options->lab, "number of the lab; without it every lab that was begun")
       ->check(fault_of_lab_number);
   app.add_option("--out", options->out, "the zip file to write; labN.zip if not given");
-  app.add_flag("--force", options->force, "pack a file even if it is the untouched starter");
+  app.add_flag("--force", options->force, "pack a lab even if it is the untouched starter");
   return [options] { return run_submit(*options); };
 }
 

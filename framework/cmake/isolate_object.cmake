@@ -25,29 +25,43 @@ function(demangle symbols result)
   set(${result} "${names}" PARENT_SCOPE)
 endfunction()
 
-function(isolate)
-  cmake_path(REMOVE_EXTENSION OUTPUT LAST_ONLY OUTPUT_VARIABLE stem)
+# Puts the objects together; `result` becomes what is wrong: two may define the same function.
+function(merge_objects output result)
+  cmake_path(REMOVE_EXTENSION output LAST_ONLY OUTPUT_VARIABLE stem)
   file(WRITE "${stem}.ld" "SECTIONS { cs550_${VARIANT}_lab${LAB} : { *(.text .text.*) } }\n")
   # Groups must become ordinary sections first: a plain -r link would drop this lab's copy of an
   # inline function in favour of another lab's.
-  execute_process(COMMAND "${LINKER}" -r --force-group-allocation -T "${stem}.ld"
-                          -o "${stem}.merged.o" ${OBJECTS} COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND "${OBJCOPY}" "--keep-global-symbols=${SYMBOLS}"
-                          "${stem}.merged.o" "${OUTPUT}" COMMAND_ERROR_IS_FATAL ANY)
-  file(REMOVE "${stem}.merged.o")
+  execute_process(COMMAND "${LINKER}" -r --force-group-allocation -T "${stem}.ld" -o "${output}"
+                          ${OBJECTS} RESULT_VARIABLE code ERROR_VARIABLE message)
+  if(code)
+    set(${result} "${message}" PARENT_SCOPE)
+  endif()
 endfunction()
 
 list(GET SOURCES 0 source)
-cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${ROOT}")
-missing_functions(missing)
+cmake_path(GET source PARENT_PATH folder)
+cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${ROOT}")
 
-if(NOT missing)
-  isolate()
+set(wrong "")
+missing_functions(missing)
+if(missing)
+  demangle("${missing}" names)
+  set(wrong "${folder} does not define, exactly as its header declares it:\n  ${names}")
+else()
+  merge_objects("${OUTPUT}.merged" trouble)
+  if(trouble)
+    set(wrong "The files of ${folder} cannot be linked together:\n${trouble}")
+  endif()
+endif()
+
+if(NOT wrong)
+  execute_process(COMMAND "${OBJCOPY}" "--keep-global-symbols=${SYMBOLS}"
+                          "${OUTPUT}.merged" "${OUTPUT}" COMMAND_ERROR_IS_FATAL ANY)
 elseif(FALLBACK)
-  message(NOTICE "Lab ${LAB}: ${source} is not complete or does not compile; "
+  message(NOTICE "Lab ${LAB}: ${folder} is not complete or does not compile; "
                  "its starter is linked in its place.")
   file(COPY_FILE "${FALLBACK}" "${OUTPUT}")
 else()
-  demangle("${missing}" names)
-  message(FATAL_ERROR "${source} does not define, exactly as its header declares it:\n  ${names}")
+  message(FATAL_ERROR "${wrong}")
 endif()
+file(REMOVE "${OUTPUT}.merged")

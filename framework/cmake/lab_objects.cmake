@@ -1,7 +1,7 @@
 # A lab is found by its number and topic. Up to five variants of its code exist:
-#   student    labs/labN_topic/topic.cpp
-#   assembled  the same file; where it does not compile or lacks a function, a pristine stub
-#   stub       .starters/labN_topic/topic.cpp in a students' copy, else labs/labN_topic/topic.cpp
+#   student    labs/labN_topic/*.cpp
+#   assembled  the same files; where one does not compile or a function lacks, a pristine stub
+#   stub       .starters/labN_topic/*.cpp in a students' copy, else labs/labN_topic/*.cpp
 #   reference  solutions/labN_topic/*.cpp
 #   fast       the reference, where solutions/labN_topic/fast/*.cpp replaces the files of the same name
 # Each becomes one object file that exports nothing but the functions of the contract, so that two
@@ -36,15 +36,14 @@ macro(cs550_find_lab number topic)
   set(${lab}_TOPIC ${topic})
   set(${lab}_NAME lab${number}_${topic})
   set(${lab}_VARIANTS "")
-  set(path "${PROJECT_SOURCE_DIR}/@@/${${lab}_NAME}/${topic}.cpp")
-  string(REPLACE "@@" "labs" student_file "${path}")
-  string(REPLACE "@@" ".starters" stub_file "${path}")
-  if(NOT EXISTS "${stub_file}")
-    set(stub_file "${student_file}")
-  endif()
   set(solution "${PROJECT_SOURCE_DIR}/solutions/${${lab}_NAME}")
-  file(GLOB ${lab}_student_SOURCES CONFIGURE_DEPENDS "${student_file}")
-  file(GLOB ${lab}_stub_SOURCES CONFIGURE_DEPENDS "${stub_file}")
+  file(GLOB ${lab}_student_SOURCES CONFIGURE_DEPENDS
+       "${PROJECT_SOURCE_DIR}/labs/${${lab}_NAME}/*.cpp")
+  file(GLOB ${lab}_stub_SOURCES CONFIGURE_DEPENDS
+       "${PROJECT_SOURCE_DIR}/.starters/${${lab}_NAME}/*.cpp")
+  if(NOT ${lab}_stub_SOURCES)
+    set(${lab}_stub_SOURCES "${${lab}_student_SOURCES}")
+  endif()
   file(GLOB ${lab}_reference_SOURCES CONFIGURE_DEPENDS "${solution}/*.cpp")
   cs550_find_fast_sources(${lab}_fast_SOURCES "${solution}" "${${lab}_reference_SOURCES}")
   set(${lab}_assembled_SOURCES "${${lab}_student_SOURCES}")
@@ -77,7 +76,7 @@ function(cs550_has_variant result number variant)
   endif()
 endfunction()
 
-# The assembled engine falls back on the stub, where that is another file than the student's.
+# The assembled engine falls back on the stub, where that is other files than the student's.
 function(cs550_has_fallback result number variant)
   set(lab CS550_LAB${number})
   if(variant STREQUAL "assembled" AND CS550_ISOLATE_LABS
@@ -112,7 +111,7 @@ function(cs550_compile_lab number variant)
     target_compile_options(${target} PRIVATE -Wmissing-declarations)
   endif()
   if(variant STREQUAL "stub")
-    # It speaks of the file that is to be edited, wherever it was kept. The last mapping wins.
+    # It speaks of the files that are to be edited, wherever they were kept. The last mapping wins.
     set(as_edited_file "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/"
                        "-ffile-prefix-map=${way_to_root}/.starters/=labs/")
     set_source_files_properties(${CS550_LAB${number}_stub_SOURCES} PROPERTIES

@@ -1,6 +1,7 @@
 /// @file half_edge_mesh.cpp
-/// Lab 2: from triangles to a closed mesh of convex polygons. The handout is README.md, beside this
-/// file; what each function promises stands in framework/include/cs550/half_edge_mesh.hpp.
+/// Lab 2, L2.1 to L2.5: from triangles to a closed mesh; merging.cpp goes on from here. The handout is
+/// README.md, beside this file; what each function promises stands in
+/// framework/include/cs550/half_edge_mesh.hpp.
 
 #include "cs550/half_edge_mesh.hpp"
 
@@ -81,30 +82,18 @@ MeshBuild build_half_edge_mesh(std::span<const Vec3> vertices,
   return {mesh, {}};
 }
 
-Plane face_plane([[maybe_unused]] const HalfEdgeMesh& mesh, [[maybe_unused]] Index face) {
-  // L2.5, step 1: the centroid of the face's vertices. Beware of coordinates that are large beside
-  //               the face: what is small to begin with can be summed without loss.
-  // L2.5, step 2: sum the cross products of the header over the edges of the face.
+Plane polygon_plane([[maybe_unused]] std::span<const Vec3> corners) {
+  // L2.5, step 1: the centroid of the corners. Beware of coordinates that are large beside the
+  //               polygon: what is small to begin with can be summed without loss.
+  // L2.5, step 2: sum the cross products of the header over the edges of the polygon.
   // L2.5, step 3: a unit normal, and the offset at which the plane goes through the centroid.
   // See README.md, L2.5.
   throw NotImplemented("L2.5");
 }
 
-HalfEdgeMesh merge_coplanar_faces([[maybe_unused]] const HalfEdgeMesh& mesh,
-                                  [[maybe_unused]] Real tolerance) {
-  // L2.6, step 1: how far may a vertex be from a plane, in metres, in a mesh of this size?
-  // L2.6, step 2: visit the edges in an order that does not depend on their numbers.
-  // L2.6, step 3: write down the loop that the two faces would have without the edge. Decide with
-  //               *its* plane, before you change anything, whether it may be a face.
-  // L2.6, step 4: link the loop, and mark the edge and its twin as removed.
-  // L2.6, step 5: make a mesh of what is left, with new numbers and new planes.
-  //
-  // L2.7, step 1: the loop of step 3 may run along an edge and straight back. What is that edge?
-  // L2.7, step 2: the loop may have a dent which other faces of the same plane fill.
-  // L2.7, step 3: a vertex may be left with two edges on a straight line. Two faces lose it.
-  // L2.7, step 4: what must hold so that a second call finds nothing to do?
-  // See README.md, L2.6 and L2.7.
-  throw NotImplemented("L2.6");
+Plane face_plane([[maybe_unused]] const HalfEdgeMesh& mesh, [[maybe_unused]] Index face) {
+  // L2.5, step 4: the corners of the face, in the order of its loop, and the plane of that polygon.
+  throw NotImplemented("L2.5");
 }
 
 }  // namespace cs550

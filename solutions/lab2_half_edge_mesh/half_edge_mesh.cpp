@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "newell.hpp"
-
 namespace cs550 {
 
 namespace {
@@ -198,28 +196,27 @@ MeshBuild build_half_edge_mesh(std::span<const Vec3> vertices,
   return {std::move(mesh), {}};
 }
 
-Plane face_plane(const HalfEdgeMesh& mesh, Index face) {
-  std::vector<Vec3> polygon;
-  for (Index e : face_edges(mesh, face)) polygon.push_back(mesh.vertex(mesh.origin(e)));
-  return lab2::newell_plane(polygon);
-}
-
-}  // namespace cs550
-
-cs550::Plane lab2::newell_plane(const std::vector<cs550::Vec3>& polygon) {
-  using namespace cs550;
-  // Relative to a point of the polygon, so that a body far from the origin loses no digits.
+Plane polygon_plane(std::span<const Vec3> corners) {
+  // Relative to a corner, so that a body far from the origin loses no digits.
   Vec3 centroid = Vec3::Zero();
-  for (const Vec3& point : polygon) centroid += point - polygon.front();
-  centroid = polygon.front() + centroid / Real(polygon.size());
+  for (const Vec3& corner : corners) centroid += corner - corners.front();
+  centroid = corners.front() + centroid / Real(corners.size());
 
   Vec3 normal = Vec3::Zero();
-  Vec3 a = polygon.back() - centroid;
-  for (const Vec3& point : polygon) {
-    const Vec3 b = point - centroid;
+  Vec3 a = corners.back() - centroid;
+  for (const Vec3& corner : corners) {
+    const Vec3 b = corner - centroid;
     normal += a.cross(b);
     a = b;
   }
   normal.normalize();
   return {normal, normal.dot(centroid)};
 }
+
+Plane face_plane(const HalfEdgeMesh& mesh, Index face) {
+  std::vector<Vec3> corners;
+  for (Index e : face_edges(mesh, face)) corners.push_back(mesh.vertex(mesh.origin(e)));
+  return polygon_plane(corners);
+}
+
+}  // namespace cs550

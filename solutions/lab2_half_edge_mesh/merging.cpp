@@ -6,11 +6,8 @@
 #include <tuple>
 
 #include "cs550/half_edge_mesh.hpp"
-#include "newell.hpp"
 
 namespace cs550 {
-
-using lab2::newell_plane;
 
 namespace {
 
@@ -70,7 +67,7 @@ class CoplanarMerger {
       if (is_removed(e)) continue;
       if (const std::optional<Union> merged = grow_across(e)) try_merge(*merged);
     }
-    return compact();
+    return finished();
   }
 
  private:
@@ -125,7 +122,7 @@ class CoplanarMerger {
   bool is_face(const std::vector<Vec3>& polygon) const {
     const std::size_t n = polygon.size();
     if (n < 3) return false;
-    const Plane plane = newell_plane(polygon);
+    const Plane plane = polygon_plane(polygon);
     if (!is_flat(polygon, plane)) return false;
     for (std::size_t i = 0; i < n; ++i) {
       if (is_dent(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], plane.normal)) {
@@ -163,7 +160,7 @@ class CoplanarMerger {
       if (merged.outline.size() < 3) return std::nullopt;
 
       const std::vector<Vec3> polygon = corners(merged.outline);
-      const Plane plane = newell_plane(polygon);
+      const Plane plane = polygon_plane(polygon);
       const bool looks_one_way =
           std::all_of(merged.faces.begin(), merged.faces.end(),
                       [&](Index f) { return mesh_.face(f).plane.normal.dot(plane.normal) > 0; });
@@ -216,7 +213,6 @@ class CoplanarMerger {
       prev = e;
     }
     mesh_.faces[face].edge = prev;
-    mesh_.faces[face].plane = newell_plane(corners(merged.outline));
   }
 
   /// Removes a vertex of degree two: the half-edges into it are lengthened past it.
@@ -233,39 +229,9 @@ class CoplanarMerger {
     mesh_.edges[mesh_.edge(out ^ 1).prev].next = in ^ 1;
   }
 
-  /// The mesh without what was removed; the rest keeps its order.
-  HalfEdgeMesh compact() const {
-    std::vector<Index> new_edge(mesh_.edges.size(), no_index);
-    std::vector<Index> new_face(mesh_.faces.size(), no_index);
-    std::vector<Index> new_vertex(mesh_.vertices.size(), no_index);
-    HalfEdgeMesh result;
-
-    for (Index e = 0; e < mesh_.edge_count(); ++e) {
-      if (is_removed(e)) continue;
-      new_edge[e] = result.edge_count();
-      new_vertex[mesh_.edge(e).vertex] = 0;  // used
-      result.edges.push_back(mesh_.edge(e));
-    }
-    for (Index f = 0; f < mesh_.face_count(); ++f) {
-      if (mesh_.face(f).edge == no_index) continue;
-      new_face[f] = result.face_count();
-      result.faces.push_back({.edge = new_edge[mesh_.face(f).edge], .plane = {}});
-    }
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      if (new_vertex[v] == no_index) continue;
-      new_vertex[v] = result.vertex_count();
-      result.vertices.push_back(mesh_.vertex(v));
-    }
-
-    for (HalfEdge& edge : result.edges) {
-      edge = {.vertex = new_vertex[edge.vertex],
-              .next = new_edge[edge.next],
-              .prev = new_edge[edge.prev],
-              .twin = new_edge[edge.twin],
-              .face = new_face[edge.face]};
-    }
-    result.vertex_edge.resize(result.vertices.size());
-    for (Index e = 0; e < result.edge_count(); ++e) result.vertex_edge[result.origin(e)] = e;
+  /// The mesh of what is left, with the planes that its faces now have.
+  HalfEdgeMesh finished() const {
+    HalfEdgeMesh result = without_removed(mesh_);
     for (Index f = 0; f < result.face_count(); ++f) {
       result.faces[f].edge = lowest_edge(result, f);
       result.faces[f].plane = face_plane(result, f);

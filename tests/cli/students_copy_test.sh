@@ -31,7 +31,7 @@ echo "  none of $secrets"
 
 echo "Pristine starters, and nothing of the instructor's:"
 for lab in "$copy"/labs/lab*; do
-  cmp "$lab"/*.cpp "$copy/.starters/${lab##*/}"/*.cpp
+  for file in "$lab"/*.cpp; do cmp "$file" "$copy/.starters/${lab##*/}/${file##*/}"; done
 done
 found=$(cd "$copy" && find solutions tests -name hidden -o -name mutants -o -path 'solutions/*') 2>/dev/null || true
 [ -z "$found" ] || wrong "the copy has" "$found"
@@ -44,7 +44,7 @@ history=$(git -C "$copy" log --all --format='%an %ae %s')
 ! CS550_ROOT=$root "$program" starter "$copy" 2>/dev/null || wrong "a folder in use was taken"
 
 echo "Its tests are the visible ones, and a broken lab stops no other:"
-echo 'int broken = ;' >>"$(echo "$copy"/labs/lab2_*/*.cpp)"
+echo 'int broken = ;' >>"$(echo "$copy"/labs/lab2_*/merging.cpp)"
 cmake -S "$copy" -B "$copy/build" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >"$list/configure.log"
 ctest --test-dir "$copy/build" -N -L '^student$' | sed -n 's/.*: student\.//p' | sort >"$list/tests"
 for manifest in "$root"/tests/lab*/manifest.json; do

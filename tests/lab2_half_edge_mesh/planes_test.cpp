@@ -111,7 +111,7 @@ GRADED_TEST(Lab2, NewellFindsThePlaneOfRegularPolygons, 3, "L2.5") {
 
 GRADED_TEST(Lab2, NewellIsNotSpoiledByShortEdgesOrReflexCorners, 3, "L2.5") {
   Story story("The plane comes from all edges, each by the area that it spans with the centroid");
-  story.when("face_plane(), with every corner once the first")
+  story.when("polygon_plane(), with every corner once the first")
       .likely(
           "the cross product of the first two edges sees three corners only: they may lie on a "
           "line, turn inward, or be a micrometre apart")
@@ -136,7 +136,7 @@ GRADED_TEST(Lab2, NewellIsNotSpoiledByShortEdgesOrReflexCorners, 3, "L2.5") {
     const Vec3d normal = area_vector(polygon).normalized();
     const double offset = normal.dot(centroid(polygon));
     for (std::size_t first = 0; first < polygon.size(); ++first) {
-      const Plane plane = face_plane(two_sided(polygon), 0);
+      const Plane plane = polygon_plane(polygon);
       Story here = story;
       here.given(each.name).given("first corner", polygon.front(), "m");
       // A few roundings of numbers up to 16 m², over areas of at least 4 m².

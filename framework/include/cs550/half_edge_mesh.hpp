@@ -177,10 +177,20 @@ struct MeshBuild {
 /// @param triangles counter-clockwise seen from outside
 MeshBuild build_half_edge_mesh(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 
-/// **L2.5** The plane of a polygonal face by Newell's method: the normal is the sum over its edges
-/// (a, b) of (a − c) × (b − c), normalised, which no single short edge or reflex corner spoils; the
-/// offset is that of the centroid c of its vertices. Newell, Newell & Sancha (1972); Ericson §12.4.1.
+/// **L2.5** The plane of a polygon by Newell's method: the normal is the sum over its edges (a, b) of
+/// (a − c) × (b − c), normalised, which no single short edge or reflex corner spoils; the offset is
+/// that of the centroid c of its corners. Newell, Newell & Sancha (1972); Ericson §12.4.1.
+/// @param corners counter-clockwise seen from where the normal points to, any frame (m); three or more
+Plane polygon_plane(std::span<const Vec3> corners);
+
+/// **L2.5** The plane of a face: polygon_plane() of its corners, in the order of its loop.
 Plane face_plane(const HalfEdgeMesh& mesh, Index face);
+
+/// Given: the mesh without what is marked as removed, which are half-edges whose `face` and faces
+/// whose `edge` is no_index, and the vertices that no half-edge points to any more. An edge goes when
+/// both of its halves are marked. What stays keeps its order and its planes, and gets new numbers;
+/// vertex_edge is made anew. A link to something removed becomes no_index, for validate() to find.
+HalfEdgeMesh without_removed(const HalfEdgeMesh& mesh);
 
 /// The default tolerance of merge_coplanar_faces(), relative to the size of the mesh.
 inline constexpr Real coplanar_tolerance = Real(1e-5);
