@@ -18,7 +18,7 @@ set(lab_folder "${PROJECT_BINARY_DIR}/labs")
 
 cs550_precompiled_headers(precompiled_for_labs
   LIBRARIES cs550_contract cs550_isolable cs550_student_warnings
-  HEADERS <cs550/math.hpp> <vector>)
+  HEADERS <cs550/math.hpp> <vector> "${CMAKE_CURRENT_LIST_DIR}/common_expressions.hpp")
 
 macro(cs550_lab number topic)
   cs550_find_lab(${number} ${topic})
