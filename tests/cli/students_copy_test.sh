@@ -61,5 +61,13 @@ for expected in lab1:assembled lab2:stub lab3:assembled; do
   objdump -h "$copy/build/labs/${lab}_assembled.o" | grep -q "cs550_${origin}_$lab" ||
     wrong "the engine should run on the $origin object of $lab" "$(cat "$list/build.log")"
 done
+cp "$copy"/labs/lab3_*/hill_climbing.cpp "$(echo "$copy"/labs/lab3_*)/again.cpp"
+! cmake --build "$copy/build" --target lab3_student_object >"$list/build.log" 2>&1 ||
+  wrong "two files of a lab may not define the same function"
+grep -q "defines in more than one of its .cpp files" "$list/build.log" ||
+  wrong "it should say which functions are defined twice" "$(cat "$list/build.log")"
+cmake --build "$copy/build" --target lab3_assembled_object >"$list/build.log"
+objdump -h "$copy/build/labs/lab3_assembled.o" | grep -q cs550_stub_lab3 ||
+  wrong "the engine should run on the starter of a lab whose files do not fit together"
 echo "  $(wc -l <"$list/tests") tests; the labs build"
 rm -rf "$copy" "$list"
