@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <thread>
 
 #include "crash_report.hpp"
@@ -22,18 +21,6 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 namespace {
-
-Json manifest(const std::string& lab_name) {
-  const fs::path file = project_root() / "tests" / lab_name / "manifest.json";
-  std::ifstream stream(file);
-  if (!stream)
-    throw std::runtime_error(lab_name + " has no graded tests yet (no " + file.string() + ")");
-  return Json::parse(stream);
-}
-
-bool has_hidden_tests(const std::string& lab_name) {
-  return fs::exists(project_root() / "tests" / lab_name / "hidden");
-}
 
 /// `--gtest_filter=Lab3.A:Lab3.B`
 std::string filter(int lab, const std::vector<GradedTest>& tests) {
@@ -163,41 +150,6 @@ std::vector<Verdict> run_share(const fs::path& program, int lab,
 }
 
 }  // namespace
-
-std::string to_string(Verdict::Kind kind) {
-  switch (kind) {
-    case Verdict::Kind::Passed:
-      return "passed";
-    case Verdict::Kind::Blocked:
-      return "blocked";
-    case Verdict::Kind::Failed:
-      return "failed";
-  }
-  return {};
-}
-
-Verdict::Kind verdict_kind(const std::string& word) {
-  if (word == "passed") return Verdict::Kind::Passed;
-  if (word == "blocked") return Verdict::Kind::Blocked;
-  return Verdict::Kind::Failed;
-}
-
-std::vector<GradedTest> graded_tests(const std::string& lab_name) {
-  const bool with_hidden = has_hidden_tests(lab_name);
-  const Json listed = manifest(lab_name).at("tests");
-  std::vector<GradedTest> tests;
-  for (const Json& test : listed) {
-    if (test.at("hidden") && !with_hidden) continue;
-    tests.push_back({test.at("name"), test.at("step"), test.at("points"), test.at("long")});
-  }
-  std::stable_sort(tests.begin(), tests.end(),
-                   [](const GradedTest& a, const GradedTest& b) { return a.step < b.step; });
-  return tests;
-}
-
-int points_graded_elsewhere(const std::string& lab_name) {
-  return has_hidden_tests(lab_name) ? 0 : manifest(lab_name).at("points").at("hidden").get<int>();
-}
 
 std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
                                       const std::vector<GradedTest>& tests,

@@ -12,6 +12,7 @@
 #include "lab_files.hpp"
 #include "lab_report.hpp"
 #include "lab_result.hpp"
+#include "manifest.hpp"
 #include "process.hpp"
 #include "project.hpp"
 #include "terminal.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "graded_run.hpp"
+#include "verdict.hpp"
 
 namespace cs550::cli {
 

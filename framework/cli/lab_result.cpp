@@ -6,7 +6,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "graded_run.hpp"
 #include "lab_files.hpp"
+#include "manifest.hpp"
 #include "process.hpp"
 #include "project.hpp"
 #include "quiet_build.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "graded_run.hpp"
+#include "verdict.hpp"
 
 namespace cs550::cli {
 
@@ -18,6 +18,7 @@ struct LabResult {
 
   int earned() const;
   int points() const;
+  bool is_finished() const { return earned() == points(); }
   /// The first test that does not pass, by step; none when all do or nothing was run.
   std::optional<Verdict> next_failure() const;
 };

@@ -1,0 +1,23 @@
+#include "verdict.hpp"
+
+namespace cs550::cli {
+
+std::string to_string(Verdict::Kind kind) {
+  switch (kind) {
+    case Verdict::Kind::Passed:
+      return "passed";
+    case Verdict::Kind::Blocked:
+      return "blocked";
+    case Verdict::Kind::Failed:
+      return "failed";
+  }
+  return {};
+}
+
+Verdict::Kind verdict_kind(const std::string& word) {
+  if (word == "passed") return Verdict::Kind::Passed;
+  if (word == "blocked") return Verdict::Kind::Blocked;
+  return Verdict::Kind::Failed;
+}
+
+}  // namespace cs550::cli
