@@ -8,7 +8,8 @@ target_sources(tests_cli PRIVATE "${PROJECT_SOURCE_DIR}/framework/cli/crash_repo
                                  "${PROJECT_SOURCE_DIR}/framework/cli/graded_run.cpp"
                                  "${PROJECT_SOURCE_DIR}/framework/cli/process.cpp"
                                  "${PROJECT_SOURCE_DIR}/framework/cli/project.cpp"
-                                 "${PROJECT_SOURCE_DIR}/framework/cli/terminal.cpp")
+                                 "${PROJECT_SOURCE_DIR}/framework/cli/terminal.cpp"
+                                 "${PROJECT_SOURCE_DIR}/framework/cli/verdict.cpp")
 
 if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutions")
   add_test(NAME cli.students_copy
