@@ -55,8 +55,8 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   write_students_copy(draft.path(), options.released);
   const CopyUpdate update = update_copy(folder, draft.path());
   warn_of_uncommitted_changes();
-  std::cout << update.files_replaced << " files were replaced, " << update.kept.size()
-            << " changed lab files were kept. Nothing was committed.\n";
+  std::cout << "Files replaced: " << update.files_replaced
+            << "; changed lab files kept: " << update.kept.size() << ". Nothing was committed.\n";
   for (const std::string& file : update.conflicts) {
     std::cout << "conflict: " << file << " was changed here, and its starter is a new one:\n"
               << "          compare it with .starters/"
