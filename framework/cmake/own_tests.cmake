@@ -32,7 +32,7 @@ include(\"${list_script}\")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${list_file}")
 endfunction()
 
-foreach(folder framework engine drawing autograder)
+foreach(folder framework serialisation engine drawing autograder)
   cs550_add_own_tests(${folder})
 endforeach()
 cs550_add_own_tests(milestones cs550_milestones)

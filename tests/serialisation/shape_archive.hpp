@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "support/cereal_types.hpp"
+#include "serialisation/cereal_types.hpp"
 
 namespace cs550::test {
 

@@ -1,0 +1,26 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "serialisation/shape_archive.hpp"
+#include "support/fixtures.hpp"
+
+namespace cs550::test {
+namespace {
+
+TEST(Serialisation, AShapeIsNamedByItsContent) {
+  const ShapePtr cube = fixture_shape("cube");
+  const ShapePtr twin = make_shape(fixture_mesh("cube")).shape;
+  EXPECT_EQ(content_hash(*cube), content_hash(*twin));
+  EXPECT_NE(content_hash(*cube), content_hash(*fixture_shape("needle")));
+  EXPECT_LT(to_bytes(PosedShape{cube.get(), {}}).size(), 50U);
+}
+
+TEST(Serialisation, AShapeThatWasNeverSentIsMissed) {
+  const std::string bytes = to_bytes(PosedShape{fixture_shape("cube").get(), {}});
+  EXPECT_THROW(from_bytes<PosedShape>(bytes, {}), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace cs550::test

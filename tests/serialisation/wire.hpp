@@ -1,0 +1,115 @@
+#pragma once
+/// @file wire.hpp
+/// Calls across a wire: the arguments of a lab's function become bytes, the function is called with
+/// what is read from them, and its answer comes back as bytes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "serialisation/shape_archive.hpp"
+#include "support/fixtures.hpp"
+
+namespace cs550::test {
+
+/// What a parameter becomes while it waits to be passed: a value that owns all that it says.
+template <class P>
+struct Parameter {
+  using Stored = std::remove_cvref_t<P>;
+  static P pass(Stored& stored) { return stored; }
+};
+template <class T>
+struct Parameter<std::span<T>> {
+  using Stored = std::vector<std::remove_const_t<T>>;
+  static std::span<T> pass(Stored& stored) { return stored; }
+};
+template <class T>
+struct Parameter<T*> {
+  using Stored = T;
+  static T* pass(Stored& stored) { return &stored; }
+};
+
+template <class... P>
+using Arguments = std::tuple<typename Parameter<P>::Stored...>;
+
+/// Calls a function; its answer is what it returns, and the arguments, which it may have changed.
+template <class R, class... P>
+auto answer(R (*function)(P...), Arguments<P...> arguments) {
+  const auto call = [&](auto&... stored) { return function(Parameter<P>::pass(stored)...); };
+  if constexpr (std::is_void_v<R>) {
+    std::apply(call, arguments);
+    return arguments;
+  } else {
+    const R result = std::apply(call, arguments);
+    return std::tuple_cat(std::tuple<R>(result), arguments);
+  }
+}
+
+/// Two overlapping bodies, whose shapes the receiver of a call has.
+struct TwoBodies {
+  ShapePtr cube = fixture_shape("cube");
+  ShapePtr hull = fixture_shape("dodecahedron");
+  PosedShape a{cube.get(), {{0.1F, 0.2F, 0.3F}, rotation_exp({0.5F, 0.6F, 0.7F})}};
+  PosedShape b{hull.get(), {{1.2F, 0.9F, 1.0F}, rotation_exp({-1, 2, 0.5F})}};
+  ShapeRegistry known;
+
+  TwoBodies() {
+    known.add(cube);
+    known.add(hull);
+  }
+};
+
+inline const TwoBodies& two_bodies() {
+  static const TwoBodies bodies;
+  return bodies;
+}
+
+template <class R, class... P>
+void expect_same_across_wire(R (*function)(P...), typename Parameter<P>::Stored... stored) {
+  const ShapeRegistry& known = two_bodies().known;
+  const Arguments<P...> arguments(stored...);
+  const auto direct = answer(function, arguments);
+
+  const std::string request = to_bytes(arguments);
+  const auto received = from_bytes<Arguments<P...>>(request, known);
+  const std::string reply = to_bytes(answer(function, received));
+  const auto restored = from_bytes<std::remove_const_t<decltype(direct)>>(reply, known);
+
+  EXPECT_EQ(to_bytes(restored), to_bytes(direct));
+  EXPECT_EQ(to_bytes(received), request);
+}
+
+/// Calls a lab's function here and across the wire. coverage_test.cpp looks for this word.
+#define EXPECT_SAME_ACROSS_WIRE(function, ...)      \
+  do {                                              \
+    SCOPED_TRACE(#function);                        \
+    expect_same_across_wire(function, __VA_ARGS__); \
+  } while (false)
+
+/// Sends a value whose every byte is 1 to where every byte is 0. Members are words of four bytes, or
+/// smaller with padding around them: a word that is still 0 is a member that was not sent.
+template <class T>
+void expect_every_word_sent(const char* name) {
+  alignas(T) std::array<std::byte, sizeof(T)> sent;
+  alignas(T) std::array<std::byte, sizeof(T)> received{};
+  sent.fill(std::byte{1});
+  std::istringstream stream(to_bytes(reinterpret_cast<const T&>(sent)));
+  cereal::BinaryInputArchive archive(stream);
+  archive(reinterpret_cast<T&>(received));
+  for (std::size_t i = 0; i < sizeof(T); i += 4) {
+    EXPECT_NE(std::count(&received[i], &received[i] + 4, std::byte{1}), 0)
+        << "a member of " << name << " at byte " << i;
+  }
+}
+
+#define EXPECT_EVERY_WORD_SENT(type) expect_every_word_sent<type>(#type)
+
+}  // namespace cs550::test
