@@ -144,8 +144,9 @@ std::vector<Verdict> grade(const std::string& preset, int lab,
   const std::vector<Verdict> slow =
       run_graded_tests(program, lab, only(tests, true), slowdown * seconds{60});
   verdicts.insert(verdicts.end(), slow.begin(), slow.end());
-  std::stable_sort(verdicts.begin(), verdicts.end(),
-                   [](const Verdict& a, const Verdict& b) { return a.test.step < b.test.step; });
+  std::stable_sort(verdicts.begin(), verdicts.end(), [](const Verdict& a, const Verdict& b) {
+    return is_earlier_step(a.test.step, b.test.step);
+  });
   return verdicts;
 }
 

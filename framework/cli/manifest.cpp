@@ -37,8 +37,9 @@ std::vector<GradedTest> graded_tests(const std::string& lab_name) {
     if (test.at("hidden") && !with_hidden) continue;
     tests.push_back({test.at("name"), test.at("step"), test.at("points"), test.at("long")});
   }
-  std::stable_sort(tests.begin(), tests.end(),
-                   [](const GradedTest& a, const GradedTest& b) { return a.step < b.step; });
+  std::stable_sort(tests.begin(), tests.end(), [](const GradedTest& a, const GradedTest& b) {
+    return is_earlier_step(a.step, b.step);
+  });
   return tests;
 }
 

@@ -1,6 +1,13 @@
 #include "verdict.hpp"
 
+#include <tuple>
+
 namespace cs550::cli {
+
+// Within one lab a longer tag has the longer number.
+bool is_earlier_step(const std::string& a, const std::string& b) {
+  return std::tuple(a.size(), a) < std::tuple(b.size(), b);
+}
 
 std::string to_string(Verdict::Kind kind) {
   switch (kind) {

@@ -26,6 +26,9 @@ struct Verdict {
   int earned() const { return kind == Kind::Passed ? test.points : 0; }
 };
 
+/// Whether step a of a lab comes before step b: L7.9 before L7.10.
+bool is_earlier_step(const std::string& a, const std::string& b);
+
 /// The word for a kind in result files, `passed`, and the way back; an unknown word means failed.
 std::string to_string(Verdict::Kind kind);
 Verdict::Kind verdict_kind(const std::string& word);

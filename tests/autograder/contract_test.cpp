@@ -31,7 +31,7 @@ struct Header {
 /// The statements at namespace scope, without comments, preprocessor lines and the bodies of types
 /// and functions. A statement that had a body ends in `{`; `@` stands where a comment named a step.
 std::vector<std::string> statements(std::string text) {
-  text = std::regex_replace(text, std::regex(R"(//[^\n]*\*\*L\d\.\d[^\n]*)"), "@");
+  text = std::regex_replace(text, std::regex(R"(//[^\n]*\*\*L\d+\.\d[^\n]*)"), "@");
   text = std::regex_replace(text, std::regex("//[^\n]*|#[^\n]*"), "");
   text = std::regex_replace(text, std::regex(R"(namespace\s+\w+\s*\{)"), "");
   std::vector<std::string> found(1);
