@@ -73,9 +73,8 @@ std::string indented(std::string_view text, std::size_t spaces) {
   return result;
 }
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size(), width), ' ');
-  return text;
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, text.size()), ' ');
 }
 
 }  // namespace cs550::cli

@@ -18,6 +18,6 @@ std::string coloured(std::string_view text, Colour colour);
 std::string indented(std::string_view text, std::size_t spaces);
 
 /// The text filled up to `width` columns with spaces.
-std::string padded(std::string text, std::size_t width);
+std::string padded(const std::string& text, std::size_t width);
 
 }  // namespace cs550::cli
