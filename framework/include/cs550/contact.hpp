@@ -79,8 +79,7 @@ struct Contact {
 /// Gives the points of `now` the impulses of the points of `before` that have the same feature, as
 /// far as they push along the new normal. Points whose features are new continue the nearest old
 /// point that is left over, so that the load a pair carries is not dropped when a corner slides over
-/// an edge. The tangent impulses are carried as a world vector and
-/// projected onto the new tangents.
+/// an edge. The tangent impulses are carried as a world vector and projected onto the new tangents.
 void carry_impulses(const Manifold& before, Manifold& now);
 
 }  // namespace cs550
