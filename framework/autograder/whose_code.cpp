@@ -15,9 +15,9 @@ std::string whose(const LabFunction& function) {
   for (const CodeSection& section : code_sections()) {
     if (address >= reinterpret_cast<std::uintptr_t>(section.begin) &&
         address < reinterpret_cast<std::uintptr_t>(section.end)) {
-      // The assembled engine's own name matters to the build only: the code is the student's.
+      // How they were built matters to the build only: the code is the student's.
       const std::string variant = section.variant;
-      return variant == "assembled" ? "student" : variant;
+      return variant == "assembled" || variant == "sanitized" ? "student" : variant;
     }
   }
   return "unknown";

@@ -53,8 +53,6 @@ std::string steps_of(const std::vector<GradedTest>& tests) {
   return list;
 }
 
-std::string student_target(int lab) { return "lab" + std::to_string(lab) + "_student"; }
-
 /// The first test that is not passed, in the debugger. Without a terminal to ask at, the calls that
 /// led there.
 int debug_first_failure(int lab, const LabResult& result) {
@@ -64,13 +62,14 @@ int debug_first_failure(int lab, const LabResult& result) {
     return Good;
   }
   if (!run({project_root() / "cs550", "doctor", "--install", "debug"}).good()) return Failed;
-  if (!build("debug", student_target(lab))) return Failed;
+  const std::string target = graded_target(lab, Grading::Plain);
+  if (!build("debug", target)) return Failed;
   std::vector<std::string> gdb{
       "gdb", "-q", "-iex", "set debuginfod enabled off", "-x", "framework/cli/debug.gdb"};
   const bool can_ask = isatty(STDIN_FILENO) != 0;
   if (!can_ask) gdb.insert(gdb.end(), {"-batch", "-ex", "backtrace"});
-  gdb.insert(gdb.end(), {"--args", built_program("debug", student_target(lab)),
-                         "--gtest_break_on_failure", "--gtest_filter=*." + failure->test.name});
+  gdb.insert(gdb.end(), {"--args", built_program("debug", target), "--gtest_break_on_failure",
+                         "--gtest_filter=*." + failure->test.name});
   std::cout << "gdb runs " << failure->test.name
             << " to where it fails. To go through your own function line by\n"
                "line: `break` and its name, `run`, then `next` or `step`; `quit` ends it.\n"
@@ -82,14 +81,14 @@ int debug_first_failure(int lab, const LabResult& result) {
 }
 
 int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
-  const std::string preset = options.asan ? "asan" : "student";
+  const Grading grading = options.asan ? Grading::Sanitized : Grading::Plain;
   LabResult result = result_of_starter(options.name);
   result.verdicts.clear();
-  if (!build(preset, student_target(options.lab))) return Failed;
+  if (!build("student", graded_target(options.lab, grading))) return Failed;
 
   std::cout << coloured(title(options.name), Colour::Bold) << "\n\n" << std::flush;
   const auto grade_and_print = [&](const std::vector<GradedTest>& chosen) {
-    const std::vector<Verdict> verdicts = grade(preset, options.lab, chosen);
+    const std::vector<Verdict> verdicts = grade(options.lab, grading, chosen);
     print(verdicts);
     result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
   };

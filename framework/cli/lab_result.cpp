@@ -26,8 +26,6 @@ fs::path result_file(const std::string& lab_name) {
          ("lab" + std::to_string(lab_number(lab_name)) + ".json");
 }
 
-std::string student_target(int lab) { return "lab" + std::to_string(lab) + "_student"; }
-
 /// Undefined behaviour and failed assertions are then reported with the calls that led there.
 void ask_sanitizers_for_places() {
   constexpr int keep_the_users = 0;
@@ -117,9 +115,9 @@ LabResult result_of(const std::string& lab_name) {
   if (const std::optional<LabResult> known = remembered_result(lab_name)) return *known;
   const int lab = lab_number(lab_name);
   LabResult result = result_of_starter(lab_name);
-  result.compile_error = build_quietly(student_target(lab));
+  result.compile_error = build_quietly(graded_target(lab, Grading::Plain));
   if (result.compile_error.empty()) {
-    result.verdicts = grade("student", lab, graded_tests(lab_name));
+    result.verdicts = grade(lab, Grading::Plain, graded_tests(lab_name));
   }
   remember(result);
   return result;
@@ -133,12 +131,16 @@ LabResult result_of_starter(const std::string& lab_name) {
   return result;
 }
 
-std::vector<Verdict> grade(const std::string& preset, int lab,
-                           const std::vector<GradedTest>& tests) {
-  const bool sanitized = preset == "asan";
+std::string graded_target(int lab, Grading grading) {
+  const std::string variant = grading == Grading::Sanitized ? "sanitized" : "student";
+  return "lab" + std::to_string(lab) + '_' + variant;
+}
+
+std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests) {
+  const bool sanitized = grading == Grading::Sanitized;
   if (sanitized) ask_sanitizers_for_places();
   const int slowdown = sanitized ? 5 : 1;
-  const fs::path program = built_program(preset, student_target(lab));
+  const fs::path program = built_program("student", graded_target(lab, grading));
   std::vector<Verdict> verdicts =
       run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5});
   const std::vector<Verdict> slow =

@@ -34,9 +34,14 @@ LabResult result_of(const std::string& lab_name);
 /// How a lab stands before anything is written: no test was run, none is passed.
 LabResult result_of_starter(const std::string& lab_name);
 
-/// Runs tests on the program of a preset, and waits for each as long as its kind may take.
-std::vector<Verdict> grade(const std::string& preset, int lab,
-                           const std::vector<GradedTest>& tests);
+/// Which build of the student's code is graded.
+enum class Grading { Plain, Sanitized };
+
+/// The program that grades a lab.
+std::string graded_target(int lab, Grading grading);
+
+/// Runs tests on that program, and waits for each as long as its kind may take.
+std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests);
 
 /// The quick tests, or the long ones.
 std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long);

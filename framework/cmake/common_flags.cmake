@@ -25,6 +25,14 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   target_compile_options(cs550_student_warnings INTERFACE -Werror=missing-prototypes)
 endif()
 
+# What finds memory errors and undefined behaviour in the code that is compiled with it. They make g++
+# warn of what is initialised. The presets `asan` and `clang` have the same for everything.
+add_library(cs550_sanitizers INTERFACE)
+set(sanitizers -fsanitize=address,undefined)
+target_compile_options(cs550_sanitizers INTERFACE ${sanitizers} -fno-sanitize-recover=all
+                       -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+target_link_options(cs550_sanitizers INTERFACE ${sanitizers})
+
 # A "unique" symbol (a static variable of an inline function) is the one kind that cannot be made
 # private to an object file; clang++ never emits it.
 add_library(cs550_isolable INTERFACE)

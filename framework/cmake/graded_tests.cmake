@@ -1,11 +1,12 @@
 # For each lab with tests: one executable per variant of its code,
-#   labN_student  labN_reference  labN_fast  labN_stub
+#   labN_student  labN_sanitized  labN_reference  labN_fast  labN_stub
 # and one ctest test per graded test and variant, `student.Lab3.Name`, from the lab's manifest.json.
-# The student's and the stub are not part of `all`: a broken lab file stops nothing else.
+# The student's and the stub are not part of `all`: a broken lab file stops nothing else. For
+# `sanitized`, as for the stub, there are no ctest tests.
 include(manifests)
 
 set(result_folder "${PROJECT_BINARY_DIR}/results")
-set(CS550_GRADED_VARIANTS student reference fast stub)
+set(CS550_GRADED_VARIANTS student sanitized reference fast stub)
 add_custom_target(update_manifests)
 
 # Helpers that tests share, and the libraries that serve as oracles.
@@ -49,7 +50,7 @@ function(cs550_add_graded_lab number)
   foreach(variant IN LISTS CS550_GRADED_VARIANTS)
     if(variant IN_LIST CS550_LAB${number}_VARIANTS)
       cs550_add_graded_executable(${number} ${variant})
-      if(NOT variant STREQUAL "stub")
+      if(NOT variant MATCHES "^(sanitized|stub)$")
         cs550_register_graded_tests(${number} ${variant})
       endif()
     endif()
@@ -65,7 +66,10 @@ function(cs550_add_graded_executable number variant)
   target_link_libraries(${target} PRIVATE cs550_test_support)
   cs550_link_lab(${target} ${number} ${variant})
   cs550_link_other_labs(${target} ${number})
-  if(variant MATCHES "^(student|stub)$")
+  if(variant STREQUAL "sanitized")
+    target_link_libraries(${target} PRIVATE cs550_sanitizers)
+  endif()
+  if(variant MATCHES "^(student|sanitized|stub)$")
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
   endif()
 endfunction()

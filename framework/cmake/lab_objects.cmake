@@ -1,5 +1,6 @@
-# A lab is found by its number and topic. Up to five variants of its code exist:
+# A lab is found by its number and topic. Up to six variants of its code exist:
 #   student    labs/labN_topic/*.cpp
+#   sanitized  the same files, watched by the sanitizers
 #   assembled  the same files; where one does not compile or a function lacks, a pristine stub
 #   stub       .starters/labN_topic/*.cpp in a students' copy, else labs/labN_topic/*.cpp
 #   reference  solutions/labN_topic/*.cpp
@@ -16,9 +17,11 @@ include(isolation_tools)
 set(isolation_scripts "${CMAKE_CURRENT_LIST_DIR}")
 set(lab_folder "${PROJECT_BINARY_DIR}/labs")
 
-cs550_precompiled_headers(precompiled_for_labs
-  LIBRARIES cs550_contract cs550_isolable cs550_student_warnings
-  HEADERS <cs550/math.hpp> <vector> "${CMAKE_CURRENT_LIST_DIR}/common_expressions.hpp")
+set(lab_headers <cs550/math.hpp> <vector> "${CMAKE_CURRENT_LIST_DIR}/common_expressions.hpp")
+cs550_precompiled_headers(precompiled_for_labs HEADERS ${lab_headers}
+  LIBRARIES cs550_contract cs550_isolable cs550_student_warnings)
+cs550_precompiled_headers(precompiled_for_sanitized_labs HEADERS ${lab_headers}
+  LIBRARIES cs550_contract cs550_isolable cs550_student_warnings cs550_sanitizers)
 
 macro(cs550_lab number topic)
   cs550_find_lab(${number} ${topic})
@@ -46,8 +49,9 @@ macro(cs550_find_lab number topic)
   endif()
   file(GLOB ${lab}_reference_SOURCES CONFIGURE_DEPENDS "${solution}/*.cpp")
   cs550_find_fast_sources(${lab}_fast_SOURCES "${solution}" "${${lab}_reference_SOURCES}")
+  set(${lab}_sanitized_SOURCES "${${lab}_student_SOURCES}")
   set(${lab}_assembled_SOURCES "${${lab}_student_SOURCES}")
-  foreach(variant student assembled stub reference fast)
+  foreach(variant student sanitized assembled stub reference fast)
     if(${lab}_${variant}_SOURCES)
       list(APPEND ${lab}_VARIANTS ${variant})
     endif()
@@ -103,7 +107,10 @@ function(cs550_compile_lab number variant)
   set(target lab${number}_${variant}_code)
   add_library(${target} OBJECT EXCLUDE_FROM_ALL ${CS550_LAB${number}_${variant}_SOURCES})
   target_link_libraries(${target} PRIVATE cs550_contract cs550_isolable)
-  if(variant MATCHES "^(student|assembled)$")
+  if(variant STREQUAL "sanitized")
+    target_link_libraries(${target} PRIVATE cs550_student_warnings cs550_sanitizers)
+    cs550_precompile(${target} precompiled_for_sanitized_labs)
+  elseif(variant MATCHES "^(student|assembled)$")
     target_link_libraries(${target} PRIVATE cs550_student_warnings)
     cs550_precompile(${target} precompiled_for_labs)
   else()

@@ -11,7 +11,7 @@ foreach(list_file IN LISTS SYMBOL_LISTS)
     string(APPEND declarations "void ${symbol}_address() asm(\"${symbol}\");\n")
     string(APPEND functions "    {${number}, \"${symbol}\", &${symbol}_address},\n")
   endforeach()
-  foreach(variant student assembled stub reference fast)
+  foreach(variant student sanitized assembled stub reference fast)
     set(section "cs550_${variant}_lab${number}")
     string(APPEND declarations "[[gnu::weak]] extern const char __start_${section}[];\n"
                                "[[gnu::weak]] extern const char __stop_${section}[];\n")

@@ -1,5 +1,5 @@
-# cmake -DPROGRAM=... -DLAB=3 -DVARIANT=student -P check_whose.cmake
-# PROGRAM runs the variant's code for LAB and the reference's for every other lab.
+# cmake -DPROGRAM=... -DLAB=3 -DWHOSE=student -P check_whose.cmake
+# PROGRAM runs the code of WHOSE for LAB and the reference's for every other lab.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND "${PROGRAM}" --whose OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE ";" "," listing "${listing}")
@@ -8,7 +8,7 @@ set(own_functions 0)
 foreach(line IN LISTS lines)
   set(expected "reference")
   if(line MATCHES "^[a-z]+ lab${LAB} ")
-    set(expected "${VARIANT}")
+    set(expected "${WHOSE}")
     math(EXPR own_functions "${own_functions} + 1")
   endif()
   if(NOT line MATCHES "^${expected} lab")

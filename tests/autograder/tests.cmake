@@ -1,11 +1,17 @@
 # Tests of the seam and of the graded tests' runner.
 set(scripts "${CMAKE_CURRENT_LIST_DIR}")
 
-# One fake lab with tests of every ending, run as a program by tests_autograder.
-add_executable(fake_lab "${scripts}/fake_lab/fake_lab.cpp" $<TARGET_OBJECTS:cs550_graded_main>
-                        $<TARGET_OBJECTS:cs550_lab_table>)
-target_link_libraries(fake_lab PRIVATE cs550_test_support cs550_warnings)
-cs550_link_reference_labs(fake_lab)
+# Fake labs, run as programs by tests_autograder and tests_cli: one with tests of every ending, and one
+# whose mistake shows only where the sanitizers watch it.
+function(cs550_add_fake_lab name)
+  add_executable(${name} "${scripts}/fake_lab/${name}.cpp" $<TARGET_OBJECTS:cs550_graded_main>
+                         $<TARGET_OBJECTS:cs550_lab_table>)
+  target_link_libraries(${name} PRIVATE cs550_test_support cs550_warnings)
+  cs550_link_reference_labs(${name})
+endfunction()
+cs550_add_fake_lab(fake_lab)
+cs550_add_fake_lab(fake_sanitized_lab)
+target_link_libraries(fake_sanitized_lab PRIVATE cs550_sanitizers)
 
 set(isolated_labs "")
 if(CS550_ISOLATE_LABS)
@@ -40,13 +46,13 @@ function(cs550_test_starter number)
                        LABELS "starter;lab${number}")
 endfunction()
 
-function(cs550_test_whose number variant)
+function(cs550_test_whose number variant whose)
   set(name whose.Lab${number}.${variant})
   add_test(NAME ${name}
            COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:lab${number}_${variant}>"
-                   -DLAB=${number} -DVARIANT=${variant} -P "${scripts}/check_whose.cmake")
+                   -DLAB=${number} -DWHOSE=${whose} -P "${scripts}/check_whose.cmake")
   set_tests_properties(${name} PROPERTIES LABELS "autograder;lab${number}" TIMEOUT 60)
-  if(variant STREQUAL "student")
+  if(whose STREQUAL "student")
     set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED starter_lab${number}
                          LABELS "starter;lab${number}")
   endif()
@@ -74,11 +80,14 @@ foreach(number IN LISTS CS550_LABS)
   if(CS550_ISOLATE_LABS AND TARGET lab${number}_reference)
     foreach(variant student reference fast)
       if(TARGET lab${number}_${variant})
-        cs550_test_whose(${number} ${variant})
+        cs550_test_whose(${number} ${variant} ${variant})
       endif()
     endforeach()
     if(TARGET lab${number}_student)
       list(APPEND unbuilt lab${number}_student)
+    endif()
+    if(number EQUAL 1)  # one lab stands for all: it takes headers precompiled for the sanitizers alone
+      list(APPEND unbuilt lab1_sanitized)
     endif()
   endif()
   if(unbuilt)
@@ -86,6 +95,7 @@ foreach(number IN LISTS CS550_LABS)
   endif()
 endforeach()
 if(CS550_ISOLATE_LABS AND TARGET lab1_reference AND TARGET lab1_student)
+  cs550_test_whose(1 sanitized student)
   cs550_test_partial_copy(labs lab1_reference_object)
   cs550_test_partial_copy(solutions lab1_assembled_object)
 endif()

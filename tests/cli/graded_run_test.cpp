@@ -71,6 +71,15 @@ TEST_F(GradedRun, StopsAProgramThatComesToNoEnd) {
   }
 }
 
+TEST_F(GradedRun, TellsWhatTheSanitizersFound) {
+  const std::vector<Verdict> verdicts = run_graded_tests(
+      CS550_FAKE_SANITIZED_LAB, 5, {{"ReadsPastTheEnd", "L5.1", 1, false}}, patience);
+  ASSERT_EQ(verdicts.size(), 1U);
+  EXPECT_EQ(verdicts[0].kind, Kind::Failed);
+  EXPECT_EQ(verdicts[0].message.rfind("memory error: heap-buffer-overflow", 0), 0U)
+      << verdicts[0].message;
+}
+
 TEST_F(GradedRun, NothingToRunGivesNoVerdicts) {
   EXPECT_TRUE(run_graded_tests(CS550_FAKE_LAB, 5, {}, patience).empty());
 }

@@ -1,8 +1,10 @@
 # Tests of the program behind ./cs550: of its parts, and of the whole, which needs a repository to
 # work on.
 cs550_add_own_tests(cli nlohmann_json::nlohmann_json Threads::Threads)
-target_compile_definitions(tests_cli PRIVATE CS550_FAKE_LAB="$<TARGET_FILE:fake_lab>")
-add_dependencies(tests_cli fake_lab)
+target_compile_definitions(tests_cli PRIVATE
+  CS550_FAKE_LAB="$<TARGET_FILE:fake_lab>"
+  CS550_FAKE_SANITIZED_LAB="$<TARGET_FILE:fake_sanitized_lab>")
+add_dependencies(tests_cli fake_lab fake_sanitized_lab)
 target_sources(tests_cli PRIVATE "${PROJECT_SOURCE_DIR}/framework/cli/crash_report.cpp"
                                  "${PROJECT_SOURCE_DIR}/framework/cli/formula_text.cpp"
                                  "${PROJECT_SOURCE_DIR}/framework/cli/graded_run.cpp"
