@@ -4,8 +4,7 @@ import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
-from make_pages import read_order  # noqa: E402
+from book import read_order
 
 HEAD = """<!DOCTYPE html><html lang="en-GB"><head><meta charset="utf-8"><title>CS550</title>
 <link rel="stylesheet" href="doxygen.css"><link rel="stylesheet" href="book.css">

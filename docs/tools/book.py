@@ -1,0 +1,135 @@
+"""What the book is made of: its pages in reading order, and everything that a page may name."""
+import json
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
+FIGURE = re.compile(r"!\[([^\]]*)\]\((?:figures/)?([\w-]+)\.(svg|png)(?:\s+\"(.*?)\")?\)", re.S)
+
+
+class Page:
+    """A page in reading order. `number` is that of a chapter, or the letter-number of a handout."""
+
+    def __init__(self, name, source, part):
+        self.name, self.source, self.part = name, source, part
+        self.number, self.title, self.text = "", "", ""
+        self.is_reference = source is None
+
+    @property
+    def html(self):
+        return f"group__{self.name}.html" if self.is_reference else f"{self.name}.html"
+
+    @property
+    def label(self):
+        return f"{self.number} {self.title}" if self.number.isdigit() and self.name != "index" else self.title
+
+    @property
+    def lab(self):
+        """The number of the lab that a reference page is about; empty for the given code's."""
+        return re.sub(r"\D", "", self.name)
+
+
+class Book:
+    """The pages, numbered, and the names that exist. `figures` is the folder of the pictures."""
+
+    def __init__(self, figures):
+        self.figure_folder = figures
+        self.errors = []
+        self.pages = read_order()
+        self.figures = figure_names()
+        self.tests = visible_tests()
+        self.mutants = known_mistakes()
+        self.sources = given_sources(self.tests)
+        self.figure_number = {}
+        self.citations = {}
+        self.number_pages()
+
+    def error(self, page, message):
+        self.errors.append(f"{page.source}: {message}")
+
+    def number_pages(self):
+        chapter = 0
+        for page in self.pages:
+            if page.is_reference:
+                page.title = f"Lab {page.lab}: the contract" if page.lab else "The given code: the contract"
+                continue
+            page.text = page.source.read_text()
+            page.title = re.match(r"# (.*)", page.text).group(1)
+            lab = re.match(r"lab(\d+)$", page.name)
+            if lab:
+                page.number = f"L{lab.group(1)}"
+            elif page.name == "bibliography":
+                self.citations = dict(re.findall(r"\{ref:(\w+)\|([^}]+)\}", page.text))
+            else:
+                page.number = str(chapter)
+                chapter += 1
+            self.number_figures(page)
+
+    def number_figures(self, page):
+        shown = [name for _, name, kind, _ in FIGURE.findall(page.text) if self.is_there(name, kind)]
+        for place, name in enumerate(shown, 1):
+            key = figure_key(page, name)
+            if key in self.figure_number:
+                self.error(page, f"figure {key} stands twice in the book")
+            self.figure_number[key] = (f"{page.number}.{place}", page)
+
+    def is_there(self, name, kind):
+        """Pictures of the viewer may be missing; all others were made, or the build has ended."""
+        return kind == "svg" or (self.figure_folder / f"{name}.png").exists()
+
+    def test_address(self, name):
+        source, line = self.tests[name]
+        return f"{listing_name(source)}.html#l{line:05}"
+
+
+def figure_key(page, name):
+    """Every handout calls its picture `figure`."""
+    return page.name if name == "figure" else name
+
+
+def read_order():
+    pages, part = [], ""
+    for line in (DOCS / "book.txt").read_text().splitlines():
+        if line.startswith("#") or not line.strip():
+            continue
+        if line.startswith("Part:"):
+            part = line.removeprefix("Part:").strip()
+            continue
+        name, _, source = line.partition(" ")
+        pages.append(Page(name, DOCS / source.strip() if source.strip() else None, part))
+    return pages
+
+
+def figure_names():
+    lines = (DOCS / "figures" / "figures.txt").read_text().splitlines()
+    return [line.split()[0] for line in lines if line.strip() and not line.startswith("#")]
+
+
+def visible_tests():
+    """Name → (file without tests/, line) of every graded test that students see."""
+    tests = {}
+    for file in sorted((ROOT / "tests").glob("lab*/*.cpp")):
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            match = re.match(r"GRADED_TEST\(Lab\d+, (\w+),", line)
+            if match:
+                tests[match.group(1)] = (str(file.relative_to(ROOT)), number)
+    return tests
+
+
+def known_mistakes():
+    names = set()
+    for file in (ROOT / "tests" / "mutants").glob("lab*.json"):
+        names |= {mutant["name"] for mutant in json.loads(file.read_text())["mutants"]}
+    return names
+
+
+def given_sources(tests):
+    """Listings: the engine, and the files of the visible graded tests. Never a solution."""
+    engine = {f"engine/{file.name}": file for file in sorted((ROOT / "framework" / "engine").glob("*.?pp"))}
+    tested = {file: ROOT / file for file, _ in sorted(set(tests.values()))}
+    return engine | tested
+
+
+def listing_name(name):
+    return "src_" + re.sub(r"\W", "_", name)

@@ -1,0 +1,155 @@
+"""What a page is written in, as Doxygen takes it. Every name that a page mentions in one of the forms below
+must exist: a figure, a test, a known mistake, a source file, a citation. What does not is an error.
+
+  $x$, $$x$$                       formulas
+  ![alt](figures/name.svg "caption")   a numbered figure; the caption may hold formulas. A .png is taken
+                                   by the viewer, and left out where that was not built
+  {fig:name}                       its number, as a link
+  {api:hill_climb()}               a function or type of the contract
+  {src:engine/step.cpp}            the listing of a given file
+  {test:Name}                      the listing of a visible graded test, at its first line
+  {mutant:name}                    a known mistake of tests/mutants
+  [@Key], [@Key, §2]               a citation; {ref:Key|label} defines it in the bibliography
+"""
+import re
+from html import escape
+from pathlib import Path
+
+from book import FIGURE, figure_key, listing_name
+
+CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
+BOLD = re.compile(r"\*\*(.+?)\*\*", re.S)
+MATH = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.S)
+
+
+class Markup:
+    """Converts the text of one page. `cited` gathers the keys of its citations."""
+
+    def __init__(self, book, page):
+        self.book, self.page = book, page
+        self.cited = set()
+
+    def error(self, message):
+        self.book.error(self.page, message)
+
+    def convert(self, text):
+        text = FIGURE.sub(lambda m: self.figure(*m.groups()), text)
+        text = re.sub(r"^## (L(\d+)\.(\d+) .*)$", r"## \1 {#L\2_\3}", text, flags=re.M)
+        text = re.sub(r"<details><summary>(.*?)</summary>",
+                      lambda m: raw(f"<details><summary>{self.inline_html(m[1])}</summary>"), text, flags=re.S)
+        text = text.replace("</details>", raw("</details>"))
+        text = re.sub(r"\[`?([^\]`]+)`?\]\(([^)#]+)\)", lambda m: self.link(*m.groups()), text)
+        pieces = re.split(r"(@htmlonly.*?@endhtmlonly)", text, flags=re.S)
+        return "".join(piece if piece.startswith("@htmlonly") else self.convert_prose(piece) for piece in pieces)
+
+    def convert_prose(self, text):
+        # Doxygen knows no formula between asterisks, and leaves a gap before one in parentheses.
+        text = BOLD.sub(lambda m: f"<b>{m[1]}</b>" if "$" in m[1] else m[0], text)
+        text = re.sub(r"\(\$([^$()]+)\$\)", r"$(\1)$", text)
+        pieces = CODE_OR_TEXT.split(text)
+        return "".join(self.code(piece) if i % 2 else self.roles(MATH.sub(doxygen_math, piece), markdown_link)
+                       for i, piece in enumerate(pieces))
+
+    def code(self, piece):
+        """A visible test in code font is a link, in handouts too."""
+        name = piece.strip("`")
+        if piece.startswith("`") and name in self.book.tests:
+            return markdown_link(name, self.book.test_address(name))
+        return piece
+
+    def inline_html(self, text):
+        """Formulas, code, emphasis and the roles, as HTML."""
+        text = escape(text, quote=False)
+        text = MATH.sub(lambda m: rf"\({m.group(1) or m.group(2)}\)", text)
+        text = re.sub(r"`([^`]+)`", r"<code>\1</code>", text)
+        text = re.sub(r"\*([^*]+)\*", r"<em>\1</em>", text)
+        return self.roles(text, html_link)
+
+    def figure(self, alt, name, kind, caption):
+        if not self.book.is_there(name, kind):
+            return "*A picture of the viewer belongs here; the viewer was not built with this book.*"
+        key = figure_key(self.page, name)
+        if name != "figure" and name not in self.book.figures:
+            self.error(f"figure {name} is not in figures.txt")
+        number, _ = self.book.figure_number[key]
+        text = self.inline_html(caption or alt + ".")
+        return raw(f'<figure id="fig_{key}"><img src="figures/{key}.{kind}" alt="{escape(" ".join(alt.split()))}"/>'
+                   f"<figcaption><b>Figure {number}.</b> {text}</figcaption></figure>")
+
+    def link(self, text, target):
+        """Links of handouts are paths in the repository: to headers of the contract, or to files there."""
+        if re.match(r"https?:", target):
+            return f"[{text}]({target})"
+        name = Path(target).name
+        if target.endswith(".hpp"):
+            return f'@ref {name} "{name}"'
+        if target.endswith(".cpp"):
+            return f"`{name}`"
+        if target.endswith(".md") or target.endswith(".html"):
+            return f"[{text}]({Path(target).stem}.html)"
+        self.error(f"a link to {target} leads out of the book")
+        return text
+
+    # ------------------------------------------------------------------------ {role:value} and [@Key]
+
+    def roles(self, text, link):
+        def role(match):
+            kind, value = match.groups()
+            try:
+                return getattr(self, "role_" + kind)(value, link)
+            except KeyError:
+                self.error(f"{{{kind}:{value}}} names nothing that exists")
+                return value
+
+        text = re.sub(r"\{(fig|api|src|test|mutant|ref):([^}]+)\}", role, text)
+        return re.sub(r"\[@(\w+)(,[^\]]*)?\]", lambda m: self.citation(*m.groups(), link), text)
+
+    def citation(self, key, place, link):
+        if key not in self.book.citations:
+            self.error(f"[@{key}] is not in the bibliography")
+            return key
+        self.cited.add(key)
+        return link(f"[{self.book.citations[key]}{place or ''}]", f"bibliography.html#{key}")
+
+    def role_fig(self, name, link):
+        number, page = self.book.figure_number[name]
+        return link(f"Figure {number}", f"{page.html}#fig_{name}")
+
+    def role_api(self, name, link):
+        if link is html_link:
+            return f"<code>{escape(name)}</code>"
+        return f'@ref cs550::{name.rstrip("()")} "{name}"'
+
+    def role_src(self, name, link):
+        self.book.sources[name]  # must exist
+        return link(name, f"{listing_name(name)}.html")
+
+    def role_test(self, name, link):
+        return link(name, self.book.test_address(name))
+
+    def role_mutant(self, name, _):
+        if self.book.mutants and name not in self.book.mutants:
+            raise KeyError(name)
+        return f"<code>{name}</code>"
+
+    def role_ref(self, value, _):
+        key, label = value.split("|")
+        return f'@anchor {key} <b>[{label}]</b>'
+
+
+def raw(html):
+    return f"@htmlonly {html} @endhtmlonly"
+
+
+def doxygen_math(match):
+    display, inline = match.groups()
+    return rf"\f[{display}\f]" if display else rf"\f${inline}\f$"
+
+
+def markdown_link(text, address):
+    return f'<a href="{address}">{escape(text)}</a>'
+
+
+def html_link(text, address):
+    """For text that is HTML already."""
+    return f'<a href="{address}">{text}</a>'
