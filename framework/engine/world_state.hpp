@@ -135,7 +135,7 @@ void check_manifolds(WorldState& world);
 /// follow. @param h substep (s) @pre velocities are fresh
 void turn_and_move(RigidBody& body, Real h, RotationMethod method);
 
-/// One step, stage by stage. @param h s
+/// One step, stage by stage (stages.hpp). @param h s
 void advance(WorldState& world, Real h);
 
 /// Impulses of one substep that come from outside the dynamic bodies: forces over h, and the rows
