@@ -78,8 +78,7 @@ class App {
   int slowness_ = 1;  ///< frames per step
   int frames_since_step_ = 0;
   bool hides_times_ = false;
-  std::optional<Real>
-      drag_depth_;  ///< of the point that is pulled, from the eye along the view (m)
+  std::optional<Real> drag_depth_;  ///< from the eye to what is pulled, along the view (m)
 };
 
 }  // namespace cs550::viewer
