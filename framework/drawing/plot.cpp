@@ -1,5 +1,6 @@
 #include "drawing/plot.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace cs550::drawing {
@@ -9,6 +10,16 @@ Series& add_series(Plot& plot, const std::string& name, std::vector<Vec2> values
   const Role role = series_role(static_cast<int>(plot.series.size()));
   plot.series.push_back({name, std::move(values), style, role, false});
   return plot.series.back();
+}
+
+double tick_step(double span, int most) {
+  constexpr double rounding = 0.999;  // a span of ten steps has ten, whatever the last digit says
+  const double rough = rounding * span / most;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough) return factor * power;
+  }
+  return 10 * power;
 }
 
 }  // namespace cs550::drawing

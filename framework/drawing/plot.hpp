@@ -51,4 +51,8 @@ struct Plot {
 Series& add_series(Plot& plot, const std::string& name, std::vector<Vec2> values,
                    SeriesStyle style = SeriesStyle::Curve);
 
+/// The distance of an axis's ticks: 1, 2 or 5 times a power of ten.
+/// @param most steps into which the span is divided
+double tick_step(double span, int most);
+
 }  // namespace cs550::drawing

@@ -20,6 +20,7 @@ struct Range {
     high = std::max(high, value);
   }
   bool is_empty() const { return low > high; }
+  double length() const { return high - low; }
 };
 
 struct Value {
@@ -37,16 +38,6 @@ std::vector<Value> drawable(const Series& series, bool logarithmic) {
     result.push_back({x, y});
   }
   return result;
-}
-
-/// 1, 2 or 5 times a power of ten, so that there are at most so many steps.
-double tick_step(const Range& range, int most) {
-  const double rough = (range.high - range.low) / most;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough) return factor * power;
-  }
-  return 10 * power;
 }
 
 std::string tick_text(double value, double step, bool logarithmic) {
@@ -93,7 +84,7 @@ class Axes {
  private:
   static void widen(Range& range, double share) {
     if (range.is_empty()) range = {0, 1};
-    double length = range.high - range.low;
+    double length = range.length();
     // A constant still gets an axis.
     if (length <= 1e-6 * std::max(std::abs(range.low), std::abs(range.high))) {
       length = std::max(0.1 * std::abs(range.low), 1e-6);
@@ -108,7 +99,7 @@ class Axes {
 };
 
 std::vector<double> ticks(const Range& range, bool logarithmic) {
-  double step = tick_step(range, most_ticks);
+  double step = tick_step(range.length(), most_ticks);
   if (logarithmic) step = std::max(1.0, std::round(step));
   std::vector<double> result;
   for (double i = std::ceil(range.low / step); i * step <= range.high; ++i) {
@@ -129,14 +120,14 @@ void draw_axes(SvgWriter& svg, const Plot& plot, const Axes& axes, const Rectang
     const double left = axes.place(x, 0).x;
     svg.line({left, area.top}, {left, bottom}, grid, 0.8);
     svg.text({left, bottom + tick_length + 11},
-             tick_text(x, tick_step(axes.x_range(), most_ticks), false), style);
+             tick_text(x, tick_step(axes.x_range().length(), most_ticks), false), style);
   }
   style.anchor = Anchor::End;
   for (const double y : ticks(axes.y_range(), plot.logarithmic)) {
     const double top = axes.place(0, y).y;
     svg.line({area.left, top}, {area.left + area.width, top}, grid, 0.8);
     svg.text({area.left - tick_length - 2, top + 4},
-             tick_text(y, tick_step(axes.y_range(), most_ticks), plot.logarithmic), style);
+             tick_text(y, tick_step(axes.y_range().length(), most_ticks), plot.logarithmic), style);
   }
   svg.line({area.left, bottom}, {area.left + area.width, bottom}, ink, 1.2);
   svg.line({area.left, area.top}, {area.left, bottom}, ink, 1.2);

@@ -1,12 +1,12 @@
 #include "viewer/ui/plot_widget.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <string>
+#include <vector>
 
-#include "viewer/knobs.hpp"
 #include "viewer/ui/imgui_calls.hpp"
+#include "viewer/ui/plot_axes.hpp"
 
 namespace cs550::viewer {
 namespace {
@@ -15,135 +15,7 @@ using drawing::Plot;
 using drawing::Series;
 using drawing::SeriesStyle;
 
-/// What one axis shows, and where.
-struct Axis {
-  double lower = 0;
-  double upper = 1;
-  float start = 0;  ///< pixel of the lower end
-  float end = 1;    ///< pixel of the upper end
-  bool logarithmic = false;
-
-  double shown(double value) const { return logarithmic ? std::log10(value) : value; }
-  bool can_show(double value) const { return std::isfinite(value) && (!logarithmic || value > 0); }
-  float pixel(double value) const {
-    return start + static_cast<float>((shown(value) - lower) / (upper - lower)) * (end - start);
-  }
-};
-
 ImU32 packed(drawing::Color color) { return IM_COL32(color.red, color.green, color.blue, 255); }
-
-/// 1, 2 or 5 times a power of ten, about a `count`-th of a span.
-double tick_step(double span, int count) {
-  const double rough = span / count;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough * 0.999) return factor * power;
-  }
-  return 10 * power;
-}
-
-std::string tick_text(double value) {
-  std::array<char, 32> text{};
-  const double magnitude = std::abs(value);
-  if (magnitude >= 1e6) {
-    std::snprintf(text.data(), text.size(), "%.3gM", value / 1e6);
-  } else if (magnitude >= 1e4) {
-    std::snprintf(text.data(), text.size(), "%.4gk", value / 1e3);
-  } else {
-    return short_number(value);
-  }
-  return text.data();
-}
-
-/// Places on the axis; on a logarithmic one powers of ten, and twice and five times those where
-/// there would be few.
-std::vector<double> y_ticks(const Axis& y) {
-  std::vector<double> ticks;
-  const double span = y.upper - y.lower;
-  if (!y.logarithmic) {
-    const double step = tick_step(span, 4);
-    for (double tick = std::ceil(y.lower / step) * step; tick <= y.upper; tick += step) {
-      ticks.push_back(std::abs(tick) < step * 1e-6 ? 0 : tick);
-    }
-    return ticks;
-  }
-  const double step = std::max(1.0, std::ceil(span / 5));
-  for (double decade = std::floor(y.lower); decade <= y.upper; decade += step) {
-    for (const double factor : {1.0, 2.0, 5.0}) {
-      const double tick = decade + std::log10(factor);
-      const bool wanted = factor == 1 || span < 2;
-      if (wanted && tick >= y.lower && tick <= y.upper) ticks.push_back(tick);
-    }
-  }
-  return ticks;
-}
-
-template <class Visit>
-void for_each_value(const Plot& plot, const Visit& visit) {
-  for (const Series& series : plot.series) {
-    for (const Vec2& value : series.values) {
-      visit(static_cast<double>(value.x()), static_cast<double>(value.y()));
-    }
-  }
-}
-
-void widen(Axis& axis, double value) {
-  if (!axis.can_show(value)) return;
-  axis.lower = std::min(axis.lower, axis.shown(value));
-  axis.upper = std::max(axis.upper, axis.shown(value));
-}
-
-/// Room above and below the curves. A curve that is flat but for rounding lies in the middle.
-void pad(Axis& axis, double share) {
-  if (!(axis.lower <= axis.upper)) axis.lower = 0, axis.upper = 1;
-  const double middle = std::abs(axis.lower + axis.upper) / 2;
-  const double span = axis.upper - axis.lower;
-  const bool is_flat = span <= 2e-3 * middle;
-  const double room = !is_flat ? share * span : middle > 0 ? 0.1 * middle : 1;
-  if (axis.lower != 0) axis.lower -= room;
-  axis.upper += room;
-}
-
-/// Room for the text above horizontal marks.
-void make_room(Axis& y, const Plot& plot, float text_height) {
-  const float pixels = y.start - y.end;
-  if (pixels < 2 * text_height) return;
-  const double share = static_cast<double>(text_height / pixels);
-  for (const drawing::PlotMark& mark : plot.marks) {
-    const auto at = static_cast<double>(mark.at);
-    if (mark.vertical || !y.can_show(at)) continue;
-    // What is left below the text must hold everything from the lower end to the mark.
-    y.upper = std::max(y.upper, y.lower + (y.shown(at) - y.lower) / (1 - share));
-  }
-}
-
-/// The horizontal and the vertical axis of a plot inside a rectangle.
-std::array<Axis, 2> axes_of(const Plot& plot, ImVec2 lower_left, ImVec2 upper_right,
-                            float text_height) {
-  const double none = HUGE_VAL;
-  Axis x{none, -none, lower_left.x, upper_right.x, false};
-  Axis y{none, -none, lower_left.y, upper_right.y, plot.logarithmic};
-  for_each_value(plot, [&](double horizontal, double vertical) {
-    if (!y.can_show(vertical)) return;
-    widen(x, horizontal);
-    widen(y, vertical);
-  });
-  for (const Series& series : plot.series) {
-    if (series.style == SeriesStyle::Bars) widen(y, 0);
-  }
-  for (const drawing::PlotMark& mark : plot.marks) {
-    widen(mark.vertical ? x : y, static_cast<double>(mark.at));
-  }
-  if (!(x.lower < x.upper)) {
-    if (!std::isfinite(x.lower)) x.lower = 0;
-    x.upper = x.lower + 1;
-  }
-  // Quantities that are never negative are compared from zero.
-  if (!y.logarithmic && y.lower > 0 && y.lower < 0.6 * y.upper) y.lower = 0;
-  pad(y, 0.08);
-  make_room(y, plot, text_height);
-  return {x, y};
-}
 
 void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& fonts) {
   const float size = fonts.small.size;
@@ -158,10 +30,8 @@ void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& font
     list->AddText(fonts.small.font, size, {x.start - width - 6, at - size * 0.55F}, quiet_ink,
                   text.c_str());
   }
-  const double x_step = tick_step(x.upper - x.lower, 5);
-  for (double tick = std::ceil(x.lower / x_step) * x_step; tick <= x.upper + x_step * 1e-6;
-       tick += x_step) {
-    const std::string text = tick_text(std::abs(tick) < x_step * 1e-6 ? 0 : tick);
+  for (const double tick : x_ticks(x)) {
+    const std::string text = tick_text(tick);
     const float width = fonts.small.font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
     const float at = std::clamp(x.pixel(tick) - width / 2, x.start - 8, x.end - width);
     list->AddText(fonts.small.font, size, {at, y.start + 3}, quiet_ink, text.c_str());
@@ -300,9 +170,10 @@ void show_plot(const Plot& plot, float height, const Fonts& fonts) {
   const float heading = draw_heading(list, plot, corner, width, fonts);
   const float label = plot.x_label.empty() ? 0 : size + 2;
 
-  const ImVec2 lower_left(corner.x + size * 3.4F, corner.y + height - size - 4 - label);
-  const ImVec2 upper_right(corner.x + width - 2, corner.y + heading);
-  const auto [x, y] = axes_of(plot, lower_left, upper_right, size + 4);
+  const float left = size * 3.4F;
+  const float below = size + 4 + label;
+  const Area area{corner.x + left, corner.y + heading, width - 2 - left, height - below - heading};
+  const auto [x, y] = axes_of(plot, area, size + 4);
   list->AddRectFilled({x.start, y.end}, {x.end, y.start}, paper, 3);
   draw_grid(list, x, y, fonts);
   list->PushClipRect({x.start - 1, y.end - 1}, {x.end + 1, y.start + 1}, true);
