@@ -8,27 +8,28 @@
 namespace cs550::book {
 namespace {
 
-BodyVelocity immovable() { return {}; }
+SolverBody immovable() { return {}; }
 
 /// A box of mass 1 that does not turn against the world's axes.
-BodyVelocity free_body(const Vec3& half_extents) {
+SolverBody free_body(const Vec3& half_extents) {
   const Vec3 squares = half_extents.cwiseProduct(half_extents);
-  BodyVelocity body;
+  SolverBody body;
   body.inverse_mass = 1;
   body.world_inverse_inertia =
       (3 / (Vec3::Constant(squares.sum()) - squares).array()).matrix().asDiagonal();
   return body;
 }
 
-ContactRow row_between(Index a, Index b, const Vec3& n, const Vec3& r_a, const Vec3& r_b) {
-  ContactRow row;
-  row.body_a = a;
-  row.body_b = b;
-  row.n = n;
-  row.u = any_perpendicular(n);
-  row.r_a = r_a;
-  row.r_b = r_b;
-  return row;
+ContactConstraint constraint_between(Index a, Index b, const Vec3& n, const Vec3& r_a,
+                                     const Vec3& r_b) {
+  ContactConstraint constraint;
+  constraint.body_a = a;
+  constraint.body_b = b;
+  constraint.n = n;
+  constraint.u = any_perpendicular(n);
+  constraint.r_a = r_a;
+  constraint.r_b = r_b;
+  return constraint;
 }
 
 ContactStep rigid_step() {
@@ -40,7 +41,7 @@ ContactStep rigid_step() {
 
 /// place of the blow over the length of the rod, effective mass over its mass: closed form, computed
 void effective_mass_table(std::ostream& out) {
-  BodyVelocity rod = free_body({Real(0.5), Real(0.001), Real(0.001)});
+  SolverBody rod = free_body({Real(0.5), Real(0.001), Real(0.001)});
   for (int i = -20; i <= 20; ++i) {
     const double x = i / 40.0;
     const Vec3 place(static_cast<Real>(x), 0, 0);
@@ -55,15 +56,15 @@ void pulled(std::ostream& out) {
   for (int i = 0; i <= 180; ++i) {
     out << i / 60.0 << ' ' << 2 * position[0] - 2 << ' ' << 2 * position[1] - 2 << '\n';
     for (int k = 0; k < 2; ++k) {
-      std::vector<BodyVelocity> bodies = {free_body(Vec3::Ones()), free_body(Vec3::Ones())};
+      std::vector<SolverBody> bodies = {free_body(Vec3::Ones()), free_body(Vec3::Ones())};
       bodies[0].v.x() = static_cast<Real>(-velocity[k] / 2);
       bodies[1].v.x() = static_cast<Real>(velocity[k] / 2);
-      std::vector<ContactRow> rows = {
-          row_between(0, 1, Vec3::UnitX(), Vec3::UnitX(), -Vec3::UnitX())};
-      rows[0].restitution = Real(0.5);
-      rows[0].separation = static_cast<Real>(2 * position[k] - 2);
+      std::vector<ContactConstraint> constraints = {
+          constraint_between(0, 1, Vec3::UnitX(), Vec3::UnitX(), -Vec3::UnitX())};
+      constraints[0].restitution = Real(0.5);
+      constraints[0].separation = static_cast<Real>(2 * position[k] - 2);
       const Real before = bodies[1].v.x();
-      resolve_contacts_naive(rows, bodies);
+      resolve_contacts_naive(constraints, bodies);
       const Real change = bodies[1].v.x() - before;
       bodies[1].v.x() = before + (k == 0 ? change : -change);
       velocity[k] = static_cast<double>(2 * bodies[1].v.x());
@@ -74,14 +75,14 @@ void pulled(std::ostream& out) {
 
 /// A plank that falls flat on two supports, both on one side of its middle.
 struct Plank {
-  std::vector<BodyVelocity> bodies = {immovable(), free_body({1, Real(0.01), Real(0.01)})};
-  std::vector<ContactRow> rows;
+  std::vector<SolverBody> bodies = {immovable(), free_body({1, Real(0.01), Real(0.01)})};
+  std::vector<ContactConstraint> constraints;
 
   Plank() {
     bodies[1].v.z() = -1;
     for (const Real x : {Real(1), Real(0.5)})
-      rows.push_back(row_between(0, 1, Vec3::UnitZ(), {x, 0, 0}, {x, 0, 0}));
-    prepare_contacts(rows, bodies, rigid_step());
+      constraints.push_back(constraint_between(0, 1, Vec3::UnitZ(), {x, 0, 0}, {x, 0, 0}));
+    prepare_contacts(constraints, bodies, rigid_step());
   }
 };
 
@@ -90,19 +91,22 @@ void accumulate(std::ostream& out) {
   Plank sum, increment;
   out << "0 0 0 0 0\n";
   for (int pass = 1; pass <= 20; ++pass) {
-    for (ContactRow& row : sum.rows) solve_normal(row, sum.bodies[0], sum.bodies[1], rigid_step());
-    for (ContactRow& row : increment.rows) {
-      BodyVelocity& a = increment.bodies[0];
-      BodyVelocity& b = increment.bodies[1];
-      const Real push =
-          std::max(Real(0), -row.normal_mass * normal_velocity(a, b, row.r_a, row.r_b, row.n));
-      a.apply(-push * row.n, row.r_a);
-      b.apply(push * row.n, row.r_b);
-      row.normal_impulse += push;
+    for (ContactConstraint& constraint : sum.constraints)
+      solve_normal(constraint, sum.bodies[0], sum.bodies[1], rigid_step());
+    for (ContactConstraint& constraint : increment.constraints) {
+      SolverBody& a = increment.bodies[0];
+      SolverBody& b = increment.bodies[1];
+      const Real push = std::max(
+          Real(0), -constraint.normal_mass *
+                       normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n));
+      a.apply(-push * constraint.n, constraint.r_a);
+      b.apply(push * constraint.n, constraint.r_b);
+      constraint.normal_impulse += push;
     }
     out << pass;
     for (const Plank* plank : {&sum, &increment}) {
-      for (const ContactRow& row : plank->rows) out << ' ' << row.normal_impulse;
+      for (const ContactConstraint& constraint : plank->constraints)
+        out << ' ' << constraint.normal_impulse;
     }
     out << '\n';
   }
@@ -110,8 +114,8 @@ void accumulate(std::ostream& out) {
 
 /// Boxes on each other, with the velocities that gravity gives them in a step.
 struct Tower {
-  std::vector<BodyVelocity> bodies = {immovable()};
-  std::vector<ContactRow> rows;
+  std::vector<SolverBody> bodies = {immovable()};
+  std::vector<ContactConstraint> constraints;
 
   explicit Tower(int height) {
     for (Index i = 1; i <= height; ++i) {
@@ -119,23 +123,24 @@ struct Tower {
       bodies.back().v.z() = Real(-9.81 / 60);
       for (const Real x : {Real(-0.5), Real(0.5)}) {
         for (const Real y : {Real(-0.5), Real(0.5)}) {
-          rows.push_back(
-              row_between(i - 1, i, Vec3::UnitZ(), {x, y, Real(0.5)}, {x, y, Real(-0.5)}));
-          rows.back().friction = Real(0.6);
+          constraints.push_back(
+              constraint_between(i - 1, i, Vec3::UnitZ(), {x, y, Real(0.5)}, {x, y, Real(-0.5)}));
+          constraints.back().friction = Real(0.6);
         }
       }
     }
-    prepare_contacts(rows, bodies, rigid_step());
+    prepare_contacts(constraints, bodies, rigid_step());
   }
 
-  /// The largest |JV| of the rows that push, and the fastest approach of the others.
+  /// The largest |JV| of the constraints that push, and the fastest approach of the others.
   double residual() const {
     double largest = 0;
-    for (const ContactRow& row : rows) {
-      const auto& a = bodies[static_cast<std::size_t>(row.body_a)];
-      const auto& b = bodies[static_cast<std::size_t>(row.body_b)];
-      const auto v_n = static_cast<double>(normal_velocity(a, b, row.r_a, row.r_b, row.n));
-      largest = std::max(largest, row.normal_impulse > 0 ? std::abs(v_n) : -v_n);
+    for (const ContactConstraint& constraint : constraints) {
+      const auto& a = bodies[static_cast<std::size_t>(constraint.body_a)];
+      const auto& b = bodies[static_cast<std::size_t>(constraint.body_b)];
+      const auto v_n =
+          static_cast<double>(normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n));
+      largest = std::max(largest, constraint.normal_impulse > 0 ? std::abs(v_n) : -v_n);
     }
     return largest;
   }
@@ -150,30 +155,31 @@ void passes(std::ostream& out) {
         << low[0].residual() << ' ' << low[1].residual() << '\n';
     for (Tower* towers : {tall, low}) {
       step.backwards = false;
-      solve_contacts(towers[0].rows, towers[0].bodies, step);
+      solve_contacts(towers[0].constraints, towers[0].bodies, step);
       step.backwards = pass % 2 == 1;
-      solve_contacts(towers[1].rows, towers[1].bodies, step);
+      solve_contacts(towers[1].constraints, towers[1].bodies, step);
     }
   }
 }
 
-/// A box that slides on a floor under its weight: one row at its middle.
+/// A box that slides on a floor under its weight: one constraint at its middle.
 double deceleration(double azimuth, bool in_a_box) {
   constexpr Real h = Real(1) / 60, mu = Real(0.5), weight = Real(9.81);
-  std::vector<BodyVelocity> bodies = {immovable(), free_body(Vec3::Ones())};
+  std::vector<SolverBody> bodies = {immovable(), free_body(Vec3::Ones())};
   bodies[1].v = Vec3(static_cast<Real>(std::cos(azimuth)), static_cast<Real>(std::sin(azimuth)), 0);
-  std::vector<ContactRow> rows = {row_between(0, 1, Vec3::UnitZ(), Vec3::Zero(), Vec3::Zero())};
-  ContactRow& row = rows[0];
-  row.u = Vec3::UnitX();
-  row.friction = mu;
-  prepare_contacts(rows, bodies, rigid_step());
-  row.normal_impulse = weight * h;
+  std::vector<ContactConstraint> constraints = {
+      constraint_between(0, 1, Vec3::UnitZ(), Vec3::Zero(), Vec3::Zero())};
+  ContactConstraint& constraint = constraints[0];
+  constraint.u = Vec3::UnitX();
+  constraint.friction = mu;
+  prepare_contacts(constraints, bodies, rigid_step());
+  constraint.normal_impulse = weight * h;
   const Vec3 before = bodies[1].v;
   if (in_a_box) {
-    const Real limit = mu * row.normal_impulse;
+    const Real limit = mu * constraint.normal_impulse;
     for (int i = 0; i < 2; ++i) bodies[1].v[i] -= std::clamp(before[i], -limit, limit);
   } else {
-    solve_friction(row, bodies[0], bodies[1]);
+    solve_friction(constraint, bodies[0], bodies[1]);
   }
   return static_cast<double>((bodies[1].v - before).norm() / (mu * weight * h));
 }

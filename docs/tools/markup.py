@@ -6,7 +6,7 @@ must exist: a figure, a test, a known mistake, a source file, a citation. What d
                                    by the viewer, and left out where that was not built
   {fig:name}                       its number, as a link
   {api:hill_climb()}               a function or type of the contract
-  {src:engine/step.cpp}            the listing of a given file
+  {src:engine/world/step.cpp}            the listing of a given file
   {test:Name}                      the listing of a visible graded test, at its first line
   {mutant:name}                    a known mistake of tests/mutants
   [@Key], [@Key, §2]               a citation; {ref:Key|label} defines it in the bibliography

@@ -10,7 +10,7 @@ set(CS550_GRADED_VARIANTS student sanitized reference fast stub)
 add_custom_target(update_manifests)
 
 # Helpers that tests share, and the libraries that serve as oracles.
-file(GLOB support_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/support/*.cpp")
+file(GLOB support_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/helpers/*.cpp")
 if(support_sources)
   add_library(cs550_test_support STATIC ${support_sources})
   set(scope PUBLIC)

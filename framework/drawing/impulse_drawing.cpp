@@ -20,33 +20,35 @@ std::vector<Vec3> circle(Real radius) {
 
 }  // namespace
 
-Real impulse_scale(std::span<const ContactRow> rows, Real length) {
+Real impulse_scale(std::span<const ContactConstraint> constraints, Real length) {
   Real largest = 0;
-  for (const ContactRow& row : rows) {
-    if (std::isfinite(row.normal_impulse))
-      largest = std::max(largest, std::abs(row.normal_impulse));
+  for (const ContactConstraint& constraint : constraints) {
+    if (std::isfinite(constraint.normal_impulse))
+      largest = std::max(largest, std::abs(constraint.normal_impulse));
   }
   return largest > 0 ? length / largest : Real(1);
 }
 
-Drawing draw_impulses(std::span<const ContactRow> rows, std::span<const Vec3> centers,
+Drawing draw_impulses(std::span<const ContactConstraint> constraints, std::span<const Vec3> centers,
                       Real meters_per_impulse, Role role) {
   Drawing drawing;
   drawing.title = "Impulses on B";
-  drawing.alt_text = "The accumulated impulses of " + std::to_string(rows.size()) +
-                     " contact rows as arrows at their contacts.";
+  drawing.alt_text = "The accumulated impulses of " + std::to_string(constraints.size()) +
+                     " contact constraints as arrows at their contacts.";
   const Stroke friction = {.role = Role::Incident, .width = Real(2.4), .arrow = true};
   bool has_friction = false;
-  for (const ContactRow& row : rows) {
-    if (row.body_b < 0 || static_cast<std::size_t>(row.body_b) >= centers.size()) {
-      drawing.notes.push_back("A row names body " + std::to_string(row.body_b) +
+  for (const ContactConstraint& constraint : constraints) {
+    if (constraint.body_b < 0 || static_cast<std::size_t>(constraint.body_b) >= centers.size()) {
+      drawing.notes.push_back("A constraint names body " + std::to_string(constraint.body_b) +
                               ", which does not exist.");
       continue;
     }
-    const Vec3 contact = centers[static_cast<std::size_t>(row.body_b)] + row.r_b;
+    const Vec3 contact = centers[static_cast<std::size_t>(constraint.body_b)] + constraint.r_b;
     drawing.points.push_back({contact, Role::Text, Real(3.5)});
-    const Vec3 tangent = row.tangent_impulse.x() * row.u + row.tangent_impulse.y() * row.v();
-    add_arrow(drawing, contact, meters_per_impulse * row.normal_impulse * row.n, {role, 3});
+    const Vec3 tangent = constraint.tangent_impulse.x() * constraint.u +
+                         constraint.tangent_impulse.y() * constraint.v();
+    add_arrow(drawing, contact, meters_per_impulse * constraint.normal_impulse * constraint.n,
+              {role, 3});
     if (tangent.norm() > 0) {
       add_arrow(drawing, contact, meters_per_impulse * tangent, friction);
       has_friction = true;
@@ -101,18 +103,18 @@ Drawing draw_friction_disk(Real limit, std::span<const DiskImpulse> impulses, co
 Plot plot_impulses(std::span<const std::vector<Real>> history) {
   Plot plot;
   plot.title = "Normal impulse after each pass";
-  plot.alt_text = "The accumulated normal impulse of each contact row after each pass.";
+  plot.alt_text = "The accumulated normal impulse of each contact constraint after each pass.";
   plot.x_label = "pass";
   plot.y_label = "λₙ (N·s)";
-  const std::size_t rows = history.empty() ? 0 : history.front().size();
-  for (std::size_t row = 0; row < rows; ++row) {
+  const std::size_t constraints = history.empty() ? 0 : history.front().size();
+  for (std::size_t constraint = 0; constraint < constraints; ++constraint) {
     std::vector<Vec2> values;
     for (std::size_t pass = 0; pass < history.size(); ++pass) {
-      if (row < history[pass].size()) {
-        values.emplace_back(static_cast<Real>(pass), history[pass][row]);
+      if (constraint < history[pass].size()) {
+        values.emplace_back(static_cast<Real>(pass), history[pass][constraint]);
       }
     }
-    add_series(plot, "row " + std::to_string(row), std::move(values));
+    add_series(plot, "constraint " + std::to_string(constraint), std::move(values));
   }
   return plot;
 }

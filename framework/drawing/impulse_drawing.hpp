@@ -2,23 +2,23 @@
 /// @file impulse_drawing.hpp
 /// **Labs 6 and 7:** Impulses at contacts, how they converge, and the disk that bounds friction.
 
-#include "cs550/contact_row.hpp"
+#include "cs550/contact_constraint.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/plot.hpp"
 
 namespace cs550::drawing {
 
-/// The rows of a contact solver: at each a dot, its normal, the accumulated normal impulse as an
+/// The constraints of a contact solver: at each a dot, its normal, the accumulated normal impulse as an
 /// arrow and the friction impulse as another, on B.
-/// @param centers of mass, world frame (m), one for each body of the rows; rows whose body_b has
+/// @param centers of mass, world frame (m), one for each body of the constraints; constraints whose body_b has
 /// none are left out, with a note
 /// @param meters_per_impulse length of an arrow for 1 N·s
-Drawing draw_impulses(std::span<const ContactRow> rows, std::span<const Vec3> centers,
+Drawing draw_impulses(std::span<const ContactConstraint> constraints, std::span<const Vec3> centers,
                       Real meters_per_impulse, Role role = Role::Highlight);
 
 /// A scale at which the largest impulse is as long as wanted.
 /// @param length of the longest arrow (m)
-Real impulse_scale(std::span<const ContactRow> rows, Real length);
+Real impulse_scale(std::span<const ContactConstraint> constraints, Real length);
 
 /// A friction impulse in the plane of u and v.
 struct DiskImpulse {
@@ -33,8 +33,8 @@ struct DiskImpulse {
 /// @param slip J_u v and J_v v before friction (m/s): friction points against it
 Drawing draw_friction_disk(Real limit, std::span<const DiskImpulse> impulses, const Vec2& slip);
 
-/// The impulses of some rows after each pass.
-/// @param history one entry for each pass, with one impulse for each row (N·s)
+/// The impulses of some constraints after each pass.
+/// @param history one entry for each pass, with one impulse for each constraint (N·s)
 Plot plot_impulses(std::span<const std::vector<Real>> history);
 
 /// A quantity that a solver should bring to zero, over its passes.

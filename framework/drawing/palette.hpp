@@ -24,13 +24,13 @@ enum class Role : std::uint8_t {
 };
 
 /// sRGB, 0–255.
-struct Color {
+struct Colour {
   std::uint8_t red = 0;    ///< 0–255
   std::uint8_t green = 0;  ///< 0–255
   std::uint8_t blue = 0;   ///< 0–255
 
   /// Whether both are the same colour.
-  bool operator==(const Color& other) const {
+  bool operator==(const Colour& other) const {
     return red == other.red && green == other.green && blue == other.blue;
   }
 };
@@ -42,7 +42,7 @@ inline constexpr std::array<Role, 11> all_roles = {
 
 /// The colour of a role on a light background. The hues are those of Okabe & Ito, *Color Universal
 /// Design* (2008), which people with any kind of colour vision tell apart.
-Color color(Role role);
+Colour colour(Role role);
 
 /// Whether lines of this role need a dark outline to be seen on white: yellow does.
 bool needs_outline(Role role);
@@ -52,12 +52,12 @@ bool needs_outline(Role role);
 Role series_role(int index);
 
 /// The background of every picture.
-inline constexpr Color paper = {255, 255, 255};
+inline constexpr Colour paper = {255, 255, 255};
 
 /// A share of `b` in `a`: 0 gives a, 1 gives b.
-Color mix(Color a, Color b, double share);
+Colour mix(Colour a, Colour b, double share);
 
 /// As written in SVG and CSS: "#0072b2".
-std::string hex(Color color);
+std::string hex(Colour colour);
 
 }  // namespace cs550::drawing

@@ -109,11 +109,11 @@ std::vector<double> ticks(const Range& range, bool logarithmic) {
 }
 
 void draw_axes(SvgWriter& svg, const Plot& plot, const Axes& axes, const Rectangle& area) {
-  const Color grid = mix(color(Role::Faint), paper, 0.6);
-  const Color ink = color(Role::Axis);
+  const Colour grid = mix(colour(Role::Faint), paper, 0.6);
+  const Colour ink = colour(Role::Axis);
   TextStyle style;
   style.size = small_text - 1;
-  style.color = ink;
+  style.colour = ink;
   style.anchor = Anchor::Middle;
   const double bottom = area.top + area.height;
   for (const double x : ticks(axes.x_range(), false)) {
@@ -134,7 +134,7 @@ void draw_axes(SvgWriter& svg, const Plot& plot, const Axes& axes, const Rectang
 }
 
 void draw_series(SvgWriter& svg, const Series& series, const Plot& plot, const Axes& axes) {
-  const Color ink = color(series.role);
+  const Colour ink = colour(series.role);
   std::vector<PagePoint> points;
   for (const Value& value : drawable(series, plot.logarithmic)) {
     const PagePoint at = axes.place(value.x, value.y);
@@ -174,10 +174,10 @@ void draw_mark(SvgWriter& svg, const PlotMark& mark, const Plot& plot, const Axe
       mark.vertical ? PagePoint{place.x, area.top} : PagePoint{area.left, place.y};
   const PagePoint to = mark.vertical ? PagePoint{place.x, area.top + area.height}
                                      : PagePoint{area.left + area.width, place.y};
-  svg.line(from, to, color(mark.role), 1.4, true);
+  svg.line(from, to, colour(mark.role), 1.4, true);
   TextStyle style;
   style.size = small_text - 1;
-  style.color = mix(color(mark.role), color(Role::Text), 0.4);
+  style.colour = mix(colour(mark.role), colour(Role::Text), 0.4);
   style.halo = true;
   style.anchor = mark.vertical ? Anchor::Start : Anchor::End;
   svg.text(mark.vertical ? PagePoint{place.x + 4, area.top + 11} : PagePoint{to.x - 2, place.y - 4},

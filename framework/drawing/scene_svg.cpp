@@ -20,7 +20,7 @@ PagePoint between(PagePoint a, PagePoint b, double share) {
 double distance(PagePoint a, PagePoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 /// A face is lighter the more it looks up and to the left.
-Color lit(Color base, const std::vector<Vec3>& corners, const Camera& camera) {
+Colour lit(Colour base, const std::vector<Vec3>& corners, const Camera& camera) {
   Vec3 normal = Vec3::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     normal += (corners[i] - corners[0]).cross(corners[(i + 1) % corners.size()] - corners[0]);
@@ -36,8 +36,8 @@ Color lit(Color base, const std::vector<Vec3>& corners, const Camera& camera) {
 }
 
 /// Letters need more contrast than lines.
-Color label_color(Role role) {
-  return needs_outline(role) ? color(Role::Text) : mix(color(role), color(Role::Text), 0.35);
+Colour label_colour(Role role) {
+  return needs_outline(role) ? colour(Role::Text) : mix(colour(role), colour(Role::Text), 0.35);
 }
 
 /// Labels are placed one after another, each where it covers least of the others.
@@ -122,7 +122,7 @@ class ScenePainter {
           placer.place(at, {at.x - middle.x + 0.01, at.y - middle.y}, width, small_text);
       TextStyle style;
       style.size = small_text;
-      style.color = label_color(label.role);
+      style.colour = label_colour(label.role);
       style.anchor = Anchor::Middle;
       style.halo = true;
       svg_.text({box.left + 0.5 * width, box.top + 0.82 * small_text}, label.text, style);
@@ -148,18 +148,18 @@ class ScenePainter {
   void paint(const Polygon& polygon) {
     std::vector<PagePoint> corners;
     for (const Vec3& corner : polygon.corners) corners.push_back(place(corner));
-    svg_.polygon(corners, lit(color(polygon.role), polygon.corners, camera_),
+    svg_.polygon(corners, lit(colour(polygon.role), polygon.corners, camera_),
                  static_cast<double>(polygon.opacity));
   }
 
   void paint(const Ball& ball) {
     svg_.ball(place(ball.center), camera_.pixels(ball.center, static_cast<double>(ball.radius)),
-              color(ball.role), static_cast<double>(ball.opacity));
+              colour(ball.role), static_cast<double>(ball.opacity));
   }
 
   void paint(const Point& point) {
-    svg_.circle(place(point.position), static_cast<double>(point.radius), color(point.role),
-                point.role == Role::Highlight ? color(Role::Text) : paper, 1.2);
+    svg_.circle(place(point.position), static_cast<double>(point.radius), colour(point.role),
+                point.role == Role::Highlight ? colour(Role::Text) : paper, 1.2);
   }
 
   /// A part of a line on the page.
@@ -185,17 +185,17 @@ class ScenePainter {
   void paint_outline(const BrushStroke& stroke) {
     const Line& line = drawing_.lines[stroke.index];
     if (needs_outline(line.stroke.role)) {
-      paint_part(line, part_of(line, stroke.from, stroke.to), color(Role::Text), outline_width);
+      paint_part(line, part_of(line, stroke.from, stroke.to), colour(Role::Text), outline_width);
     }
   }
 
   void paint_line(const BrushStroke& stroke) {
     const Line& line = drawing_.lines[stroke.index];
-    paint_part(line, part_of(line, stroke.from, stroke.to), color(line.stroke.role), 0);
+    paint_part(line, part_of(line, stroke.from, stroke.to), colour(line.stroke.role), 0);
   }
 
   /// @param wider by how much (pixels)
-  void paint_part(const Line& line, const Part& part, Color ink, double wider) {
+  void paint_part(const Line& line, const Part& part, Colour ink, double wider) {
     const double width = static_cast<double>(line.stroke.width) + wider;
     svg_.line(between(part.start, part.end, part.from), between(part.start, part.end, part.to), ink,
               width, line.stroke.dashed, part.from * part.length);
@@ -228,7 +228,7 @@ void draw_scene(SvgWriter& svg, const Drawing& drawing, const View& view,
   painter.paint(painting_order(drawing, camera));
   painter.paint_labels(area);
   svg.end_group();
-  svg.frame(area, mix(color(Role::Faint), paper, 0.5));
+  svg.frame(area, mix(colour(Role::Faint), paper, 0.5));
 }
 
 }  // namespace cs550::drawing

@@ -76,7 +76,7 @@ int legend_lines(const Layout& layout, double width) {
 }
 
 void draw_legend_entry(SvgWriter& svg, const LegendEntry& entry, PagePoint at) {
-  const Color ink = color(entry.stroke.role);
+  const Colour ink = colour(entry.stroke.role);
   const double middle = at.y - 0.33 * small_text;
   const double width = static_cast<double>(entry.stroke.width);
   const PagePoint from = {at.x, middle};
@@ -88,10 +88,10 @@ void draw_legend_entry(SvgWriter& svg, const LegendEntry& entry, PagePoint at) {
       break;
     case LegendMark::Dot:
       svg.circle({at.x + 0.5 * legend_swatch, middle}, 4.5, ink,
-                 outlined ? color(Role::Text) : paper, 1.2);
+                 outlined ? colour(Role::Text) : paper, 1.2);
       break;
     case LegendMark::Line:
-      if (outlined) svg.line(from, to, color(Role::Text), width + 1.6, entry.stroke.dashed);
+      if (outlined) svg.line(from, to, colour(Role::Text), width + 1.6, entry.stroke.dashed);
       svg.line(from, to, ink, width, entry.stroke.dashed);
       break;
   }

@@ -33,8 +33,8 @@ std::string coordinates(const std::vector<PagePoint>& points) {
   return attribute("points", result);
 }
 
-std::string stroke(Color color, double width, bool dashed) {
-  std::string result = attribute("stroke", hex(color)) + attribute("stroke-width", width);
+std::string stroke(Colour colour, double width, bool dashed) {
+  std::string result = attribute("stroke", hex(colour)) + attribute("stroke-width", width);
   if (dashed)
     result += attribute("stroke-dasharray", number(3 * width) + ' ' + number(2.5 * width));
   return result;
@@ -97,58 +97,58 @@ std::vector<std::string> wrap(const std::string& text, double size, double width
   return lines;
 }
 
-void SvgWriter::line(PagePoint from, PagePoint to, Color color, double width, bool dashed,
+void SvgWriter::line(PagePoint from, PagePoint to, Colour colour, double width, bool dashed,
                      double dash_offset) {
   body_ << "<line" << attribute("x1", from.x) << attribute("y1", from.y) << attribute("x2", to.x)
-        << attribute("y2", to.y) << stroke(color, width, dashed);
+        << attribute("y2", to.y) << stroke(colour, width, dashed);
   if (dashed && dash_offset != 0) body_ << attribute("stroke-dashoffset", dash_offset);
   if (!dashed) body_ << " stroke-linecap=\"round\"";
   body_ << "/>\n";
 }
 
-void SvgWriter::polyline(const std::vector<PagePoint>& points, Color color, double width,
+void SvgWriter::polyline(const std::vector<PagePoint>& points, Colour colour, double width,
                          bool dashed) {
-  body_ << "<polyline" << coordinates(points) << stroke(color, width, dashed)
+  body_ << "<polyline" << coordinates(points) << stroke(colour, width, dashed)
         << " fill=\"none\" stroke-linejoin=\"round\"/>\n";
 }
 
-void SvgWriter::polygon(const std::vector<PagePoint>& points, Color fill, double opacity) {
+void SvgWriter::polygon(const std::vector<PagePoint>& points, Colour fill, double opacity) {
   body_ << "<polygon" << coordinates(points) << attribute("fill", hex(fill));
   if (opacity < 1) body_ << attribute("fill-opacity", opacity);
   body_ << "/>\n";
 }
 
-void SvgWriter::outlined_polygon(const std::vector<PagePoint>& points, Color fill, Color outline,
+void SvgWriter::outlined_polygon(const std::vector<PagePoint>& points, Colour fill, Colour outline,
                                  double outline_width) {
   body_ << "<polygon" << coordinates(points) << attribute("fill", hex(fill))
         << stroke(outline, outline_width, false) << " stroke-linejoin=\"round\"/>\n";
 }
 
-void SvgWriter::circle(PagePoint center, double radius, Color fill, Color outline,
+void SvgWriter::circle(PagePoint center, double radius, Colour fill, Colour outline,
                        double outline_width) {
   body_ << "<circle" << attribute("cx", center.x) << attribute("cy", center.y)
         << attribute("r", radius) << attribute("fill", hex(fill))
         << stroke(outline, outline_width, false) << "/>\n";
 }
 
-void SvgWriter::ball(PagePoint center, double radius, Color color, double opacity) {
+void SvgWriter::ball(PagePoint center, double radius, Colour colour, double opacity) {
   const std::string name = "ball" + std::to_string(definition_count_++);
   definitions_ << "<radialGradient" << attribute("id", name)
                << " cx=\"0.38\" cy=\"0.34\" r=\"0.75\"><stop offset=\"0\""
-               << attribute("stop-color", hex(mix(color, paper, 0.9))) << "/><stop offset=\"1\""
-               << attribute("stop-color", hex(mix(color, paper, 0.35))) << "/></radialGradient>\n";
+               << attribute("stop-color", hex(mix(colour, paper, 0.9))) << "/><stop offset=\"1\""
+               << attribute("stop-color", hex(mix(colour, paper, 0.35))) << "/></radialGradient>\n";
   body_ << "<circle" << attribute("cx", center.x) << attribute("cy", center.y)
         << attribute("r", radius) << attribute("fill", "url(#" + name + ")")
-        << attribute("opacity", opacity) << stroke(mix(color, paper, 0.1), 1, false) << "/>\n";
+        << attribute("opacity", opacity) << stroke(mix(colour, paper, 0.1), 1, false) << "/>\n";
 }
 
-void SvgWriter::rectangle(const Rectangle& area, Color fill, Color outline) {
+void SvgWriter::rectangle(const Rectangle& area, Colour fill, Colour outline) {
   body_ << "<rect" << attribute("x", area.left) << attribute("y", area.top)
         << attribute("width", area.width) << attribute("height", area.height)
         << attribute("fill", hex(fill)) << stroke(outline, 1, false) << "/>\n";
 }
 
-void SvgWriter::frame(const Rectangle& area, Color outline) {
+void SvgWriter::frame(const Rectangle& area, Colour outline) {
   body_ << "<rect" << attribute("x", area.left) << attribute("y", area.top)
         << attribute("width", area.width) << attribute("height", area.height)
         << " rx=\"4\" fill=\"none\"" << stroke(outline, 1, false) << "/>\n";
@@ -157,7 +157,7 @@ void SvgWriter::frame(const Rectangle& area, Color outline) {
 void SvgWriter::text(PagePoint at, const std::string& text, const TextStyle& style) {
   constexpr const char* anchors[] = {"start", "middle", "end"};
   body_ << "<text" << attribute("x", at.x) << attribute("y", at.y)
-        << attribute("font-size", style.size) << attribute("fill", hex(style.color));
+        << attribute("font-size", style.size) << attribute("fill", hex(style.colour));
   if (style.anchor != Anchor::Start) {
     body_ << attribute("text-anchor", anchors[static_cast<int>(style.anchor)]);
   }

@@ -22,12 +22,12 @@ enum class Anchor : std::uint8_t { Start, Middle, End };
 
 /// How a text looks.
 struct TextStyle {
-  double size = 13;                          ///< pixels
-  Color color = drawing::color(Role::Text);  ///< of the letters
-  Anchor anchor = Anchor::Start;             ///< which end is fixed
-  bool bold = false;                         ///< heavier
-  bool halo = false;                         ///< white around the letters, over lines
-  bool upward = false;                       ///< turned by a quarter to read from below
+  double size = 13;                             ///< pixels
+  Colour colour = drawing::colour(Role::Text);  ///< of the letters
+  Anchor anchor = Anchor::Start;                ///< which end is fixed
+  bool bold = false;                            ///< heavier
+  bool halo = false;                            ///< white around the letters, over lines
+  bool upward = false;                          ///< turned by a quarter to read from below
 };
 
 /// With `&`, `<`, `>` and quotes replaced, and without characters that XML forbids.
@@ -42,18 +42,18 @@ std::vector<std::string> wrap(const std::string& text, double size, double width
 /// Gathers elements.
 class SvgWriter {
  public:
-  void line(PagePoint from, PagePoint to, Color color, double width, bool dashed = false,
+  void line(PagePoint from, PagePoint to, Colour colour, double width, bool dashed = false,
             double dash_offset = 0);
-  void polyline(const std::vector<PagePoint>& points, Color color, double width, bool dashed);
-  void polygon(const std::vector<PagePoint>& points, Color fill, double opacity);
-  void outlined_polygon(const std::vector<PagePoint>& points, Color fill, Color outline,
+  void polyline(const std::vector<PagePoint>& points, Colour colour, double width, bool dashed);
+  void polygon(const std::vector<PagePoint>& points, Colour fill, double opacity);
+  void outlined_polygon(const std::vector<PagePoint>& points, Colour fill, Colour outline,
                         double outline_width);
-  void circle(PagePoint center, double radius, Color fill, Color outline, double outline_width);
+  void circle(PagePoint center, double radius, Colour fill, Colour outline, double outline_width);
   /// Shaded like a ball lit from the upper left.
-  void ball(PagePoint center, double radius, Color color, double opacity);
-  void rectangle(const Rectangle& area, Color fill, Color outline);
+  void ball(PagePoint center, double radius, Colour colour, double opacity);
+  void rectangle(const Rectangle& area, Colour fill, Colour outline);
   /// The outline of an area.
-  void frame(const Rectangle& area, Color outline);
+  void frame(const Rectangle& area, Colour outline);
   void text(PagePoint at, const std::string& text, const TextStyle& style);
   /// What follows is cut off outside of an area, until end_group().
   void begin_clipped(const Rectangle& area);

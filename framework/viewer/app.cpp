@@ -20,7 +20,7 @@ App::App(const Options& options, Interface& interface) : options_(options), inte
   open(options.lab);
   if (options.steps || options.is_sequence()) page_->rewind();
   for (const std::string& assignment : options.settings) {
-    KnobSetter setter(assignment);
+    ControlSetter setter(assignment);
     page_->describe(setter);
     setter.expect_found();
   }

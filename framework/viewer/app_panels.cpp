@@ -5,8 +5,8 @@
 
 #include "cs550/scene.hpp"
 #include "viewer/app.hpp"
+#include "viewer/ui/control_widgets.hpp"
 #include "viewer/ui/imgui_calls.hpp"
-#include "viewer/ui/knob_widgets.hpp"
 #include "viewer/ui/plot_widget.hpp"
 
 namespace cs550::viewer {
@@ -46,7 +46,7 @@ void App::show_panel(const Layout& layout) {
   show_transport();
   show_facts();
   {
-    KnobWidgets widgets;
+    ControlWidgets widgets;
     page_->describe(widgets);
   }
   if (layout.plots_are_inside) show_plots_below();

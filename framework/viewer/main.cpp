@@ -17,7 +17,7 @@ void list_settings(const cs550::viewer::Options& options) {
   const auto page =
       make_page({options.lab, options.scene, options.student ? Isolation::Child : Isolation::Here});
   page->refresh();
-  KnobLister lister;
+  ControlLister lister;
   page->describe(lister);
   std::cout << lister.text();
 }

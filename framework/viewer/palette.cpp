@@ -14,17 +14,17 @@ float shade_of(Index body) {
 
 }  // namespace
 
-Colour ground_colour() { return {0.93F, 0.93F, 0.92F, 1.0F}; }
+Rgba ground_colour() { return {0.93F, 0.93F, 0.92F, 1.0F}; }
 
-Colour body_colour(Index mesh, Index body) {
-  using drawing::Color;
+Rgba body_colour(Index mesh, Index body) {
+  using drawing::Colour;
   // Okabe & Ito's hues, the most different ones first.
-  constexpr Color hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x56, 0xB4, 0xE9},
-                            {0xD5, 0x5E, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7}};
+  constexpr Colour hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x56, 0xB4, 0xE9},
+                             {0xD5, 0x5E, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7}};
   constexpr int hue_count = 6;
-  const Colour hue = as_colour(hues[mesh % hue_count]);
+  const Rgba hue = as_colour(hues[mesh % hue_count]);
   const float towards_white = 0.12F + 0.16F * shade_of(body);
-  Colour colour = hue + towards_white * (Colour(1, 1, 1, 1) - hue);
+  Rgba colour = hue + towards_white * (Rgba(1, 1, 1, 1) - hue);
   colour.w() = 1;
   return colour;
 }

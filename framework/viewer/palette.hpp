@@ -7,9 +7,9 @@
 namespace cs550::viewer {
 
 /// Of what never moves: light, so that shadows and bodies stand out.
-Colour ground_colour();
+Rgba ground_colour();
 
 /// Of a body: a hue for each mesh, a shade for each body. Both are the same in every run.
-Colour body_colour(Index mesh, Index body);
+Rgba body_colour(Index mesh, Index body);
 
 }  // namespace cs550::viewer

@@ -19,7 +19,7 @@ HalfEdgeMesh merge_coplanar_faces([[maybe_unused]] const HalfEdgeMesh& mesh,
   // L2.6, step 5: without_removed() is given: it makes a mesh of what is left. Renew its planes.
   //
   // L2.7, step 1: the loop of step 3 may run along an edge and straight back. What is that edge?
-  // L2.7, step 2: the loop may have a dent which other faces of the same plane fill.
+  // L2.7, step 2: the loop may have a reflex vertex that other faces of the same plane fill.
   // L2.7, step 3: a vertex may be left with two edges on a straight line. Two faces lose it.
   // L2.7, step 4: what must hold so that a second call finds nothing to do?
   // See README.md, L2.6 and L2.7.

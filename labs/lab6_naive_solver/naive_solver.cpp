@@ -1,5 +1,5 @@
 // Lab 6: the naive solver. The handout is README.md in this folder; what each function promises is
-// in framework/include/cs550/naive_solver.hpp, and the bodies and rows in contact_row.hpp beside it.
+// in framework/include/cs550/naive_solver.hpp, and the bodies and constraints in contact_constraint.hpp beside it.
 
 #include "cs550/naive_solver.hpp"
 
@@ -33,7 +33,7 @@ struct Glider {
 
 }  // namespace
 
-Real effective_mass([[maybe_unused]] const BodyVelocity& a, [[maybe_unused]] const BodyVelocity& b,
+Real effective_mass([[maybe_unused]] const SolverBody& a, [[maybe_unused]] const SolverBody& b,
                     [[maybe_unused]] const Vec3& r_a, [[maybe_unused]] const Vec3& r_b,
                     [[maybe_unused]] const Vec3& direction) {
   // L6.1, step 1: how much does a unit impulse change the velocity of each contact point along the
@@ -45,7 +45,7 @@ Real effective_mass([[maybe_unused]] const BodyVelocity& a, [[maybe_unused]] con
   throw NotImplemented("L6.1");
 }
 
-Real normal_velocity([[maybe_unused]] const BodyVelocity& a, [[maybe_unused]] const BodyVelocity& b,
+Real normal_velocity([[maybe_unused]] const SolverBody& a, [[maybe_unused]] const SolverBody& b,
                      [[maybe_unused]] const Vec3& r_a, [[maybe_unused]] const Vec3& r_b,
                      [[maybe_unused]] const Vec3& n) {
   // L6.2, step 1: the velocity of the contact point as a point of each body.
@@ -54,14 +54,14 @@ Real normal_velocity([[maybe_unused]] const BodyVelocity& a, [[maybe_unused]] co
   throw NotImplemented("L6.2");
 }
 
-void resolve_contacts_naive([[maybe_unused]] std::span<ContactRow> rows,
-                            [[maybe_unused]] std::span<BodyVelocity> bodies) {
-  // L6.3, step 1: for each row, take its two bodies by reference, so that they can change.
-  // L6.3, step 2: leave the row alone if the bodies do not touch yet, or do not approach.
+void resolve_contacts_naive([[maybe_unused]] std::span<ContactConstraint> constraints,
+                            [[maybe_unused]] std::span<SolverBody> bodies) {
+  // L6.3, step 1: for each constraint, take its two bodies by reference, so that they can change.
+  // L6.3, step 2: leave the constraint alone if the bodies do not touch yet, or do not approach.
   // L6.3, step 3: the impulse that stops the approach. Apply it to B, and its opposite to A:
-  //               BodyVelocity::apply() does the turning, too.
-  // L6.3, step 4: add it to what the row has gathered.
-  // L6.4, step 5: let the impulse throw them apart again, as the row's restitution demands.
+  //               SolverBody::apply() does the turning, too.
+  // L6.3, step 4: add it to what the constraint has gathered.
+  // L6.4, step 5: let the impulse throw them apart again, as the constraint's restitution demands.
   // See README.md, L6.3 and L6.4.
   throw NotImplemented("L6.3");
 }

@@ -1,6 +1,6 @@
-// Lab 7, L7.1 to L7.4: what a row asks for; sequential_impulses.cpp goes on from here. The handout is
+// Lab 7, L7.1 to L7.4: what a constraint asks for; sequential_impulses.cpp goes on from here. The handout is
 // README.md in this folder; what each function promises is in
-// framework/include/cs550/constraint_solver.hpp, and the rows in contact_row.hpp beside it.
+// framework/include/cs550/constraint_solver.hpp, and the constraints in contact_constraint.hpp beside it.
 
 #include "cs550/constraint_solver.hpp"
 
@@ -39,14 +39,13 @@ ContactJacobian contact_jacobian([[maybe_unused]] const Vec3& direction,
                                  [[maybe_unused]] const Vec3& r_b) {
   // L7.1, step 1: write d·(v_B + ω_B × r_B − v_A − ω_A × r_A) as a sum of four dot products, each
   //               with one of v_A, ω_A, v_B, ω_B. The triple product d·(ω × r) can be turned round.
-  // L7.1, step 2: the four vectors beside the velocities are the row of J.
+  // L7.1, step 2: the four vectors beside the velocities are the constraint of J.
   // See README.md, L7.1.
   throw NotImplemented("L7.1");
 }
 
 Real constraint_mass([[maybe_unused]] const ContactJacobian& jacobian,
-                     [[maybe_unused]] const BodyVelocity& a,
-                     [[maybe_unused]] const BodyVelocity& b) {
+                     [[maybe_unused]] const SolverBody& a, [[maybe_unused]] const SolverBody& b) {
   // L7.2, step 1: M⁻¹ is block diagonal: 1/m and the world inverse inertia of A, then those of B.
   // L7.2, step 2: J·M⁻¹·Jᵀ is therefore a sum of four terms.
   // L7.2, step 3: invert it. What is the answer for two bodies that cannot move?
@@ -54,7 +53,8 @@ Real constraint_mass([[maybe_unused]] const ContactJacobian& jacobian,
   throw NotImplemented("L7.2");
 }
 
-ContactBias contact_bias([[maybe_unused]] const ContactRow& row, [[maybe_unused]] Real separation,
+ContactBias contact_bias([[maybe_unused]] const ContactConstraint& constraint,
+                         [[maybe_unused]] Real separation,
                          [[maybe_unused]] const ContactStep& step) {
   // L7.3, step 1: apart: how fast may the gap close, so that it is just gone after the substep?
   // L7.3, step 2: in penetration, unless this is the relax pass: how fast is it to be undone, by a
@@ -66,8 +66,8 @@ ContactBias contact_bias([[maybe_unused]] const ContactRow& row, [[maybe_unused]
   throw NotImplemented("L7.3");
 }
 
-void prepare_contacts([[maybe_unused]] std::span<ContactRow> rows,
-                      [[maybe_unused]] std::span<const BodyVelocity> bodies,
+void prepare_contacts([[maybe_unused]] std::span<ContactConstraint> constraints,
+                      [[maybe_unused]] std::span<const SolverBody> bodies,
                       [[maybe_unused]] const ContactStep& step) {
   // L7.4, step 1: the normal mass, from L7.1 and L7.2.
   // L7.4, step 2: the tangents u and v feel each other: put J·M⁻¹·Jᵀ of the two together into a

@@ -26,10 +26,11 @@ Outline outline_of(const HalfEdgeMesh& mesh, Index face) {
 
 /// Replaces a half-edge of the outline by the way round the face behind it. Where the outline then
 /// runs along an edge and straight back, it did so along a chain of shared edges: they go.
-void absorb_face_behind(Index seam, const HalfEdgeMesh& mesh, Outline& outline) {
-  std::rotate(outline.begin(), std::find(outline.begin(), outline.end(), seam) + 1, outline.end());
+void absorb_face_behind(Index shared_edge, const HalfEdgeMesh& mesh, Outline& outline) {
+  std::rotate(outline.begin(), std::find(outline.begin(), outline.end(), shared_edge) + 1,
+              outline.end());
   outline.pop_back();
-  const Index twin = mesh.edge(seam).twin;
+  const Index twin = mesh.edge(shared_edge).twin;
   for (Index e = mesh.edge(twin).next; e != twin; e = mesh.edge(e).next) {
     if (!outline.empty() && outline.back() == mesh.edge(e).twin) {
       outline.pop_back();
@@ -133,8 +134,8 @@ class CoplanarMerger {
                        [&](const Vec3& vertex) { return plane.distance(vertex) <= slack_; });
   }
 
-  /// A half-edge of the outline at a dent, with a face behind it that can fill the dent.
-  Index edge_at_dent(const Union& merged, const Vec3& normal) const {
+  /// A half-edge of the outline at a reflex vertex, with a face behind it that can fill the gap.
+  Index edge_at_reflex_vertex(const Union& merged, const Vec3& normal) const {
     const std::size_t n = merged.outline.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Index in = merged.outline[i], out = merged.outline[(i + 1) % n];
@@ -149,13 +150,13 @@ class CoplanarMerger {
     return no_index;
   }
 
-  /// The two faces at an edge, and those needed to fill the dents of their outline: a flat face
+  /// The two faces at an edge, and those needed to resolve the reflex vertices of their outline: a flat face
   /// cut into a fan has no two neighbours that are convex together. Nothing if that is not flat.
   std::optional<Union> grow_across(Index e) const {
     Union merged{outline_of(mesh_, mesh_.edge(e).face), {mesh_.edge(e).face}};
-    for (Index seam = e; seam != no_index;) {
-      const Index face = mesh_.edge(mesh_.edge(seam).twin).face;
-      absorb_face_behind(seam, mesh_, merged.outline);
+    for (Index shared_edge = e; shared_edge != no_index;) {
+      const Index face = mesh_.edge(mesh_.edge(shared_edge).twin).face;
+      absorb_face_behind(shared_edge, mesh_, merged.outline);
       merged.faces.push_back(face);
       if (merged.outline.size() < 3) return std::nullopt;
 
@@ -165,7 +166,7 @@ class CoplanarMerger {
           std::all_of(merged.faces.begin(), merged.faces.end(),
                       [&](Index f) { return mesh_.face(f).plane.normal.dot(plane.normal) > 0; });
       if (!looks_one_way || !is_flat(polygon, plane)) return std::nullopt;
-      seam = edge_at_dent(merged, plane.normal);
+      shared_edge = edge_at_reflex_vertex(merged, plane.normal);
     }
     return merged;
   }

@@ -7,8 +7,8 @@ namespace lab4 {
 
 using namespace cs550;
 
-SeparatingAxis choose(AxisFeature feature, SeparatingAxis queries, const PosedShape& a,
-                      const PosedShape& b) {
+SeparatingAxis with_feature(AxisFeature feature, SeparatingAxis queries, const PosedShape& a,
+                            const PosedShape& b) {
   queries.feature = feature;
   switch (feature) {
     case AxisFeature::FaceA:

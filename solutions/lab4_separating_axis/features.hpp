@@ -8,8 +8,8 @@
 namespace lab4 {
 
 /// Makes one of the queries the answer.
-cs550::SeparatingAxis choose(cs550::AxisFeature feature, cs550::SeparatingAxis queries,
-                             const cs550::PosedShape& a, const cs550::PosedShape& b);
+cs550::SeparatingAxis with_feature(cs550::AxisFeature feature, cs550::SeparatingAxis queries,
+                                   const cs550::PosedShape& a, const cs550::PosedShape& b);
 
 /// The feature of largest separation; among those within the tolerance of it last step's kind, then
 /// the order A's faces, B's faces, edges.

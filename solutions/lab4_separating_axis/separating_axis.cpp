@@ -15,7 +15,7 @@
 namespace cs550 {
 
 using lab4::best_feature;
-using lab4::choose;
+using lab4::with_feature;
 
 namespace {
 
@@ -96,7 +96,7 @@ SeparatingAxis retest(const PosedShape& a, const PosedShape& b, const Separating
     case AxisFeature::None:
       break;
   }
-  return choose(hint.feature, result, a, b);
+  return with_feature(hint.feature, result, a, b);
 }
 
 }  // namespace
@@ -134,14 +134,14 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
 
   result = {};
   result.face_a = query_face_directions(a, b);
-  if (result.face_a.separation > margin) return choose(AxisFeature::FaceA, result, a, b);
+  if (result.face_a.separation > margin) return with_feature(AxisFeature::FaceA, result, a, b);
 
   result.face_b = query_face_directions(b, a);
-  if (result.face_b.separation > margin) return choose(AxisFeature::FaceB, result, a, b);
+  if (result.face_b.separation > margin) return with_feature(AxisFeature::FaceB, result, a, b);
 
   result.edges = query_edge_directions(a, b);
   const Real tolerance = tie_tolerance * std::min(a.shape->radius, b.shape->radius);
-  return choose(best_feature(result, hint.feature, tolerance), result, a, b);
+  return with_feature(best_feature(result, hint.feature, tolerance), result, a, b);
 }
 
 bool overlap(const PosedShape& a, const PosedShape& b) {

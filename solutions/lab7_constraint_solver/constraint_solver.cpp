@@ -1,5 +1,5 @@
 /// @file constraint_solver.cpp
-/// Lab 7, reference, L7.1 to L7.4: what a row asks for, and what stays the same during a step.
+/// Lab 7, reference, L7.1 to L7.4: what a constraint asks for, and what stays the same during a step.
 
 #include "cs550/constraint_solver.hpp"
 
@@ -9,10 +9,10 @@ namespace cs550 {
 
 namespace {
 
-/// J·M⁻¹·Kᵀ for two rows of the same contact: how much an impulse along k changes the velocity
+/// J·M⁻¹·Kᵀ for two constraints of the same contact: how much an impulse along k changes the velocity
 /// along j.
-Real couple(const ContactJacobian& j, const ContactJacobian& k, const BodyVelocity& a,
-            const BodyVelocity& b) {
+Real coupling(const ContactJacobian& j, const ContactJacobian& k, const SolverBody& a,
+              const SolverBody& b) {
   return a.inverse_mass * j.linear_a.dot(k.linear_a) +
          j.angular_a.dot(a.world_inverse_inertia * k.angular_a) +
          b.inverse_mass * j.linear_b.dot(k.linear_b) +
@@ -20,12 +20,13 @@ Real couple(const ContactJacobian& j, const ContactJacobian& k, const BodyVeloci
 }
 
 /// (JM⁻¹Jᵀ)⁻¹ for the two tangents together; 0 for two immovable bodies.
-Mat2 tangent_constraint_mass(const ContactRow& row, const BodyVelocity& a, const BodyVelocity& b) {
-  const ContactJacobian ju = contact_jacobian(row.u, row.r_a, row.r_b);
-  const ContactJacobian jv = contact_jacobian(row.v(), row.r_a, row.r_b);
-  const Real uu = couple(ju, ju, a, b);
-  const Real uv = couple(ju, jv, a, b);
-  const Real vv = couple(jv, jv, a, b);
+Mat2 tangent_constraint_mass(const ContactConstraint& constraint, const SolverBody& a,
+                             const SolverBody& b) {
+  const ContactJacobian ju = contact_jacobian(constraint.u, constraint.r_a, constraint.r_b);
+  const ContactJacobian jv = contact_jacobian(constraint.v(), constraint.r_a, constraint.r_b);
+  const Real uu = coupling(ju, ju, a, b);
+  const Real uv = coupling(ju, jv, a, b);
+  const Real vv = coupling(jv, jv, a, b);
   const Real determinant = uu * vv - uv * uv;
   if (determinant <= 0) return Mat2::Zero();
   Mat2 inverse;
@@ -33,8 +34,8 @@ Mat2 tangent_constraint_mass(const ContactRow& row, const BodyVelocity& a, const
   return inverse / determinant;
 }
 
-bool bounces(const ContactRow& row, Real threshold) {
-  return row.restitution > 0 && row.approach_velocity < -threshold;
+bool bounces(const ContactConstraint& constraint, Real threshold) {
+  return constraint.restitution > 0 && constraint.approach_velocity < -threshold;
 }
 
 }  // namespace
@@ -43,40 +44,41 @@ ContactJacobian contact_jacobian(const Vec3& direction, const Vec3& r_a, const V
   return {-direction, -r_a.cross(direction), direction, r_b.cross(direction)};
 }
 
-Real constraint_mass(const ContactJacobian& jacobian, const BodyVelocity& a,
-                     const BodyVelocity& b) {
-  const Real inverse = couple(jacobian, jacobian, a, b);
+Real constraint_mass(const ContactJacobian& jacobian, const SolverBody& a, const SolverBody& b) {
+  const Real inverse = coupling(jacobian, jacobian, a, b);
   return inverse > 0 ? 1 / inverse : 0;
 }
 
-ContactBias contact_bias(const ContactRow& row, Real separation, const ContactStep& step) {
+ContactBias contact_bias(const ContactConstraint& constraint, Real separation,
+                         const ContactStep& step) {
   ContactBias bias;
   if (separation > 0) {
     bias.velocity = separation / step.h;
   } else if (step.use_bias && step.model == ContactModel::Soft) {
-    bias.velocity = std::max(row.softness.bias_rate * separation, -step.max_push_speed);
-    bias.mass_scale = row.softness.mass_scale;
-    bias.impulse_scale = row.softness.impulse_scale;
+    bias.velocity = std::max(constraint.softness.bias_rate * separation, -step.max_push_speed);
+    bias.mass_scale = constraint.softness.mass_scale;
+    bias.impulse_scale = constraint.softness.impulse_scale;
   } else if (step.use_bias) {
     const Real excess = std::min(separation + step.slop, Real(0));
     bias.velocity = std::max(step.baumgarte / step.h * excess, -step.max_push_speed);
   }
   if (step.use_bias && step.model == ContactModel::Baumgarte &&
-      bounces(row, step.restitution_threshold)) {
-    bias.velocity = std::min(bias.velocity, row.restitution * row.approach_velocity);
+      bounces(constraint, step.restitution_threshold)) {
+    bias.velocity = std::min(bias.velocity, constraint.restitution * constraint.approach_velocity);
   }
   return bias;
 }
 
-void prepare_contacts(std::span<ContactRow> rows, std::span<const BodyVelocity> bodies,
+void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
                       const ContactStep& step) {
-  for (ContactRow& row : rows) {
-    const BodyVelocity& a = bodies[static_cast<std::size_t>(row.body_a)];
-    const BodyVelocity& b = bodies[static_cast<std::size_t>(row.body_b)];
-    row.normal_mass = constraint_mass(contact_jacobian(row.n, row.r_a, row.r_b), a, b);
-    row.tangent_mass = tangent_constraint_mass(row, a, b);
+  for (ContactConstraint& constraint : constraints) {
+    const SolverBody& a = bodies[static_cast<std::size_t>(constraint.body_a)];
+    const SolverBody& b = bodies[static_cast<std::size_t>(constraint.body_b)];
+    constraint.normal_mass =
+        constraint_mass(contact_jacobian(constraint.n, constraint.r_a, constraint.r_b), a, b);
+    constraint.tangent_mass = tangent_constraint_mass(constraint, a, b);
     const bool with_immovable = a.inverse_mass == 0 || b.inverse_mass == 0;
-    row.softness = with_immovable ? step.soft_static : step.soft;
+    constraint.softness = with_immovable ? step.soft_static : step.soft;
   }
 }
 

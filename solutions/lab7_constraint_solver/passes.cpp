@@ -2,18 +2,18 @@
 
 namespace cs550 {
 
-void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
+void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
                     const ContactStep& step) {
-  const auto body = [&](Index i) -> BodyVelocity& { return bodies[static_cast<std::size_t>(i)]; };
+  const auto body = [&](Index i) -> SolverBody& { return bodies[static_cast<std::size_t>(i)]; };
   if (step.backwards) {
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-      solve_friction(*row, body(row->body_a), body(row->body_b));
-      solve_normal(*row, body(row->body_a), body(row->body_b), step);
+    for (auto constraint = constraints.rbegin(); constraint != constraints.rend(); ++constraint) {
+      solve_friction(*constraint, body(constraint->body_a), body(constraint->body_b));
+      solve_normal(*constraint, body(constraint->body_a), body(constraint->body_b), step);
     }
   } else {
-    for (ContactRow& row : rows) {
-      solve_normal(row, body(row.body_a), body(row.body_b), step);
-      solve_friction(row, body(row.body_a), body(row.body_b));
+    for (ContactConstraint& constraint : constraints) {
+      solve_normal(constraint, body(constraint.body_a), body(constraint.body_b), step);
+      solve_friction(constraint, body(constraint.body_a), body(constraint.body_b));
     }
   }
 }

@@ -1,4 +1,4 @@
-// Lab 7's passes over the rows of a wide, shallow stack, as the engine solves them and one by one.
+// Lab 7's passes over the constraints of a wide, shallow stack, as the engine solves them and one by one.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace cs550::test {
 namespace {
 
 struct Bricks {
-  std::vector<BodyVelocity> bodies;
-  std::vector<ContactRow> rows;
+  std::vector<SolverBody> bodies;
+  std::vector<ContactConstraint> constraints;
   ContactStep step;
 };
 
@@ -23,7 +23,7 @@ Bricks cubes_on_the_ground(int count) {
   bricks.step.soft = bricks.step.soft_static = soft_contact(30, 4, bricks.step.h);
   bricks.bodies.resize(static_cast<std::size_t>(count) + 1);
   for (int i = 0; i < count; ++i) {
-    BodyVelocity& body = bricks.bodies[static_cast<std::size_t>(i)];
+    SolverBody& body = bricks.bodies[static_cast<std::size_t>(i)];
     body.inverse_mass = 1;
     body.world_inverse_inertia = 6 * Mat3::Identity();
   }
@@ -31,23 +31,23 @@ Bricks cubes_on_the_ground(int count) {
   for (int first = 0; first < count; first += 4) {
     for (const Vec3& corner : corners) {
       for (int i = first; i < std::min(first + 4, count); ++i) {
-        ContactRow row;
-        row.body_a = count;
-        row.body_b = i;
-        row.n = Vec3::UnitZ();
-        row.u = Vec3::UnitX();
-        row.r_b = Real(0.5) * corner;
-        row.friction = Real(0.6);
-        bricks.rows.push_back(row);
+        ContactConstraint constraint;
+        constraint.body_a = count;
+        constraint.body_b = i;
+        constraint.n = Vec3::UnitZ();
+        constraint.u = Vec3::UnitX();
+        constraint.r_b = Real(0.5) * corner;
+        constraint.friction = Real(0.6);
+        bricks.constraints.push_back(constraint);
       }
     }
   }
-  prepare_contacts(bricks.rows, bricks.bodies, bricks.step);
+  prepare_contacts(bricks.constraints, bricks.bodies, bricks.step);
   return bricks;
 }
 
 void push_down(Bricks& bricks) {
-  for (BodyVelocity& body : bricks.bodies) {
+  for (SolverBody& body : bricks.bodies) {
     if (body.inverse_mass > 0) body.v += Vec3(Real(0.001), 0, Real(-0.02));
   }
 }
@@ -56,27 +56,29 @@ void pass_at_once(benchmark::State& state) {
   Bricks bricks = cubes_on_the_ground(static_cast<int>(state.range(0)));
   for ([[maybe_unused]] auto _ : state) {
     push_down(bricks);
-    solve_contacts(bricks.rows, bricks.bodies, bricks.step);
+    solve_contacts(bricks.constraints, bricks.bodies, bricks.step);
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bricks.rows.size()));
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(bricks.constraints.size()));
 }
 
-void rows_one_by_one(benchmark::State& state) {
+void constraints_one_by_one(benchmark::State& state) {
   Bricks bricks = cubes_on_the_ground(static_cast<int>(state.range(0)));
   for ([[maybe_unused]] auto _ : state) {
     push_down(bricks);
-    for (ContactRow& row : bricks.rows) {
-      BodyVelocity& a = bricks.bodies[static_cast<std::size_t>(row.body_a)];
-      BodyVelocity& b = bricks.bodies[static_cast<std::size_t>(row.body_b)];
-      solve_normal(row, a, b, bricks.step);
-      solve_friction(row, a, b);
+    for (ContactConstraint& constraint : bricks.constraints) {
+      SolverBody& a = bricks.bodies[static_cast<std::size_t>(constraint.body_a)];
+      SolverBody& b = bricks.bodies[static_cast<std::size_t>(constraint.body_b)];
+      solve_normal(constraint, a, b, bricks.step);
+      solve_friction(constraint, a, b);
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bricks.rows.size()));
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(bricks.constraints.size()));
 }
 
 BENCHMARK(pass_at_once)->Arg(4)->Arg(64)->Arg(512);
-BENCHMARK(rows_one_by_one)->Arg(4)->Arg(64)->Arg(512);
+BENCHMARK(constraints_one_by_one)->Arg(4)->Arg(64)->Arg(512);
 
 }  // namespace
 }  // namespace cs550::test

@@ -7,7 +7,7 @@
 
 #include "cs550/primitives.hpp"
 #include "cs550/separating_axis.hpp"
-#include "support/random.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 namespace {

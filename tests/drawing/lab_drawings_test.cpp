@@ -172,21 +172,21 @@ TEST(TrajectoryDrawing, ATrailHasAPieceForEachStep) {
 }
 
 TEST(ImpulseDrawing, ArrowsAreAsLongAsTheirImpulses) {
-  ContactRow row;
-  row.body_a = 0;
-  row.body_b = 1;
-  row.n = Vec3::UnitZ();
-  row.u = Vec3::UnitX();
-  row.r_b = {0, 0, -1};
-  row.normal_impulse = 5;
-  const std::vector<ContactRow> rows = {row};
+  ContactConstraint constraint;
+  constraint.body_a = 0;
+  constraint.body_b = 1;
+  constraint.n = Vec3::UnitZ();
+  constraint.u = Vec3::UnitX();
+  constraint.r_b = {0, 0, -1};
+  constraint.normal_impulse = 5;
+  const std::vector<ContactConstraint> constraints = {constraint};
   const std::vector<Vec3> centers = {{0, 0, 0}, {7, 0, 1}};
-  EXPECT_EQ(impulse_scale(rows, 2), Real(0.4));
-  const Drawing drawing = draw_impulses(rows, centers, impulse_scale(rows, 2));
+  EXPECT_EQ(impulse_scale(constraints, 2), Real(0.4));
+  const Drawing drawing = draw_impulses(constraints, centers, impulse_scale(constraints, 2));
   ASSERT_EQ(drawing.lines.size(), 1U);
   EXPECT_EQ(drawing.lines[0].from, Vec3(7, 0, 0));
   EXPECT_EQ(drawing.lines[0].to, Vec3(7, 0, 2));
-  EXPECT_EQ(draw_impulses(rows, {centers.data(), 1}, 1).notes.size(), 1U);
+  EXPECT_EQ(draw_impulses(constraints, {centers.data(), 1}, 1).notes.size(), 1U);
 }
 
 TEST(ImpulseDrawing, TheDiskHasTheRadiusOfTheLimit) {

@@ -55,7 +55,8 @@ TEST(Plot, MarksStretchTheAxes) {
 }
 
 TEST(Plot, NeighbouringSeriesHaveDifferentColours) {
-  for (int i = 0; i < 5; ++i) EXPECT_NE(hex(color(series_role(i))), hex(color(series_role(i + 1))));
+  for (int i = 0; i < 5; ++i)
+    EXPECT_NE(hex(colour(series_role(i))), hex(colour(series_role(i + 1))));
 }
 
 TEST(Plot, ConvergenceHasOneValuePerPass) {
@@ -76,10 +77,10 @@ TEST(Text, NumbersAreWrittenAsPeopleWriteThem) {
 }
 
 TEST(Palette, RolesThatStandSideBySideDiffer) {
-  EXPECT_FALSE(color(Role::Expected) == color(Role::Got));
-  EXPECT_FALSE(color(Role::BodyA) == color(Role::BodyB));
-  EXPECT_FALSE(color(Role::Reference) == color(Role::Incident));
-  EXPECT_EQ(hex(color(Role::BodyA)), "#0072b2");
+  EXPECT_FALSE(colour(Role::Expected) == colour(Role::Got));
+  EXPECT_FALSE(colour(Role::BodyA) == colour(Role::BodyB));
+  EXPECT_FALSE(colour(Role::Reference) == colour(Role::Incident));
+  EXPECT_EQ(hex(colour(Role::BodyA)), "#0072b2");
 }
 
 }  // namespace

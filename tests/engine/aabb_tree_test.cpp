@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cs550/broad_phase.hpp"
-#include "support/random.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550 {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cs550/contact.hpp"
-#include "support/random.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 namespace {

@@ -1,4 +1,4 @@
-// A pass over many rows: whatever kernel the engine runs must leave the bits of one row after the other.
+// A pass over many constraints: whatever kernel the engine runs must leave the bits of one constraint after the other.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "cs550/constraint_solver.hpp"
-#include "support/random.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 namespace {
 
 struct System {
-  std::vector<BodyVelocity> bodies;
-  std::vector<ContactRow> rows;
+  std::vector<SolverBody> bodies;
+  std::vector<ContactConstraint> constraints;
 };
 
-BodyVelocity random_body(Random& random, bool movable) {
-  BodyVelocity body;
+SolverBody random_body(Random& random, bool movable) {
+  SolverBody body;
   body.v = random.real(0, 2) * random.unit_vector();
   body.w = random.real(0, 3) * random.unit_vector();
   if (movable) {
@@ -33,28 +33,28 @@ BodyVelocity random_body(Random& random, bool movable) {
   return body;
 }
 
-/// Every kind of row: apart and in penetration, with and without load, rough and smooth.
-ContactRow random_row(Random& random, Index a, Index b) {
-  ContactRow row;
-  row.body_a = a;
-  row.body_b = b;
-  row.n = random.unit_vector();
-  row.u = row.n.unitOrthogonal();
-  row.r_a = random.real(Real(0.2), 1) * random.unit_vector();
-  row.r_b = random.real(Real(0.2), 1) * random.unit_vector();
-  row.separation = random.real(Real(-0.05), Real(0.02));
-  row.friction = random.real(0, 1) < Real(0.2) ? 0 : random.real(0, 2);
-  row.restitution = random.real(0, 1) < Real(0.5) ? 0 : random.real(0, 1);
-  row.approach_velocity = random.real(-3, 1);
-  row.struck = random.real(0, 1) < Real(0.5);
+/// Every kind of constraint: apart and in penetration, with and without load, rough and smooth.
+ContactConstraint random_constraint(Random& random, Index a, Index b) {
+  ContactConstraint constraint;
+  constraint.body_a = a;
+  constraint.body_b = b;
+  constraint.n = random.unit_vector();
+  constraint.u = constraint.n.unitOrthogonal();
+  constraint.r_a = random.real(Real(0.2), 1) * random.unit_vector();
+  constraint.r_b = random.real(Real(0.2), 1) * random.unit_vector();
+  constraint.separation = random.real(Real(-0.05), Real(0.02));
+  constraint.friction = random.real(0, 1) < Real(0.2) ? 0 : random.real(0, 2);
+  constraint.restitution = random.real(0, 1) < Real(0.5) ? 0 : random.real(0, 1);
+  constraint.approach_velocity = random.real(-3, 1);
+  constraint.impact_handled = random.real(0, 1) < Real(0.5);
   if (random.real(0, 1) < Real(0.7)) {
-    row.normal_impulse = random.real(0, 2);
-    row.tangent_impulse = {random.real(-1, 1), random.real(-1, 1)};
+    constraint.normal_impulse = random.real(0, 2);
+    constraint.tangent_impulse = {random.real(-1, 1), random.real(-1, 1)};
   }
-  return row;
+  return constraint;
 }
 
-/// Bodies of which the last fifth is immovable, and rows between any two of which one can move.
+/// Bodies of which the last fifth is immovable, and constraints between any two of which one can move.
 System random_system(Random& random, const ContactStep& step) {
   System system;
   const Index bodies = random.integer(2, 40);
@@ -63,22 +63,22 @@ System random_system(Random& random, const ContactStep& step) {
   for (Index i = random.integer(0, 100); i > 0; --i) {
     const Index a = random.integer(0, movable - 1);
     const Index b = random.integer(0, bodies - 1);
-    if (a != b) system.rows.push_back(random_row(random, a, b));
+    if (a != b) system.constraints.push_back(random_constraint(random, a, b));
   }
-  prepare_contacts(system.rows, system.bodies, step);
+  prepare_contacts(system.constraints, system.bodies, step);
   return system;
 }
 
-/// The words of L7.8, with the row functions of L7.6 and L7.7.
+/// The words of L7.8, with the constraint functions of L7.6 and L7.7.
 void solve_one_by_one(System& system, const ContactStep& step) {
-  const std::size_t count = system.rows.size();
+  const std::size_t count = system.constraints.size();
   for (std::size_t i = 0; i < count; ++i) {
-    ContactRow& row = system.rows[step.backwards ? count - 1 - i : i];
-    BodyVelocity& a = system.bodies[static_cast<std::size_t>(row.body_a)];
-    BodyVelocity& b = system.bodies[static_cast<std::size_t>(row.body_b)];
-    if (step.backwards) solve_friction(row, a, b);
-    solve_normal(row, a, b, step);
-    if (!step.backwards) solve_friction(row, a, b);
+    ContactConstraint& constraint = system.constraints[step.backwards ? count - 1 - i : i];
+    SolverBody& a = system.bodies[static_cast<std::size_t>(constraint.body_a)];
+    SolverBody& b = system.bodies[static_cast<std::size_t>(constraint.body_b)];
+    if (step.backwards) solve_friction(constraint, a, b);
+    solve_normal(constraint, a, b, step);
+    if (!step.backwards) solve_friction(constraint, a, b);
   }
 }
 
@@ -105,7 +105,7 @@ ContactStep step_of(ContactModel model, bool use_bias, bool backwards) {
   return step;
 }
 
-TEST(Passes, LeaveTheBitsOfOneRowAfterTheOther) {
+TEST(Passes, LeaveTheBitsOfOneConstraintAfterTheOther) {
   int slides = 0;
   int presses = 0;
   for (const ContactModel model : {ContactModel::Soft, ContactModel::Baumgarte}) {
@@ -117,17 +117,19 @@ TEST(Passes, LeaveTheBitsOfOneRowAfterTheOther) {
           Random random(seed);
           System at_once = random_system(random, step);
           System in_turn = at_once;
-          solve_contacts(at_once.rows, at_once.bodies, step);
+          solve_contacts(at_once.constraints, at_once.bodies, step);
           solve_one_by_one(in_turn, step);
-          for (std::size_t i = 0; i < in_turn.rows.size(); ++i) {
-            const ContactRow& row = at_once.rows[i];
-            const ContactRow& expected = in_turn.rows[i];
-            ASSERT_TRUE(same_bits(row.normal_impulse, expected.normal_impulse)) << "row " << i;
-            ASSERT_TRUE(same_bits(row.tangent_impulse, expected.tangent_impulse)) << "row " << i;
-            ASSERT_EQ(row.struck, expected.struck) << "row " << i;
-            const Real limit = row.friction * row.normal_impulse;
-            if (limit > 0 && row.tangent_impulse.norm() > Real(0.999) * limit) ++slides;
-            if (row.normal_impulse > 0) ++presses;
+          for (std::size_t i = 0; i < in_turn.constraints.size(); ++i) {
+            const ContactConstraint& constraint = at_once.constraints[i];
+            const ContactConstraint& expected = in_turn.constraints[i];
+            ASSERT_TRUE(same_bits(constraint.normal_impulse, expected.normal_impulse))
+                << "constraint " << i;
+            ASSERT_TRUE(same_bits(constraint.tangent_impulse, expected.tangent_impulse))
+                << "constraint " << i;
+            ASSERT_EQ(constraint.impact_handled, expected.impact_handled) << "constraint " << i;
+            const Real limit = constraint.friction * constraint.normal_impulse;
+            if (limit > 0 && constraint.tangent_impulse.norm() > Real(0.999) * limit) ++slides;
+            if (constraint.normal_impulse > 0) ++presses;
           }
           for (std::size_t i = 0; i < in_turn.bodies.size(); ++i) {
             ASSERT_TRUE(same_bits(at_once.bodies[i].v, in_turn.bodies[i].v)) << "body " << i;

@@ -7,7 +7,7 @@
 
 #include "cs550/primitives.hpp"
 #include "cs550/world.hpp"
-#include "support/random.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 

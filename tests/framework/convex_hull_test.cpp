@@ -4,7 +4,7 @@
 
 #include "cs550/mesh_io.hpp"
 #include "cs550/mesh_validation.hpp"
-#include "support/random.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cs550/mesh_io.hpp"
+#include "helpers/random.hpp"
 #include "support/fixtures.hpp"
-#include "support/random.hpp"
 
 namespace cs550::test {
 namespace {

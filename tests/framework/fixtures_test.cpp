@@ -7,7 +7,7 @@
 
 #include "cs550/mesh_io.hpp"
 #include "cs550/mesh_validation.hpp"
-#include "support/recorded_meshes.hpp"
+#include "helpers/recorded_meshes.hpp"
 
 namespace cs550::test {
 namespace {

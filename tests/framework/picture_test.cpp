@@ -1,6 +1,6 @@
 // A failing check draws, once for each test, and nothing that goes wrong there does any harm.
 
-#include "support/picture.hpp"
+#include "helpers/picture.hpp"
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "support/story.hpp"
+#include "helpers/story.hpp"
 
 namespace cs550::test {
 namespace {

@@ -2,9 +2,9 @@
 /// @file convergence.hpp
 /// The order of an integration method, from what halving the step does to the error.
 
+#include "helpers/story.hpp"
 #include "lab1_integration/free_body.hpp"
 #include "lab1_integration/pictures.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 

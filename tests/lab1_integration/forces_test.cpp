@@ -1,9 +1,9 @@
 // L1.1 and L1.2: what a force and an impulse do at once, before any time passes.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 #include "lab1_integration/free_body.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {

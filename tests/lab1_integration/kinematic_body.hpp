@@ -2,9 +2,9 @@
 /// @file kinematic_body.hpp
 /// A body that nothing pushes: its velocities are given and constant, whatever the method.
 
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 #include "lab1_integration/free_body.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 

@@ -1,9 +1,9 @@
 // L1.3 to L1.5: velocities derived from momenta, and what a force does in a time h.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 #include "lab1_integration/free_body.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {

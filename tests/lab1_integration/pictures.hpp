@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "drawing/trajectory_drawing.hpp"
+#include "helpers/picture.hpp"
 #include "lab1_integration/free_body.hpp"
-#include "support/picture.hpp"
 
 namespace cs550::test {
 

@@ -1,10 +1,10 @@
 // L1.6: position, and the explicit rotation with all its faults.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/story.hpp"
 #include "lab1_integration/convergence.hpp"
 #include "lab1_integration/kinematic_body.hpp"
 #include "lab1_integration/pictures.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {

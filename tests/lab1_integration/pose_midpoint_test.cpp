@@ -3,12 +3,12 @@
 
 #include <vector>
 
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 #include "lab1_integration/convergence.hpp"
 #include "lab1_integration/flips.hpp"
 #include "lab1_integration/kinematic_body.hpp"
 #include "lab1_integration/pictures.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {

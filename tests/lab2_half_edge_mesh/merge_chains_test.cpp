@@ -12,7 +12,7 @@ GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 3, "L2.7") {
       .likely(
           "two faces that share a chain of edges lose all of it, and its inner vertices; an edge "
           "taken alone leaves vertices of degree one or two")
-      .likely("where two faces leave a dent, the faces in the dent join them")
+      .likely("where a union has a reflex vertex, the faces behind it join the union")
       .likely(
           "a vertex in the middle of a straight edge is left with two edges: it goes, from the "
           "loops of both faces");

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cs550/mesh_validation.hpp"
+#include "helpers/story.hpp"
 #include "lab2_half_edge_mesh/pictures.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 

@@ -6,8 +6,8 @@
 
 #include "cs550/mesh_validation.hpp"
 #include "drawing/mesh_drawing.hpp"
+#include "helpers/picture.hpp"
 #include "lab2_half_edge_mesh/solids.hpp"
-#include "support/picture.hpp"
 
 namespace cs550::test {
 

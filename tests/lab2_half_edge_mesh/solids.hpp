@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cs550/primitives.hpp"
-#include "support/random.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 

@@ -7,10 +7,10 @@
 
 #include "cs550/hill_climbing.hpp"
 #include "drawing/climb_drawing.hpp"
+#include "helpers/picture.hpp"
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 #include "support/fixtures.hpp"
-#include "support/picture.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 

@@ -3,10 +3,10 @@
 
 #include "cs550/separating_axis.hpp"
 #include "drawing/gauss_map_drawing.hpp"
+#include "helpers/picture.hpp"
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 #include "lab4_separating_axis/gauss_map.hpp"
-#include "support/picture.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {

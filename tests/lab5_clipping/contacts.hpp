@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cs550/clipping.hpp"
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 #include "support/fixtures.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 

@@ -8,8 +8,8 @@
 #include "drawing/clip_drawing.hpp"
 #include "drawing/manifold_drawing.hpp"
 #include "drawing/mesh_drawing.hpp"
+#include "helpers/picture.hpp"
 #include "lab5_clipping/polygons.hpp"
-#include "support/picture.hpp"
 
 namespace cs550::test {
 

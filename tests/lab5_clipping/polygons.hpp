@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cs550/clipping.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 
 namespace cs550::test {
 

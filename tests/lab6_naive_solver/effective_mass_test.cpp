@@ -1,8 +1,8 @@
 // L6.1 and L6.2: the numbers that an impulse is made of.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/story.hpp"
 #include "lab6_naive_solver/collision.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {
@@ -26,10 +26,13 @@ GRADED_TEST(Lab6, EffectiveMassMatchesDense, 6, "L6.1") {
     for (int i = 0; i < 20; ++i) {
       const Collision at = random_collision(random, size);
       const Vec3 d = random.unit_vector();
-      const double exact = dense_effective_mass(at.a, at.b, at.row.r_a, at.row.r_b, d);
-      const double got = effective_mass(at.a, at.b, at.row.r_a, at.row.r_b, d);
+      const double exact =
+          dense_effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
+      const double got = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
       Story here = story;
-      here.given("size", size, "m").given("r_A", at.row.r_a, "m").given("r_B", at.row.r_b, "m");
+      here.given("size", size, "m")
+          .given("r_A", at.constraint.r_a, "m")
+          .given("r_B", at.constraint.r_b, "m");
       // Only positive terms are added: nothing can cancel, a few roundings of float remain.
       if (!here.expect_near("m_e", got, exact, 1e-5 * exact, "kg")) return;
     }
@@ -39,9 +42,9 @@ GRADED_TEST(Lab6, EffectiveMassMatchesDense, 6, "L6.1") {
 GRADED_TEST(Lab6, EffectiveMassOfKnownCases, 4, "L6.1") {
   const Vec3 x = Vec3::UnitX();
   const Vec3 z = Vec3::UnitZ();
-  const BodyVelocity fixed;
-  const BodyVelocity one = movable(1, Vec3(1, 1, 1));
-  const BodyVelocity three = movable(3, Vec3(1, 1, 1));
+  const SolverBody fixed;
+  const SolverBody one = movable(1, Vec3(1, 1, 1));
+  const SolverBody three = movable(3, Vec3(1, 1, 1));
 
   Story central =
       with_mass_causes(Story("A central blow meets the reduced mass m_A·m_B/(m_A + m_B)"));
@@ -54,7 +57,7 @@ GRADED_TEST(Lab6, EffectiveMassOfKnownCases, 4, "L6.1") {
   wall.expect_near("m_e", effective_mass(fixed, three, x, -x, x), 3, 1e-6, "kg");
 
   // A thin rod of length l: I = m·l²/12, so 1/m_e = 1/m + (l/2)²/I = 4/m.
-  BodyVelocity rod;
+  SolverBody rod;
   rod.inverse_mass = Real(0.5);
   rod.world_inverse_inertia.diagonal() = Vec3(0, Real(1) / 6, Real(1) / 6);
   Story tip = with_mass_causes(Story("At its tip, a thin rod is only a quarter as hard to move"));
@@ -63,7 +66,7 @@ GRADED_TEST(Lab6, EffectiveMassOfKnownCases, 4, "L6.1") {
 }
 
 GRADED_TEST(Lab6, EffectiveMassOfImmovableAndSwappedBodies, 4, "L6.1") {
-  const BodyVelocity fixed;
+  const SolverBody fixed;
   Story story("Two immovable bodies have the effective mass 0, by agreement");
   story.likely("1/0 is infinite, and infinity times zero is not a number in the next line");
   story.expect_near(
@@ -72,13 +75,15 @@ GRADED_TEST(Lab6, EffectiveMassOfImmovableAndSwappedBodies, 4, "L6.1") {
   Random random(62);
   for (int i = 0; i < 20; ++i) {
     const Collision at = random_collision(random, 1);
-    const Vec3 d = at.row.n;
-    const double mass = effective_mass(at.a, at.b, at.row.r_a, at.row.r_b, d);
-    const double swapped = effective_mass(at.b, at.a, at.row.r_b, at.row.r_a, d);
-    const double reversed = effective_mass(at.a, at.b, at.row.r_a, at.row.r_b, -d);
+    const Vec3 d = at.constraint.n;
+    const double mass = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
+    const double swapped = effective_mass(at.b, at.a, at.constraint.r_b, at.constraint.r_a, d);
+    const double reversed = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, -d);
     const double reduced = 1 / double{at.a.inverse_mass + at.b.inverse_mass};
     Story here = with_mass_causes(Story("m_e asks neither who is A nor which way the blow goes"));
-    here.seed(random.seed()).given("r_A", at.row.r_a, "m").given("r_B", at.row.r_b, "m");
+    here.seed(random.seed())
+        .given("r_A", at.constraint.r_a, "m")
+        .given("r_B", at.constraint.r_b, "m");
     bool held = here.expect_near("m_e with A and B swapped", swapped, mass, 1e-5 * mass, "kg");
     held &= here.expect_near("m_e of the reversed blow", reversed, mass, 1e-5 * mass, "kg");
     held &= here.expect_at_most("m_e of bodies that can turn", mass, reduced * (1 + 1e-5), "kg");
@@ -95,8 +100,8 @@ GRADED_TEST(Lab6, NormalVelocityMatchesDense, 4, "L6.2") {
       const Collision at = random_collision(random, size);
       const Vec3 n = random.unit_vector();
       const double exact =
-          dense_jacobian(n, at.row.r_a, at.row.r_b).dot(dense_velocity(at.a, at.b));
-      const double got = normal_velocity(at.a, at.b, at.row.r_a, at.row.r_b, n);
+          dense_jacobian(n, at.constraint.r_a, at.constraint.r_b).dot(dense_velocity(at.a, at.b));
+      const double got = normal_velocity(at.a, at.b, at.constraint.r_a, at.constraint.r_b, n);
       Story here = story;
       here.given("size", size, "m").given("n", n);
       // Speeds of up to ten sizes a second are added and may cancel.
@@ -107,8 +112,8 @@ GRADED_TEST(Lab6, NormalVelocityMatchesDense, 4, "L6.2") {
 
 GRADED_TEST(Lab6, NormalVelocityIsNegativeWhenApproaching, 3, "L6.2") {
   const Vec3 x = Vec3::UnitX();
-  BodyVelocity a = movable(1, Vec3(1, 1, 1));
-  BodyVelocity b = movable(1, Vec3(1, 1, 1));
+  SolverBody a = movable(1, Vec3(1, 1, 1));
+  SolverBody b = movable(1, Vec3(1, 1, 1));
   Story story =
       with_velocity_causes(Story("v_n is negative when approaching, positive when parting"));
   story.given("n", x).given("A at the left, B at the right");
@@ -127,8 +132,8 @@ GRADED_TEST(Lab6, NormalVelocityIsNegativeWhenApproaching, 3, "L6.2") {
 GRADED_TEST(Lab6, NormalVelocityCountsTheTurning, 3, "L6.2") {
   const Vec3 x = Vec3::UnitX();
   const Vec3 y = Vec3::UnitY();
-  const BodyVelocity still = movable(1, Vec3(1, 1, 1));
-  BodyVelocity spinning = still;
+  const SolverBody still = movable(1, Vec3(1, 1, 1));
+  SolverBody spinning = still;
   spinning.w = Vec3(0, 0, 4);
   // A point 2 m to the right of an axis along z moves by 4 · 2 m/s along y.
   Story story = with_velocity_causes(Story("A turning body moves its contact points by ω × r"));

@@ -1,8 +1,8 @@
 // L6.3: the impulse of one contact without restitution.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/story.hpp"
 #include "lab6_naive_solver/pictures.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {
@@ -14,26 +14,27 @@ Story with_causes(Story story) {
       .likely("change the bodies of the span, not copies of them");
 }
 
-bool same_motion(const BodyVelocity& a, const BodyVelocity& b) { return a.v == b.v && a.w == b.w; }
+bool same_motion(const SolverBody& a, const SolverBody& b) { return a.v == b.v && a.w == b.w; }
 
 GRADED_TEST(Lab6, InelasticCentralCollision, 3, "L6.3") {
   const Vec3 x = Vec3::UnitX();
   Collision at{movable(1, Vec3(1, 1, 1)), movable(3, Vec3(1, 1, 1)), touching(x, x, -x, 0)};
   at.a.v = Vec3(5, 0, 0);
-  at.row.normal_impulse = Real(0.5);
+  at.constraint.normal_impulse = Real(0.5);
   const Collision before = at;
   collide(at);
 
   Story story = with_causes(Story("Bodies that do not bounce go on together"));
   story.given("1 kg at 5 m/s into 3 kg at rest").given("e", 0).when("one pass");
-  story.likely("the row gathers its impulses: add, do not overwrite");
+  story.likely("the constraint gathers its impulses: add, do not overwrite");
   story.picture([&] { return collision_picture(before, at); });
   // v = (1 · 5 + 3 · 0)/(1 + 3).
   story.expect_near("v_A", at.a.v, Vec3(Real(1.25), 0, 0), 1e-6, "m/s");
   story.expect_near("v_B", at.b.v, Vec3(Real(1.25), 0, 0), 1e-6, "m/s");
   story.expect_near("ω_A", at.a.w, Vec3::Zero(), 0, "rad/s");
   story.expect_near("ω_B", at.b.w, Vec3::Zero(), 0, "rad/s");
-  story.expect_near("impulse of the row, 0.5 N·s before", at.row.normal_impulse, 4.25, 1e-6, "N·s");
+  story.expect_near("impulse of the constraint, 0.5 N·s before", at.constraint.normal_impulse, 4.25,
+                    1e-6, "N·s");
 }
 
 GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
@@ -45,7 +46,7 @@ GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
   at.a.v = Vec3(3, 0, 4);
   at.b.inverse_mass = Real(0.5);
   at.b.world_inverse_inertia.diagonal() = Vec3(0, Real(1) / Real(1.5), Real(1) / Real(1.5));
-  at.row = touching(z, Vec3::Zero(), Vec3(Real(-1.5), 0, 0), 0);
+  at.constraint = touching(z, Vec3::Zero(), Vec3(Real(-1.5), 0, 0), 0);
   const Collision point_and_rod = at;
   collide(at);
 
@@ -54,7 +55,7 @@ GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
   story.given("point mass of 1 kg at (3, 0, 4) m/s").given("rod of 2 kg and 3 m along x, at rest");
   story.given("e", 0).when("one pass");
   story.picture([&] { return collision_picture(point_and_rod, at); });
-  story.expect_near("impulse", at.row.normal_impulse, 4.0 / 3, 1e-6, "N·s");
+  story.expect_near("impulse", at.constraint.normal_impulse, 4.0 / 3, 1e-6, "N·s");
   story.expect_near("v of the point mass", at.a.v, Vec3(3, 0, Real(8) / 3), 1e-6, "m/s");
   story.expect_near("V of the rod", at.b.v, Vec3(0, 0, Real(2) / 3), 1e-6, "m/s");
   story.expect_near("ω of the rod", at.b.w, Vec3(0, Real(4) / 3, 0), 1e-6, "rad/s");
@@ -63,10 +64,11 @@ GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
   for (const Real size : {Real(0.01), Real(1), Real(100)}) {
     Collision boxes = random_collision(random, size);
     const Collision before = boxes;
-    const ContactRow& row = before.row;
-    const Vector12 jacobian = dense_jacobian(row.n, row.r_a, row.r_b);
+    const ContactConstraint& constraint = before.constraint;
+    const Vector12 jacobian = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b);
     const Vector12 velocity = dense_velocity(before.a, before.b);
-    const double mass = dense_effective_mass(before.a, before.b, row.r_a, row.r_b, row.n);
+    const double mass =
+        dense_effective_mass(before.a, before.b, constraint.r_a, constraint.r_b, constraint.n);
     const Vector12 change =
         dense_inverse_mass(before.a, before.b) * jacobian * (-jacobian.dot(velocity) * mass);
     const Vector12 exact = velocity + change;
@@ -89,8 +91,8 @@ GRADED_TEST(Lab6, BodiesThatSeparateAreLeftAlone, 2, "L6.3") {
   Random random(65);
   for (int i = 0; i < 20; ++i) {
     Collision at = random_collision(random, 1);
-    at.row.n = -at.row.n;
-    at.row.normal_impulse = Real(0.25);
+    at.constraint.n = -at.constraint.n;
+    at.constraint.normal_impulse = Real(0.25);
     const Collision before = at;
     collide(at);
     Story story("Bodies that already part are not pulled back");
@@ -100,7 +102,8 @@ GRADED_TEST(Lab6, BodiesThatSeparateAreLeftAlone, 2, "L6.3") {
         .likely("a contact can push, never pull: j must not become negative");
     bool held = story.expect("A moves as before", same_motion(at.a, before.a));
     held &= story.expect("B moves as before", same_motion(at.b, before.b));
-    held &= story.expect_near("impulse of the row", at.row.normal_impulse, 0.25, 0, "N·s");
+    held &= story.expect_near("impulse of the constraint", at.constraint.normal_impulse, 0.25, 0,
+                              "N·s");
     if (!held) return;
   }
 }
@@ -114,18 +117,18 @@ GRADED_TEST(Lab6, GapsAreLeftAlone, 2, "L6.3") {
   for (const Case& at :
        {Case{Real(0.1), false}, Case{Real(1e-4), false}, Case{0, true}, Case{Real(-0.05), true}}) {
     Collision collision = random_collision(random, 1);
-    collision.row.separation = at.separation;
+    collision.constraint.separation = at.separation;
     const Collision before = collision;
     collide(collision);
     const bool struck = !same_motion(collision.a, before.a) && !same_motion(collision.b, before.b);
     Story story("Bodies collide once they touch (separation ≤ 0), not before");
     story.seed(random.seed()).given("separation", at.separation, "m").given("approaching boxes");
     story.when("one pass");
-    story.likely("a row with a gap is there for the solver of lab 7: skip separation > 0")
+    story.likely("a constraint with a gap is there for the solver of lab 7: skip separation > 0")
         .likely("touching counts: separation = 0 is a contact");
     story.expect_equal("an impulse was given", struck, at.touches);
-    story.expect_equal("the row has gathered an impulse", collision.row.normal_impulse > 0,
-                       at.touches);
+    story.expect_equal("the constraint has gathered an impulse",
+                       collision.constraint.normal_impulse > 0, at.touches);
   }
 }
 
@@ -133,7 +136,7 @@ GRADED_TEST(Lab6, ImmovableBodiesStay, 3, "L6.3") {
   const Vec3 z = Vec3::UnitZ();
   Story story = with_causes(Story("An immovable body gives impulses and takes none"));
 
-  Collision floor{BodyVelocity{}, movable(2, Vec3(1, 1, 1)), touching(z, Vec3(4, 0, 0), -z, 0)};
+  Collision floor{SolverBody{}, movable(2, Vec3(1, 1, 1)), touching(z, Vec3(4, 0, 0), -z, 0)};
   floor.b.v = Vec3(1, 0, -3);
   collide(floor);
   Story landing = story;
@@ -142,7 +145,7 @@ GRADED_TEST(Lab6, ImmovableBodiesStay, 3, "L6.3") {
   landing.expect_near("v of the floor", floor.a.v, Vec3::Zero(), 0, "m/s");
   landing.expect_near("ω of the floor", floor.a.w, Vec3::Zero(), 0, "rad/s");
 
-  Collision lift{movable(2, Vec3(1, 1, 1)), BodyVelocity{}, touching(-z, -z, z, 0)};
+  Collision lift{movable(2, Vec3(1, 1, 1)), SolverBody{}, touching(-z, -z, z, 0)};
   lift.b.v = Vec3(0, 0, 2);
   collide(lift);
   Story lifted = story;
@@ -150,14 +153,14 @@ GRADED_TEST(Lab6, ImmovableBodiesStay, 3, "L6.3") {
   lifted.expect_near("v of the cube", lift.a.v, Vec3(0, 0, 2), 1e-6, "m/s");
   lifted.expect_near("v of the lift", lift.b.v, Vec3(0, 0, 2), 0, "m/s");
 
-  Collision walls{BodyVelocity{}, BodyVelocity{}, touching(z, z, -z, 1)};
+  Collision walls{SolverBody{}, SolverBody{}, touching(z, z, -z, 1)};
   walls.b.v = Vec3(0, 0, -1);
   collide(walls);
   Story both = story;
   both.given("two immovable bodies that approach");
   both.expect_near("v of the moving one", walls.b.v, Vec3(0, 0, -1), 0, "m/s");
   both.expect_near("v of the other", walls.a.v, Vec3::Zero(), 0, "m/s");
-  both.expect_near("impulse", walls.row.normal_impulse, 0, 0, "N·s");
+  both.expect_near("impulse", walls.constraint.normal_impulse, 0, 0, "N·s");
 }
 
 }  // namespace

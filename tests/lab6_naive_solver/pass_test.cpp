@@ -1,9 +1,9 @@
-// L6.4: restitution, many rows, and what one pass over them cannot do.
+// L6.4: restitution, many constraints, and what one pass over them cannot do.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/story.hpp"
 #include "lab6_naive_solver/collision.hpp"
 #include "lab6_naive_solver/stack.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {
@@ -39,7 +39,8 @@ GRADED_TEST(Lab6, MomentumIsKeptAndEnergyNeverGrows, 4, "L6.4") {
         collide(at);
         // About the contact point, where the centres of mass lie at −r.
         const auto spin = [](const Collision& c) -> Eigen::Vector3d {
-          return angular_momentum(c.a, -c.row.r_a) + angular_momentum(c.b, -c.row.r_b);
+          return angular_momentum(c.a, -c.constraint.r_a) +
+                 angular_momentum(c.b, -c.constraint.r_b);
         };
         const Eigen::Vector3d momentum = linear_momentum(before.a) + linear_momentum(before.b);
         const Eigen::Vector3d after = linear_momentum(at.a) + linear_momentum(at.b);
@@ -66,8 +67,8 @@ GRADED_TEST(Lab6, MomentumIsKeptAndEnergyNeverGrows, 4, "L6.4") {
 }
 
 GRADED_TEST(Lab6, OnePassCannotHoldAStack, 4, "L6.4") {
-  Story story("One pass over the rows takes half a box's approach off it and hands it down");
-  story.likely("rows are visited once, in order, and each sees what the ones before it did")
+  Story story("One pass over the constraints takes half a box's approach off it and hands it down");
+  story.likely("constraints are visited once, in order, and each sees what the ones before it did")
       .likely("change the bodies of the span, not copies of them")
       .likely("only approaching bodies collide: v_n < 0");
   // From below: u₁ = 0 at the floor, then each contact levels a box with the one above it, which
@@ -76,7 +77,7 @@ GRADED_TEST(Lab6, OnePassCannotHoldAStack, 4, "L6.4") {
   constexpr int boxes = 10;
   Stack stack(boxes);
   stack.fall(speed);
-  resolve_contacts_naive(stack.rows, stack.bodies);
+  resolve_contacts_naive(stack.constraints, stack.bodies);
   Story once = story;
   once.given("boxes of 1 kg", boxes).given("g·h", speed, "m/s").when("one pass, from below");
   for (int k = 1; k <= boxes; ++k) {
@@ -89,7 +90,7 @@ GRADED_TEST(Lab6, OnePassCannotHoldAStack, 4, "L6.4") {
     Stack tower(height);
     for (int i = 0; i < 60; ++i) {
       tower.fall(speed);
-      resolve_contacts_naive(tower.rows, tower.bodies);
+      resolve_contacts_naive(tower.constraints, tower.bodies);
       tower.move(Real(1) / 60);
     }
     const Real sunk = static_cast<Real>(height) - Real(0.5) - tower.heights.back();

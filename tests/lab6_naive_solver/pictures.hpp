@@ -6,8 +6,8 @@
 #include <string>
 
 #include "drawing/drawing.hpp"
+#include "helpers/picture.hpp"
 #include "lab6_naive_solver/collision.hpp"
-#include "support/picture.hpp"
 
 namespace cs550::test {
 
@@ -17,7 +17,7 @@ inline drawing::Drawing draw_collision(const Collision& at, Real meters_per_spee
   using drawing::Role;
   drawing::Drawing drawing;
   const Vec3 contact = Vec3::Zero();
-  const auto add_body = [&](const BodyVelocity& body, const Vec3& r, Role role, const char* name) {
+  const auto add_body = [&](const SolverBody& body, const Vec3& r, Role role, const char* name) {
     const Vec3 center = contact - r;
     drawing.lines.push_back({center, contact, {role, 2, true, false}});
     drawing.points.push_back({center, role, 7});
@@ -26,10 +26,11 @@ inline drawing::Drawing draw_collision(const Collision& at, Real meters_per_spee
     add_arrow(drawing, contact, meters_per_speed * (body.v + body.w.cross(r)),
               {role, Real(1.8), false, true});
   };
-  add_body(at.a, at.row.r_a, Role::BodyA, "A");
-  add_body(at.b, at.row.r_b, Role::BodyB, "B");
-  const Real reach = std::max(at.row.r_a.norm(), at.row.r_b.norm());
-  add_arrow(drawing, contact, Real(0.3) * reach * at.row.n, {Role::Axis, 2, false, true}, "n");
+  add_body(at.a, at.constraint.r_a, Role::BodyA, "A");
+  add_body(at.b, at.constraint.r_b, Role::BodyB, "B");
+  const Real reach = std::max(at.constraint.r_a.norm(), at.constraint.r_b.norm());
+  add_arrow(drawing, contact, Real(0.3) * reach * at.constraint.n, {Role::Axis, 2, false, true},
+            "n");
   drawing.points.push_back({contact, Role::Highlight, 5});
   drawing.legend = {{"velocity of the centre of mass", {Role::Axis, 3, false, false}},
                     {"of the contact", {Role::Axis, Real(1.8), false, false}}};
@@ -39,7 +40,7 @@ inline drawing::Drawing draw_collision(const Collision& at, Real meters_per_spee
 /// A collision before and after the pass, at one scale.
 inline std::string collision_picture(const Collision& before, const Collision& after) {
   const Real fastest = std::max(before.a.v.norm(), before.b.v.norm());
-  const Real reach = std::max(before.row.r_a.norm(), before.row.r_b.norm());
+  const Real reach = std::max(before.constraint.r_a.norm(), before.constraint.r_b.norm());
   // Arrows that begin at neighbouring places must not cover each other.
   const Real scale = fastest > 0 && reach > 0 ? Real(0.45) * reach / fastest : Real(1);
   drawing::View view;

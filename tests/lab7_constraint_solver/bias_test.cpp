@@ -1,17 +1,17 @@
 #include <cs550/graded_test.hpp>
 
 #include "dense_contact.hpp"
-#include "support/story.hpp"
+#include "helpers/story.hpp"
 
 namespace cs550::test {
 namespace {
 
 constexpr Real h = Real(1) / 240;
 
-ContactRow soft_row() {
-  ContactRow row;
-  row.softness = {20, Real(0.75), Real(0.25)};
-  return row;
+ContactConstraint soft_constraint() {
+  ContactConstraint constraint;
+  constraint.softness = {20, Real(0.75), Real(0.25)};
+  return constraint;
 }
 
 GRADED_TEST(Lab7, AGapMayCloseButNotMore, 1, "L7.3") {
@@ -23,7 +23,7 @@ GRADED_TEST(Lab7, AGapMayCloseButNotMore, 1, "L7.3") {
       step.model = model;
       step.use_bias = use_bias;
       step.slop = Real(0.001);
-      const ContactBias bias = contact_bias(soft_row(), Real(0.003), step);
+      const ContactBias bias = contact_bias(soft_constraint(), Real(0.003), step);
       Story pass = story;
       pass.given("separation", 0.003, "m").given("substep", h, "s");
       pass.given(use_bias ? "pass with bias" : "relax pass");
@@ -44,7 +44,7 @@ GRADED_TEST(Lab7, BaumgarteUndoesAShareOfThePenetration, 1, "L7.3") {
   story.likely("penetration is negative: d + slop, not d − slop")
       .likely("the bias that pushes apart is negative");
   const auto bias = [&](Real separation) {
-    return static_cast<double>(contact_bias(soft_row(), separation, step).velocity);
+    return static_cast<double>(contact_bias(soft_constraint(), separation, step).velocity);
   };
   // 0.2 · 240/s · (−0.011 + 0.001) m
   story.expect_near("bias, 11 mm deep", bias(Real(-0.011)), -0.48, 1e-5, "m/s");
@@ -58,18 +58,18 @@ GRADED_TEST(Lab7, SoftContactsPushLikeADampedSpring, 2, "L7.3") {
   ContactStep step = rigid_step(h);
   step.slop = Real(0.001);
   step.max_push_speed = 3;
-  Story story("soft: b = rate·d, at least −max_push_speed, with the row's scales");
+  Story story("soft: b = rate·d, at least −max_push_speed, with the constraint's scales");
   story.likely("a spring pushes from the surface on: the slop belongs to Baumgarte")
       .likely("the bias that pushes apart is negative")
       .likely("the scales belong to the pass with bias only: relaxing is rigid");
-  const ContactBias pushing = contact_bias(soft_row(), Real(-0.01), step);
+  const ContactBias pushing = contact_bias(soft_constraint(), Real(-0.01), step);
   story.expect_near("bias, 10 mm deep", static_cast<double>(pushing.velocity), -0.2, 1e-6, "m/s");
   story.expect_near("mass scale", static_cast<double>(pushing.mass_scale), 0.75, 0);
   story.expect_near("impulse scale", static_cast<double>(pushing.impulse_scale), 0.25, 0);
-  const ContactBias deep = contact_bias(soft_row(), -1, step);
+  const ContactBias deep = contact_bias(soft_constraint(), -1, step);
   story.expect_near("bias, 1 m deep, limited", static_cast<double>(deep.velocity), -3, 0, "m/s");
   step.use_bias = false;
-  const ContactBias relaxing = contact_bias(soft_row(), Real(-0.011), step);
+  const ContactBias relaxing = contact_bias(soft_constraint(), Real(-0.011), step);
   story.expect_near("bias in the relax pass", static_cast<double>(relaxing.velocity), 0, 0, "m/s");
   story.expect_near("mass scale in the relax pass", static_cast<double>(relaxing.mass_scale), 1, 0);
 }
@@ -78,15 +78,15 @@ GRADED_TEST(Lab7, PushAndBounceAreNeverAdded, 2, "L7.3") {
   ContactStep step = rigid_step(h);
   step.model = ContactModel::Baumgarte;
   step.restitution_threshold = Real(0.5);
-  ContactRow row = soft_row();
-  row.restitution = Real(0.5);
+  ContactConstraint constraint = soft_constraint();
+  constraint.restitution = Real(0.5);
   Story story("Baumgarte: b = min(b_p, b_r) with b_r = e·v_n⁰ if v_n⁰ < −threshold");
-  story.given("e", row.restitution).given("threshold", step.restitution_threshold, "m/s");
+  story.given("e", constraint.restitution).given("threshold", step.restitution_threshold, "m/s");
   story.likely("the sum of push and bounce throws bodies higher than they fell from")
-      .likely("v_n⁰ is the row's approach_velocity, negative when approaching");
+      .likely("v_n⁰ is the constraint's approach_velocity, negative when approaching");
   const auto bias = [&](Real approach, Real separation) {
-    row.approach_velocity = approach;
-    return static_cast<double>(contact_bias(row, separation, step).velocity);
+    constraint.approach_velocity = approach;
+    return static_cast<double>(contact_bias(constraint, separation, step).velocity);
   };
   // Push: 0.2 · 240/s · −0.01 m = −0.48 m/s.
   story.expect_near("bias, hit at 4 m/s, 10 mm deep", bias(-4, Real(-0.01)), -2, 1e-6, "m/s");

@@ -18,8 +18,9 @@ std::vector<double> apexes(Real restitution, Story& story) {
   std::vector<double> fallen;
   for (int k = 0; k < heights; ++k) {
     const Real height = 5 + static_cast<Real>(k) * Real(0.005);
-    const int row = k / 8;
-    const Vec3 place(static_cast<Real>(4 * (k % 8) - 14), static_cast<Real>(4 * row - 14), 0);
+    const int constraint = k / 8;
+    const Vec3 place(static_cast<Real>(4 * (k % 8) - 14), static_cast<Real>(4 * constraint - 14),
+                     0);
     BodyDef def = body_at(cube, place + Vec3(0, 0, Real(0.5) + height));
     def.restitution = restitution;
     boxes.push_back(world.add_body(def));
@@ -48,7 +49,7 @@ GRADED_TEST(Lab7, BouncesReachTheSquareOfRestitution, 1, "L7.9") {
     story.given("64 cubes that fall 5 m + k·5 mm").given("e", e);
     story.likely("v_n⁰ is measured before gravity and warm start, by the world")
         .likely("push and bounce are not added")
-        .likely("rows are struck once: in the substep in which λ_n first becomes positive");
+        .likely("an impact is handled once: in the substep in which λ_n first becomes positive");
     const std::vector<double> reached = apexes(e, story);
     if (reached.empty()) return;
     double mean = 0;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cs550/constraint_solver.hpp"
-#include "support/random.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 
@@ -38,7 +38,7 @@ inline Vec12 dense_jacobian(const Vec3& direction, const Vec3& r_a, const Vec3& 
   return jacobian;
 }
 
-inline Mat12 dense_inverse_mass(const BodyVelocity& a, const BodyVelocity& b) {
+inline Mat12 dense_inverse_mass(const SolverBody& a, const SolverBody& b) {
   Mat12 inverse = Mat12::Zero();
   inverse.block<3, 3>(0, 0).diagonal().setConstant(static_cast<double>(a.inverse_mass));
   inverse.block<3, 3>(3, 3) = a.world_inverse_inertia.cast<double>();
@@ -47,14 +47,14 @@ inline Mat12 dense_inverse_mass(const BodyVelocity& a, const BodyVelocity& b) {
   return inverse;
 }
 
-inline Vec12 stacked(const BodyVelocity& a, const BodyVelocity& b) {
+inline Vec12 stacked(const SolverBody& a, const SolverBody& b) {
   Vec12 velocity;
   velocity << wide(a.v), wide(a.w), wide(b.v), wide(b.w);
   return velocity;
 }
 
 /// A body of density 1000 and the inertia of a box of random proportions, moving at random.
-inline BodyVelocity random_body(Random& random, Real size = 1) {
+inline SolverBody random_body(Random& random, Real size = 1) {
   const Vec3 half =
       size * Vec3(random.real(Real(0.1), 1), random.real(Real(0.1), 1), random.real(Real(0.1), 1));
   const Real mass = 8000 * half.prod();
@@ -62,7 +62,7 @@ inline BodyVelocity random_body(Random& random, Real size = 1) {
   const Vec3 inertia = mass / 3 * (Vec3::Constant(squares.sum()) - squares);
   const Quat orientation = random.orientation();
   const Mat3 rotation = orientation.toRotationMatrix();
-  BodyVelocity body;
+  SolverBody body;
   body.inverse_mass = 1 / mass;
   body.world_inverse_inertia =
       rotation * inertia.cwiseInverse().asDiagonal() * rotation.transpose();
@@ -71,66 +71,70 @@ inline BodyVelocity random_body(Random& random, Real size = 1) {
   return body;
 }
 
-inline BodyVelocity immovable_body() { return {}; }
+inline SolverBody immovable_body() { return {}; }
 
 /// A contact in a random direction at random offsets; nothing prepared.
-inline ContactRow random_row(Random& random, Real size = 1) {
-  ContactRow row;
-  row.body_a = 0;
-  row.body_b = 1;
-  row.n = random.unit_vector();
-  row.u = any_perpendicular(row.n);
-  row.r_a = random.point_in_box(Vec3::Constant(size));
-  row.r_b = random.point_in_box(Vec3::Constant(size));
-  return row;
+inline ContactConstraint random_constraint(Random& random, Real size = 1) {
+  ContactConstraint constraint;
+  constraint.body_a = 0;
+  constraint.body_b = 1;
+  constraint.n = random.unit_vector();
+  constraint.u = any_perpendicular(constraint.n);
+  constraint.r_a = random.point_in_box(Vec3::Constant(size));
+  constraint.r_b = random.point_in_box(Vec3::Constant(size));
+  return constraint;
 }
 
-/// Rows of n, u and v.
-inline Eigen::Matrix<double, 3, 12> dense_jacobians(const ContactRow& row) {
+/// Constraints of n, u and v.
+inline Eigen::Matrix<double, 3, 12> dense_jacobians(const ContactConstraint& constraint) {
   Eigen::Matrix<double, 3, 12> j;
-  j.row(0) = dense_jacobian(row.n, row.r_a, row.r_b).transpose();
-  j.row(1) = dense_jacobian(row.u, row.r_a, row.r_b).transpose();
-  j.row(2) = dense_jacobian(row.n.cross(row.u), row.r_a, row.r_b).transpose();
+  j.constraint(0) = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b).transpose();
+  j.constraint(1) = dense_jacobian(constraint.u, constraint.r_a, constraint.r_b).transpose();
+  j.constraint(2) =
+      dense_jacobian(constraint.n.cross(constraint.u), constraint.r_a, constraint.r_b).transpose();
   return j;
 }
 
 /// Does what prepare_contacts() does for a rigid contact, so that later steps need not wait for it.
-inline void prepare_densely(ContactRow& row, const BodyVelocity& a, const BodyVelocity& b) {
-  const Eigen::Matrix<double, 3, 12> j = dense_jacobians(row);
+inline void prepare_densely(ContactConstraint& constraint, const SolverBody& a,
+                            const SolverBody& b) {
+  const Eigen::Matrix<double, 3, 12> j = dense_jacobians(constraint);
   const Eigen::Matrix3d k = j * dense_inverse_mass(a, b) * j.transpose();
   const Eigen::Matrix2d tangents = k.bottomRightCorner<2, 2>();
-  row.normal_mass = static_cast<Real>(1 / k(0, 0));
-  row.tangent_mass = tangents.inverse().cast<Real>();
+  constraint.normal_mass = static_cast<Real>(1 / k(0, 0));
+  constraint.tangent_mass = tangents.inverse().cast<Real>();
 }
 
 /// Two bodies that meet.
 struct Meeting {
-  BodyVelocity a;
-  BodyVelocity b;
-  ContactRow row;
+  SolverBody a;
+  SolverBody b;
+  ContactConstraint constraint;
 
   Vec12 velocity() const { return stacked(a, b); }
   /// The relative velocity along n, u and v.
-  Eigen::Vector3d contact_velocity() const { return dense_jacobians(row) * velocity(); }
+  Eigen::Vector3d contact_velocity() const { return dense_jacobians(constraint) * velocity(); }
   Eigen::Vector3d impulses() const {
-    return Vec3(row.normal_impulse, row.tangent_impulse.x(), row.tangent_impulse.y())
+    return Vec3(constraint.normal_impulse, constraint.tangent_impulse.x(),
+                constraint.tangent_impulse.y())
         .cast<double>();
   }
   /// V + M⁻¹Jᵀλ for impulses along n, u and v.
   Vec12 velocity_after(const Eigen::Vector3d& impulses) const {
-    return velocity() + dense_inverse_mass(a, b) * dense_jacobians(row).transpose() * impulses;
+    return velocity() +
+           dense_inverse_mass(a, b) * dense_jacobians(constraint).transpose() * impulses;
   }
   /// P, and L about the contact point.
   Eigen::Matrix<double, 6, 1> momentum() const {
     Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
-    const auto add = [&sum](const BodyVelocity& body, const Vec3& r) {
+    const auto add = [&sum](const SolverBody& body, const Vec3& r) {
       const Eigen::Vector3d p = wide(body.v) / static_cast<double>(body.inverse_mass);
       const Eigen::Matrix3d inverse_inertia = body.world_inverse_inertia.cast<double>();
       sum.head<3>() += p;
       sum.tail<3>() += p.cross(wide(r)) + inverse_inertia.inverse() * wide(body.w);
     };
-    add(a, row.r_a);
-    add(b, row.r_b);
+    add(a, constraint.r_a);
+    add(b, constraint.r_b);
     return sum;
   }
 };
@@ -140,16 +144,16 @@ inline Meeting random_meeting(Random& random, Real size = 1) {
   Meeting meeting;
   meeting.a = random_body(random, size);
   meeting.b = random_body(random, size);
-  meeting.row = random_row(random, size);
-  prepare_densely(meeting.row, meeting.a, meeting.b);
+  meeting.constraint = random_constraint(random, size);
+  prepare_densely(meeting.constraint, meeting.a, meeting.b);
   return meeting;
 }
 
 /// Turns a meeting round, so that the bodies approach.
 inline void make_approach(Meeting& meeting) {
   if (meeting.contact_velocity()[0] < 0) return;
-  meeting.row.n = -meeting.row.n;
-  prepare_densely(meeting.row, meeting.a, meeting.b);
+  meeting.constraint.n = -meeting.constraint.n;
+  prepare_densely(meeting.constraint, meeting.a, meeting.b);
 }
 
 /// A floor and a body above it, a unit cube whose centre is straight over the contact: it lands without
@@ -159,14 +163,14 @@ inline Meeting landing(Real mass, const Vec3& velocity) {
   meeting.b.inverse_mass = 1 / mass;
   meeting.b.world_inverse_inertia = 6 / mass * Mat3::Identity();
   meeting.b.v = velocity;
-  meeting.row.body_a = 0;
-  meeting.row.body_b = 1;
-  meeting.row.n = Vec3::UnitZ();
-  meeting.row.u = Vec3::UnitX();
-  meeting.row.r_b = Vec3(0, 0, Real(-0.5));
-  meeting.row.normal_mass = mass;
+  meeting.constraint.body_a = 0;
+  meeting.constraint.body_b = 1;
+  meeting.constraint.n = Vec3::UnitZ();
+  meeting.constraint.u = Vec3::UnitX();
+  meeting.constraint.r_b = Vec3(0, 0, Real(-0.5));
+  meeting.constraint.normal_mass = mass;
   // Along the floor the body also turns: 1/m + r²/I = (1 + 0.25 · 6)/m.
-  meeting.row.tangent_mass = mass / Real(2.5) * Mat2::Identity();
+  meeting.constraint.tangent_mass = mass / Real(2.5) * Mat2::Identity();
   return meeting;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// @file dense_lcp.hpp
-/// The answer that sequential impulses must find, by trying all sets of pushing rows in double:
+/// The answer that sequential impulses must find, by trying all sets of pushing constraints in double:
 /// λ ≥ 0, w = J·V' + b ≥ 0, λ·w = 0. Murty, *Linear Complementarity* (1988), §1.
 
 #include <Eigen/QR>
@@ -10,26 +10,27 @@
 
 namespace cs550::test {
 
-/// The normals of some rows and all their bodies, as matrices.
+/// The normals of some constraints and all their bodies, as matrices.
 struct DenseContacts {
-  Eigen::MatrixXd jacobian;      ///< one row per contact, six columns per body
+  Eigen::MatrixXd jacobian;      ///< one constraint per contact, six columns per body
   Eigen::MatrixXd inverse_mass;  ///< block diagonal
   Eigen::VectorXd velocity;      ///< v, ω of each body
 
-  DenseContacts(std::span<const ContactRow> rows, std::span<const BodyVelocity> bodies) {
-    const auto count = static_cast<Eigen::Index>(rows.size());
+  DenseContacts(std::span<const ContactConstraint> constraints,
+                std::span<const SolverBody> bodies) {
+    const auto count = static_cast<Eigen::Index>(constraints.size());
     const auto columns = 6 * static_cast<Eigen::Index>(bodies.size());
     jacobian = Eigen::MatrixXd::Zero(count, columns);
     inverse_mass = Eigen::MatrixXd::Zero(columns, columns);
     velocity = Eigen::VectorXd::Zero(columns);
     for (Eigen::Index k = 0; k < count; ++k) {
-      const ContactRow& row = rows[static_cast<std::size_t>(k)];
-      const Vec12 j = dense_jacobian(row.n, row.r_a, row.r_b);
-      jacobian.row(k).segment<6>(6 * row.body_a) = j.head<6>();
-      jacobian.row(k).segment<6>(6 * row.body_b) = j.tail<6>();
+      const ContactConstraint& constraint = constraints[static_cast<std::size_t>(k)];
+      const Vec12 j = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b);
+      jacobian.constraint(k).segment<6>(6 * constraint.body_a) = j.head<6>();
+      jacobian.constraint(k).segment<6>(6 * constraint.body_b) = j.tail<6>();
     }
     for (Eigen::Index i = 0; 6 * i < columns; ++i) {
-      const BodyVelocity& body = bodies[static_cast<std::size_t>(i)];
+      const SolverBody& body = bodies[static_cast<std::size_t>(i)];
       inverse_mass.block<6, 6>(6 * i, 6 * i) = dense_inverse_mass(body, body).block<6, 6>(0, 0);
       velocity.segment<6>(6 * i) << wide(body.v), wide(body.w);
     }
@@ -40,7 +41,7 @@ struct DenseContacts {
   }
 };
 
-/// λ of a small system (up to a dozen rows) with b = 0. Of redundant rows it finds one of the
+/// λ of a small system (up to a dozen constraints) with b = 0. Of redundant constraints it finds one of the
 /// solutions; V' is the same for all.
 inline std::optional<Eigen::VectorXd> solve_lcp(const DenseContacts& contacts) {
   const Eigen::MatrixXd k =
@@ -48,16 +49,17 @@ inline std::optional<Eigen::VectorXd> solve_lcp(const DenseContacts& contacts) {
   const Eigen::VectorXd q = contacts.jacobian * contacts.velocity;
   const double tiny = 1e-9 * q.norm();
   for (unsigned set = 0; set < 1U << q.size(); ++set) {
-    // Rows that do not push are replaced by λ = 0.
+    // Constraints that do not push are replaced by λ = 0.
     Eigen::MatrixXd system = Eigen::MatrixXd::Identity(q.size(), q.size());
     Eigen::VectorXd right = Eigen::VectorXd::Zero(q.size());
     for (Eigen::Index i = 0; i < q.size(); ++i) {
       if ((set >> i & 1U) == 0) continue;
-      system.row(i) = k.row(i) / k(i, i);
+      system.constraint(i) = k.constraint(i) / k(i, i);
       right[i] = -q[i] / k(i, i);
     }
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(system);
-    if (solver.rank() < q.size()) continue;  // Redundant rows: a smaller set has a solution, too.
+    if (solver.rank() < q.size())
+      continue;  // Redundant constraints: a smaller set has a solution, too.
     const Eigen::VectorXd impulses = solver.solve(right);
     const Eigen::VectorXd w = k * impulses + q;
     if (impulses.minCoeff() >= -tiny * impulses.norm() && w.minCoeff() >= -tiny) return impulses;

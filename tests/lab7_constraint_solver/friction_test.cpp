@@ -1,8 +1,8 @@
 #include <cs550/graded_test.hpp>
 
 #include "dense_contact.hpp"
+#include "helpers/story.hpp"
 #include "pictures.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {
@@ -23,13 +23,13 @@ GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 2, "L7.7") {
   for (int k = 0; k < 12; ++k) {
     const double angle = 0.1 + k * static_cast<double>(pi) / 6;
     Meeting meeting = landing(2, in_plane(angle, 30));
-    meeting.row.friction = Real(0.5);
-    meeting.row.normal_impulse = 6;
+    meeting.constraint.friction = Real(0.5);
+    meeting.constraint.normal_impulse = 6;
     // The first solve reaches the limit of 3 N·s; repeated ones must not add to it.
-    for (int pass = 0; pass < 3; ++pass) solve_friction(meeting.row, meeting.a, meeting.b);
+    for (int pass = 0; pass < 3; ++pass) solve_friction(meeting.constraint, meeting.a, meeting.b);
     Story slide = story;
     slide.given("direction of the slip", angle, "rad");
-    const Vec2 impulse = meeting.row.tangent_impulse;
+    const Vec2 impulse = meeting.constraint.tangent_impulse;
     slide.picture(
         [&] { return friction_picture(3, in_plane(angle, -3), impulse, in_plane(angle, 30)); });
     if (!slide.expect_near("(λ_u, λ_v)", Vec3(impulse.x(), impulse.y(), 0), in_plane(angle, -3),
@@ -48,15 +48,15 @@ GRADED_TEST(Lab7, FrictionIsScaledBackOntoTheDisk, 1, "L7.7") {
   const auto solve = [&](Real normal, const Vec2& accumulated, const Vec3& velocity,
                          const Vec3& expected) {
     Meeting meeting = landing(2, velocity);
-    meeting.row.friction = Real(0.5);
-    meeting.row.normal_impulse = normal;
-    meeting.row.tangent_impulse = accumulated;
+    meeting.constraint.friction = Real(0.5);
+    meeting.constraint.normal_impulse = normal;
+    meeting.constraint.tangent_impulse = accumulated;
     const Meeting before = meeting;
-    solve_friction(meeting.row, meeting.a, meeting.b);
+    solve_friction(meeting.constraint, meeting.a, meeting.b);
     Story contact = story;
     contact.given("λ_n", normal, "N·s").given("slip", Story::show(velocity, "m/s"));
     contact.given("accumulated", Story::show(Vec3(accumulated.x(), accumulated.y(), 0), "N·s"));
-    const Vec2 sum = meeting.row.tangent_impulse;
+    const Vec2 sum = meeting.constraint.tangent_impulse;
     const Vec2 change = sum - accumulated;
     contact.picture([&] { return friction_picture(normal / 2, expected, sum, velocity); });
     contact.expect_near("(λ_u, λ_v)", Vec3(sum.x(), sum.y(), 0), expected, 1e-5, "N·s");
@@ -78,10 +78,10 @@ GRADED_TEST(Lab7, CoupledTangentsStopTheSlipAtOnce, 1, "L7.7") {
       .likely("what is applied is the change along u and v, −λ to A and +λ to B");
   for (int i = 0; i < 200; ++i) {
     Meeting meeting = random_meeting(random);
-    meeting.row.friction = 1;
-    meeting.row.normal_impulse = Real(1e8);
+    meeting.constraint.friction = 1;
+    meeting.constraint.normal_impulse = Real(1e8);
     const Meeting before = meeting;
-    solve_friction(meeting.row, meeting.a, meeting.b);
+    solve_friction(meeting.constraint, meeting.a, meeting.b);
     const Eigen::Vector3d slip = meeting.contact_velocity();
     const double speed = 1 + before.contact_velocity().norm();
     Eigen::Vector3d change = meeting.impulses();

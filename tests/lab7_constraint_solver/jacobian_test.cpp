@@ -1,7 +1,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "dense_contact.hpp"
-#include "support/story.hpp"
+#include "helpers/story.hpp"
 
 namespace cs550::test {
 namespace {
@@ -16,12 +16,12 @@ GRADED_TEST(Lab7, JacobianIsTheRateOfTheRelativePosition, 2, "L7.1") {
       .likely("r × d and d × r differ in sign: d·(ω × r) = ω·(r × d)")
       .likely("A's two terms are negative, B's positive: the normal points from A to B");
   for (int i = 0; i < 200; ++i) {
-    const ContactRow row = random_row(random);
-    const ContactJacobian j = contact_jacobian(row.n, row.r_a, row.r_b);
-    const Vec12 expected = dense_jacobian(row.n, row.r_a, row.r_b);
+    const ContactConstraint constraint = random_constraint(random);
+    const ContactJacobian j = contact_jacobian(constraint.n, constraint.r_a, constraint.r_b);
+    const Vec12 expected = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b);
     Story contact = story;
-    contact.given("direction", Story::show(row.n)).given("r_a", Story::show(row.r_a));
-    contact.given("r_b", Story::show(row.r_b));
+    contact.given("direction", Story::show(constraint.n)).given("r_a", Story::show(constraint.r_a));
+    contact.given("r_b", Story::show(constraint.r_b));
     if (!contact.expect_near("part of v_A", j.linear_a, expected.segment<3>(0).cast<Real>(),
                              rounding) ||
         !contact.expect_near("part of ω_A", j.angular_a, expected.segment<3>(3).cast<Real>(),
@@ -42,10 +42,10 @@ GRADED_TEST(Lab7, ConstraintMassMatchesDenseAlgebra, 2, "L7.2") {
       .likely("the world inverse inertia belongs between the two angular parts of J")
       .likely("the sum has four terms: two of each body");
   for (int i = 0; i < 200; ++i) {
-    const BodyVelocity a = random_body(random);
-    const BodyVelocity b = i % 4 == 0 ? immovable_body() : random_body(random);
-    const ContactRow row = random_row(random);
-    const Vec12 j = dense_jacobian(row.n, row.r_a, row.r_b);
+    const SolverBody a = random_body(random);
+    const SolverBody b = i % 4 == 0 ? immovable_body() : random_body(random);
+    const ContactConstraint constraint = random_constraint(random);
+    const Vec12 j = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b);
     const double expected = 1 / j.dot(dense_inverse_mass(a, b) * j);
     ContactJacobian given;
     given.linear_a = j.segment<3>(0).cast<Real>();
@@ -74,26 +74,28 @@ GRADED_TEST(Lab7, PreparedMassesInvertTheCoupledTangents, 3, "L7.4") {
           "u and v are coupled through the rotation: the matrix has numbers beside its diagonal")
       .likely("inverting the diagonal alone gives two separate masses");
   for (int i = 0; i < 100; ++i) {
-    std::vector<BodyVelocity> bodies = {random_body(random), random_body(random)};
+    std::vector<SolverBody> bodies = {random_body(random), random_body(random)};
     if (i % 4 == 0) bodies[0] = immovable_body();
-    std::vector<ContactRow> rows = {random_row(random)};
-    prepare_contacts(rows, bodies, rigid_step());
-    const ContactRow& row = rows[0];
+    std::vector<ContactConstraint> constraints = {random_constraint(random)};
+    prepare_contacts(constraints, bodies, rigid_step());
+    const ContactConstraint& constraint = constraints[0];
 
     const Mat12 inverse_mass = dense_inverse_mass(bodies[0], bodies[1]);
     Eigen::Matrix<double, 3, 12> j;
-    j.row(0) = dense_jacobian(row.n, row.r_a, row.r_b).transpose();
-    j.row(1) = dense_jacobian(row.u, row.r_a, row.r_b).transpose();
-    j.row(2) = dense_jacobian(row.n.cross(row.u), row.r_a, row.r_b).transpose();
+    j.constraint(0) = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b).transpose();
+    j.constraint(1) = dense_jacobian(constraint.u, constraint.r_a, constraint.r_b).transpose();
+    j.constraint(2) =
+        dense_jacobian(constraint.n.cross(constraint.u), constraint.r_a, constraint.r_b)
+            .transpose();
     const Eigen::Matrix3d k = j * inverse_mass * j.transpose();
     const double expected = 1 / k(0, 0);
-    if (!story.expect_near("normal mass", static_cast<double>(row.normal_mass), expected,
+    if (!story.expect_near("normal mass", static_cast<double>(constraint.normal_mass), expected,
                            10 * rounding * expected, "kg")) {
       return;
     }
     // The mass times the matrix that it inverts: rounding grows with the condition number.
     const Eigen::Matrix2d tangents = k.bottomRightCorner<2, 2>();
-    const Eigen::Matrix2d unit = row.tangent_mass.cast<double>() * tangents;
+    const Eigen::Matrix2d unit = constraint.tangent_mass.cast<double>() * tangents;
     const double condition = tangents.trace() * tangents.trace() / tangents.determinant();
     if (!story.expect_near("distance of tangent_mass · (J·M⁻¹·Jᵀ) from the identity",
                            (unit - Eigen::Matrix2d::Identity()).norm(), 0, rounding * condition)) {
@@ -107,18 +109,20 @@ GRADED_TEST(Lab7, ContactsWithAnImmovableBodyAreStiffer, 1, "L7.4") {
   ContactStep step = rigid_step();
   step.soft = {10, Real(0.5), Real(0.5)};
   step.soft_static = {20, Real(0.6), Real(0.4)};
-  std::vector<BodyVelocity> bodies = {random_body(random), random_body(random), immovable_body()};
-  std::vector<ContactRow> rows(3, random_row(random));
-  rows[1].body_b = 2;
-  rows[2].body_a = 2;
-  rows[2].body_b = 0;
-  prepare_contacts(rows, bodies, step);
-  Story story("a row uses soft between movable bodies and soft_static where either is immovable");
+  std::vector<SolverBody> bodies = {random_body(random), random_body(random), immovable_body()};
+  std::vector<ContactConstraint> constraints(3, random_constraint(random));
+  constraints[1].body_b = 2;
+  constraints[2].body_a = 2;
+  constraints[2].body_b = 0;
+  prepare_contacts(constraints, bodies, step);
+  Story story(
+      "a constraint uses soft between movable bodies and soft_static where either is immovable");
   story.likely("the immovable body may be A or B");
-  story.expect_equal("bias rate, both movable", rows[0].softness.bias_rate, step.soft.bias_rate);
-  story.expect_equal("bias rate, B immovable", rows[1].softness.bias_rate,
+  story.expect_equal("bias rate, both movable", constraints[0].softness.bias_rate,
+                     step.soft.bias_rate);
+  story.expect_equal("bias rate, B immovable", constraints[1].softness.bias_rate,
                      step.soft_static.bias_rate);
-  story.expect_equal("bias rate, A immovable", rows[2].softness.bias_rate,
+  story.expect_equal("bias rate, A immovable", constraints[2].softness.bias_rate,
                      step.soft_static.bias_rate);
 }
 

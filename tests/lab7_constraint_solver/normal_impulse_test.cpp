@@ -1,7 +1,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "dense_contact.hpp"
-#include "support/story.hpp"
+#include "helpers/story.hpp"
 
 namespace cs550::test {
 namespace {
@@ -11,7 +11,7 @@ constexpr double rounding = 5e-5;
 
 GRADED_TEST(Lab7, OneImpulseStopsTheApproach, 2, "L7.6") {
   Random random(7601);
-  Story story("after one solve of one row, J·v + b = 0 and V' = V + M⁻¹·Jᵀ·λ");
+  Story story("after one solve of one constraint, J·v + b = 0 and V' = V + M⁻¹·Jᵀ·λ");
   story.seed(random.seed())
       .likely("λ = −m·(Jv + b): the sign makes λ positive when the bodies approach")
       .likely("λ·n goes to B and −λ·n to A, at r_B and r_A");
@@ -26,12 +26,12 @@ GRADED_TEST(Lab7, OneImpulseStopsTheApproach, 2, "L7.6") {
     const double b = depth > 0 ? 0.5 * approach : depth;
     const double h = static_cast<double>(step.h);
     const double rate = depth > 0 ? 1 / h : static_cast<double>(step.baumgarte) / h;
-    meeting.row.separation = static_cast<Real>(b / rate);
+    meeting.constraint.separation = static_cast<Real>(b / rate);
     const Meeting before = meeting;
-    solve_normal(meeting.row, meeting.a, meeting.b, step);
+    solve_normal(meeting.constraint, meeting.a, meeting.b, step);
 
     Story contact = story;
-    contact.given("separation", meeting.row.separation, "m").given("b", b, "m/s");
+    contact.given("separation", meeting.constraint.separation, "m").given("b", b, "m/s");
     contact.given("approach before", approach, "m/s");
     const double left = meeting.contact_velocity()[0] + b;
     const Vec12 expected = before.velocity_after(meeting.impulses());
@@ -45,18 +45,18 @@ GRADED_TEST(Lab7, OneImpulseStopsTheApproach, 2, "L7.6") {
 }
 
 GRADED_TEST(Lab7, AnImpulseMayGoBackDownButNeverPulls, 2, "L7.6") {
-  Story story("the *sum* of a row's impulses is kept ≥ 0; a single one may be negative");
+  Story story("the *sum* of a constraint's impulses is kept ≥ 0; a single one may be negative");
   story.given("a cube of 2 kg above a floor, moving away from it");
-  story.likely("clamp what the row has accumulated, not the increment")
+  story.likely("clamp what the constraint has accumulated, not the increment")
       .likely("apply the difference of the sums, not the impulse before clamping");
   const auto solve = [&](Real accumulated, Real speed, double sum, double speed_after) {
     Meeting meeting = landing(2, Vec3(0, 0, speed));
-    meeting.row.normal_impulse = accumulated;
-    solve_normal(meeting.row, meeting.a, meeting.b, rigid_step());
+    meeting.constraint.normal_impulse = accumulated;
+    solve_normal(meeting.constraint, meeting.a, meeting.b, rigid_step());
     Story contact = story;
     contact.given("accumulated", accumulated, "N·s").given("v_n", speed, "m/s");
-    contact.expect_near("accumulated after", static_cast<double>(meeting.row.normal_impulse), sum,
-                        1e-6, "N·s");
+    contact.expect_near("accumulated after", static_cast<double>(meeting.constraint.normal_impulse),
+                        sum, 1e-6, "N·s");
     contact.expect_near("v_n after", static_cast<double>(meeting.b.v.z()), speed_after, 1e-6,
                         "m/s");
   };
@@ -75,9 +75,9 @@ GRADED_TEST(Lab7, NormalImpulsesConserveMomentum, 1, "L7.6") {
     Meeting meeting = random_meeting(random);
     make_approach(meeting);
     const auto before = meeting.momentum();
-    solve_normal(meeting.row, meeting.a, meeting.b, rigid_step());
+    solve_normal(meeting.constraint, meeting.a, meeting.b, rigid_step());
     const double moved = (meeting.momentum() - before).norm();
-    if (!story.expect("the bodies have got an impulse", meeting.row.normal_impulse > 0) ||
+    if (!story.expect("the bodies have got an impulse", meeting.constraint.normal_impulse > 0) ||
         !story.expect_near("change of P and L", moved, 0, rounding * (1 + before.norm()), "N·s")) {
       return;
     }
@@ -87,30 +87,32 @@ GRADED_TEST(Lab7, NormalImpulsesConserveMomentum, 1, "L7.6") {
 GRADED_TEST(Lab7, SoftnessScalesTheMassAndTheSum, 1, "L7.6") {
   Story story("soft: λ = −m_scale·m·(Jv + b) − λ_scale·λ_acc");
   Meeting meeting = landing(2, Vec3(0, 0, -3));
-  meeting.row.softness = {10, Real(0.75), Real(0.25)};
-  meeting.row.separation = Real(-0.02);
-  meeting.row.normal_impulse = 4;
-  solve_normal(meeting.row, meeting.a, meeting.b, rigid_step());
+  meeting.constraint.softness = {10, Real(0.75), Real(0.25)};
+  meeting.constraint.separation = Real(-0.02);
+  meeting.constraint.normal_impulse = 4;
+  solve_normal(meeting.constraint, meeting.a, meeting.b, rigid_step());
   story.given("m = 2 kg, v_n = −3 m/s, 20 mm deep, rate 10/s, m_scale ¾, λ_scale ¼, λ_acc = 4 N·s");
   story.likely("the scales are those that contact_bias() returns")
       .likely("λ_scale takes away a share of what has been accumulated before");
   // −¾ · 2 · (−3 − 0.2) − ¼ · 4 = 3.8
-  story.expect_near("accumulated after", static_cast<double>(meeting.row.normal_impulse), 7.8, 1e-5,
-                    "N·s");
+  story.expect_near("accumulated after", static_cast<double>(meeting.constraint.normal_impulse),
+                    7.8, 1e-5, "N·s");
   story.expect_near("v_n after", static_cast<double>(meeting.b.v.z()), -1.1, 1e-5, "m/s");
 }
 
 GRADED_TEST(Lab7, TheSeparationFollowsTheBodies, 1, "L7.6") {
   Random random(7603);
-  Story story("the present separation is the row's plus J·(Δx_A, Δθ_A, Δx_B, Δθ_B)");
+  Story story("the present separation is the constraint's plus J·(Δx_A, Δθ_A, Δx_B, Δθ_B)");
   story.seed(random.seed())
-      .likely("the row knows the separation of the start of the step; the bodies have moved since")
+      .likely(
+          "the constraint knows the separation of the start of the step; the bodies have moved "
+          "since")
       .likely("a turn moves the contact by Δθ × r");
   const ContactStep step = rigid_step();
   for (int i = 0; i < 100; ++i) {
     Meeting meeting = random_meeting(random);
     make_approach(meeting);
-    const auto move = [&](BodyVelocity& body) {
+    const auto move = [&](SolverBody& body) {
       body.delta_position = random.point_in_box(Vec3::Constant(Real(0.02)));
       body.delta_rotation = random.point_in_box(Vec3::Constant(Real(0.02)));
     };
@@ -119,14 +121,14 @@ GRADED_TEST(Lab7, TheSeparationFollowsTheBodies, 1, "L7.6") {
     Vec12 moved;
     moved << wide(meeting.a.delta_position), wide(meeting.a.delta_rotation),
         wide(meeting.b.delta_position), wide(meeting.b.delta_rotation);
-    const double closed = dense_jacobians(meeting.row).row(0).dot(moved);
+    const double closed = dense_jacobians(meeting.constraint).constraint(0).dot(moved);
     // A gap now that half of the approach closes in the substep.
     const double half = -0.5 * meeting.contact_velocity()[0];
     const double gap = half * static_cast<double>(step.h);
-    meeting.row.separation = static_cast<Real>(gap - closed);
-    solve_normal(meeting.row, meeting.a, meeting.b, step);
+    meeting.constraint.separation = static_cast<Real>(gap - closed);
+    solve_normal(meeting.constraint, meeting.a, meeting.b, step);
     Story contact = story;
-    contact.given("separation at the start", meeting.row.separation, "m");
+    contact.given("separation at the start", meeting.constraint.separation, "m");
     contact.given("separation now", gap, "m");
     // A rounding of the separation, some cm, counts 1/h-fold.
     if (!contact.expect_near("v_n after", meeting.contact_velocity()[0], -half,

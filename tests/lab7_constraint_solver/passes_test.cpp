@@ -1,7 +1,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "dense_lcp.hpp"
-#include "support/story.hpp"
+#include "helpers/story.hpp"
 #include "systems.hpp"
 
 namespace cs550::test {
@@ -9,20 +9,24 @@ namespace {
 
 GRADED_TEST(Lab7, SequentialImpulsesFindTheAnswerOfTheWholeSystem, 2, "L7.8") {
   Random random(7801);
-  Story story("repeated passes converge to the λ ≥ 0, JV + b ≥ 0, λ·(JV + b) = 0 of all rows");
+  Story story(
+      "repeated passes converge to the λ ≥ 0, JV + b ≥ 0, λ·(JV + b) = 0 of all constraints");
   story.seed(random.seed());
-  story.likely("each row sees the velocities that the rows before it have left: take references")
+  story
+      .likely(
+          "each constraint sees the velocities that the constraints before it have left: take "
+          "references")
       .likely("impulses accumulate from pass to pass: only the sum is clamped");
-  int pushing_rows = 0;
+  int pushing_constraints = 0;
   for (int i = 0; i < 40; ++i) {
     System system =
         i % 2 == 0 ? random_system(random) : landing_box(random, Vec3(Real(0.2), Real(0.6), 1));
-    const DenseContacts before(system.rows, system.bodies);
+    const DenseContacts before(system.constraints, system.bodies);
     const std::optional<Eigen::VectorXd> impulses = solve_lcp(before);
     if (!story.expect("a solution exists", impulses.has_value())) return;
-    for (Eigen::Index k = 0; k < impulses->size(); ++k) pushing_rows += (*impulses)[k] > 0;
+    for (Eigen::Index k = 0; k < impulses->size(); ++k) pushing_constraints += (*impulses)[k] > 0;
     system.pass(1000, rigid_step());
-    const DenseContacts after(system.rows, system.bodies);
+    const DenseContacts after(system.constraints, system.bodies);
     const double error = (after.velocity - before.velocity_after(*impulses)).norm();
     Story here = story;
     here.given(i % 2 == 0 ? "three bodies, four contacts" : "a box that lands on four corners");
@@ -33,14 +37,16 @@ GRADED_TEST(Lab7, SequentialImpulsesFindTheAnswerOfTheWholeSystem, 2, "L7.8") {
       return;
     }
   }
-  story.expect_at_least("rows that push, in all systems", pushing_rows, 40);
+  story.expect_at_least("constraints that push, in all systems", pushing_constraints, 40);
 }
 
-GRADED_TEST(Lab7, RowsAreVisitedInOrder, 1, "L7.8") {
-  Story story("one pass visits the rows from the first to the last, or from the last to the first");
+GRADED_TEST(Lab7, ConstraintsAreVisitedInOrder, 1, "L7.8") {
+  Story story(
+      "one pass visits the constraints from the first to the last, or from the last to the first");
   story.given("three equal cubes in a line that touch; the first moves at 1 m/s").when("one pass");
   story.likely("ContactStep::backwards turns the order round")
-      .likely("take the bodies by reference: the second row must see what the first has done");
+      .likely(
+          "take the bodies by reference: the second constraint must see what the first has done");
   const auto check = [&story](bool backwards, const Vec3& expected) {
     System line = line_of_cubes(3);
     ContactStep step = rigid_step();
@@ -57,30 +63,30 @@ GRADED_TEST(Lab7, RowsAreVisitedInOrder, 1, "L7.8") {
 }
 
 GRADED_TEST(Lab7, APassAndItsReverseAreMirrorImages, 1, "L7.8") {
-  Story story("a row is solved normal, then friction; backwards friction, then normal");
+  Story story("a constraint is solved normal, then friction; backwards friction, then normal");
   story.given("a cube of 2 kg that lands at 3 m/s and slips at 4 m/s, μ = 0.5");
-  story.likely("friction is limited by the normal impulse that the row has at that moment")
-      .likely("backwards everything is reversed, also the two halves of a row");
+  story.likely("friction is limited by the normal impulse that the constraint has at that moment")
+      .likely("backwards everything is reversed, also the two halves of a constraint");
   Meeting meeting = landing(2, Vec3(4, 0, -3));
   // The centre is not above the contact: friction and normal feel each other.
-  meeting.row.r_b.x() = Real(0.3);
-  prepare_densely(meeting.row, meeting.a, meeting.b);
-  meeting.row.friction = Real(0.5);
+  meeting.constraint.r_b.x() = Real(0.3);
+  prepare_densely(meeting.constraint, meeting.a, meeting.b);
+  meeting.constraint.friction = Real(0.5);
   const auto pass = [&](System& system, bool backwards) {
     ContactStep step = rigid_step();
     step.backwards = backwards;
     system.pass(1, step);
-    return Meeting{system.bodies[0], system.bodies[1], system.rows[0]};
+    return Meeting{system.bodies[0], system.bodies[1], system.constraints[0]};
   };
   // The contact slips, so that friction stays at its limit. 1e-5: roundings at a few m/s.
-  System forwards{{meeting.a, meeting.b}, {meeting.row}};
+  System forwards{{meeting.a, meeting.b}, {meeting.constraint}};
   const Meeting first = pass(forwards, false);
-  const double pushed = static_cast<double>(first.row.normal_impulse);
+  const double pushed = static_cast<double>(first.constraint.normal_impulse);
   story.expect_near("normal impulse after one pass forwards", pushed,
-                    3 * static_cast<double>(meeting.row.normal_mass), 1e-5, "N·s");
+                    3 * static_cast<double>(meeting.constraint.normal_mass), 1e-5, "N·s");
   story.expect_near("friction after it", first.impulses().tail<2>().norm(), 0.5 * pushed, 1e-5,
                     "N·s");
-  System reversed{{meeting.a, meeting.b}, {meeting.row}};
+  System reversed{{meeting.a, meeting.b}, {meeting.constraint}};
   const Meeting back = pass(reversed, true);
   story.expect_near("friction after one pass backwards", back.impulses().tail<2>().norm(), 0, 0,
                     "N·s");

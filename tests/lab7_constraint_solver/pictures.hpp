@@ -9,7 +9,7 @@
 #include "drawing/impulse_drawing.hpp"
 #include "drawing/mesh_drawing.hpp"
 #include "drawing/text.hpp"
-#include "support/picture.hpp"
+#include "helpers/picture.hpp"
 
 namespace cs550::test {
 

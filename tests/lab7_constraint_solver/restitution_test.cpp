@@ -1,7 +1,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "dense_contact.hpp"
-#include "support/story.hpp"
+#include "helpers/story.hpp"
 #include "systems.hpp"
 
 namespace cs550::test {
@@ -17,35 +17,38 @@ ContactStep bouncing_step(int sweeps) {
   return step;
 }
 
-/// One sweep over the one row of a meeting.
+/// One sweep over the one constraint of a meeting.
 void bounce(Meeting& meeting) {
-  BodyVelocity bodies[] = {meeting.a, meeting.b};
-  apply_restitution({&meeting.row, 1}, bodies, bouncing_step(1));
+  SolverBody bodies[] = {meeting.a, meeting.b};
+  apply_restitution({&meeting.constraint, 1}, bodies, bouncing_step(1));
   meeting.a = bodies[0];
   meeting.b = bodies[1];
 }
 
 GRADED_TEST(Lab7, ImpactsLeaveWithAShareOfTheirApproach, 1, "L7.9") {
   Random random(7901);
-  Story story("a row that was hit leaves with v_n = −e·v_n⁰, and V' = V + M⁻¹·Jᵀ·Δλ");
+  Story story("a constraint that was hit leaves with v_n = −e·v_n⁰, and V' = V + M⁻¹·Jᵀ·Δλ");
   story.seed(random.seed());
-  story.likely("v_n⁰ is the row's approach_velocity, of before the warm start, not the present v_n")
-      .likely("λ = −m·(v_n + e·v_n⁰) is added to what the row has accumulated");
+  story
+      .likely(
+          "v_n⁰ is the constraint's approach_velocity, of before the warm start, not the present "
+          "v_n")
+      .likely("λ = −m·(v_n + e·v_n⁰) is added to what the constraint has accumulated");
   for (int i = 0; i < 100; ++i) {
     Meeting meeting = random_meeting(random);
-    meeting.row.restitution = random.real(Real(0.1), 1);
-    meeting.row.approach_velocity = random.real(-6, -1);
+    meeting.constraint.restitution = random.real(Real(0.1), 1);
+    meeting.constraint.approach_velocity = random.real(-6, -1);
     // Large enough that none is taken back in full: v_n is some m/s.
-    meeting.row.normal_impulse = 100 * meeting.row.normal_mass;
+    meeting.constraint.normal_impulse = 100 * meeting.constraint.normal_mass;
     const Meeting before = meeting;
     bounce(meeting);
-    const double target = -static_cast<double>(meeting.row.restitution) *
-                          static_cast<double>(meeting.row.approach_velocity);
+    const double target = -static_cast<double>(meeting.constraint.restitution) *
+                          static_cast<double>(meeting.constraint.approach_velocity);
     const Vec12 expected = before.velocity_after(meeting.impulses() - before.impulses());
     const double error = (meeting.velocity() - expected).norm();
     Story contact = story;
-    contact.given("e", meeting.row.restitution);
-    contact.given("v_n⁰", meeting.row.approach_velocity, "m/s");
+    contact.given("e", meeting.constraint.restitution);
+    contact.given("v_n⁰", meeting.constraint.approach_velocity, "m/s");
     contact.given("v_n before", before.contact_velocity()[0], "m/s");
     if (!contact.expect_near("v_n after", meeting.contact_velocity()[0], target, 10 * rounding,
                              "m/s") ||
@@ -57,77 +60,80 @@ GRADED_TEST(Lab7, ImpactsLeaveWithAShareOfTheirApproach, 1, "L7.9") {
 }
 
 GRADED_TEST(Lab7, OnlyFreshHardImpactsBounce, 1, "L7.9") {
-  Story story("rows bounce if λ_n > 0, not yet struck, v_n⁰ < −threshold; λ_n > 0 marks as struck");
+  Story story(
+      "constraints bounce if λ_n > 0, impact not yet handled, v_n⁰ < −threshold; λ_n > 0 marks it "
+      "as handled");
   story.given("a cube of 2 kg at rest on a floor, e = 0.5, threshold 0.5 m/s");
-  story.likely("a row without impulse has not been hit, however fast it approached")
-      .likely("a struck row has bounced already: v_n⁰ is spent")
-      .likely("mark every row with λ_n > 0, also those that do not bounce");
+  story.likely("a constraint without impulse has not been hit, however fast it approached")
+      .likely("a constraint whose impact was handled has bounced already: v_n⁰ is used up")
+      .likely("mark every constraint with λ_n > 0, also those that do not bounce");
   struct Case {
     const char* what;
     Real approach;
     Real impulse;
-    bool struck;
+    bool impact_handled;
     double speed_after;
-    bool struck_after;
+    bool handled_after;
   };
   const Case cases[] = {
       {"hit at 4 m/s", -4, 8, false, 2, true},
       {"hit at 0.4 m/s, below the threshold", Real(-0.4), 8, false, 0, true},
       {"at 4 m/s, but nothing was hit", -4, 0, false, 0, false},
-      {"struck already", -4, 8, true, 0, true},
-      {"struck already, and released", -4, 0, true, 0, true},
+      {"impact handled already", -4, 8, true, 0, true},
+      {"impact handled already, and released", -4, 0, true, 0, true},
       {"parting", 4, 8, false, 0, true},
   };
   for (const Case& at : cases) {
     Meeting meeting = landing(2, Vec3::Zero());
-    meeting.row.restitution = Real(0.5);
-    meeting.row.approach_velocity = at.approach;
-    meeting.row.normal_impulse = at.impulse;
-    meeting.row.struck = at.struck;
+    meeting.constraint.restitution = Real(0.5);
+    meeting.constraint.approach_velocity = at.approach;
+    meeting.constraint.normal_impulse = at.impulse;
+    meeting.constraint.impact_handled = at.impact_handled;
     bounce(meeting);
     Story contact = story;
     contact.given(at.what);
     contact.expect_near("v_n after", static_cast<double>(meeting.b.v.z()), at.speed_after, 1e-6,
                         "m/s");
-    contact.expect_equal("struck after", meeting.row.struck, at.struck_after);
+    contact.expect_equal("impact handled after", meeting.constraint.impact_handled,
+                         at.handled_after);
   }
   Meeting hit = landing(2, Vec3::Zero());
-  hit.row.restitution = Real(0.5);
-  hit.row.approach_velocity = -4;
-  hit.row.normal_impulse = 8;
-  ContactRow falling = hit.row;
+  hit.constraint.restitution = Real(0.5);
+  hit.constraint.approach_velocity = -4;
+  hit.constraint.normal_impulse = 8;
+  ContactConstraint falling = hit.constraint;
   falling.body_b = 2;
   falling.normal_impulse = 0;
   falling.separation = Real(0.5);
-  ContactRow rows[] = {hit.row, falling};
-  BodyVelocity bodies[] = {hit.a, hit.b, landing(2, Vec3(0, 0, -4)).b};
-  apply_restitution(rows, bodies, bouncing_step(1));
+  ContactConstraint constraints[] = {hit.constraint, falling};
+  SolverBody bodies[] = {hit.a, hit.b, landing(2, Vec3(0, 0, -4)).b};
+  apply_restitution(constraints, bodies, bouncing_step(1));
   Story above = story;
   above.given("another cube 0.5 m above the floor, falling at 4 m/s, λ_n = 0");
   above.expect_near("v_n of the cube above", static_cast<double>(bodies[2].v.z()), -4, 0, "m/s");
 
-  rows[1].separation = Real(0.01);
-  rows[1].struck = false;
+  constraints[1].separation = Real(0.01);
+  constraints[1].impact_handled = false;
   bodies[2].v = Vec3(0, 0, -4);
-  rows[0] = hit.row;
+  constraints[0] = hit.constraint;
   ContactStep step = bouncing_step(1);
   step.h = Real(1) / 480;
-  apply_restitution(rows, bodies, step);
+  apply_restitution(constraints, bodies, step);
   Story close = story;
   close.given("the same, 10 mm above the floor, substep 1/480 s: it arrives within two of them");
   close.likely("the first corners of a body stop it before the others arrive: those bounce, too");
   close.expect_near("v_n of the cube above", static_cast<double>(bodies[2].v.z()), 2, 1e-6, "m/s");
 
   Meeting fast = landing(2, Vec3(0, 0, 5));
-  fast.row.restitution = Real(0.5);
-  fast.row.approach_velocity = -4;
-  fast.row.normal_impulse = 2;
+  fast.constraint.restitution = Real(0.5);
+  fast.constraint.approach_velocity = -4;
+  fast.constraint.normal_impulse = 2;
   bounce(fast);
   Story released = story;
   released.given("leaving at 5 m/s with λ_n = 2 N·s, hit at 4 m/s");
   released.likely("the sum is clamped at 0 here, too");
-  released.expect_near("accumulated after", static_cast<double>(fast.row.normal_impulse), 0, 0,
-                       "N·s");
+  released.expect_near("accumulated after", static_cast<double>(fast.constraint.normal_impulse), 0,
+                       0, "N·s");
   released.expect_near("v_n after", static_cast<double>(fast.b.v.z()), 4, 1e-6, "m/s");
 }
 
@@ -135,22 +141,22 @@ GRADED_TEST(Lab7, CornersReachTheirTargetsTogether, 1, "L7.9") {
   Story story("restitution_iterations sweeps bring all corners of a box to −e·v_n⁰");
   story.given("a 1:5 box that landed flat at 4 m/s, e = 0.5");
   story.likely("an impulse at one corner turns the box and moves the others: sweep again")
-      .likely("rows are marked as struck after the last sweep, not during the first");
+      .likely("impacts are marked as handled after the last sweep, not during the first");
   for (const int sweeps : {0, 1, 40}) {
     System box = box_on_floor(Vec3(Real(0.1), Real(0.2), Real(0.5)));
-    for (ContactRow& row : box.rows) {
-      row.restitution = Real(0.5);
-      row.approach_velocity = -4;
-      row.normal_impulse = 1;
+    for (ContactConstraint& constraint : box.constraints) {
+      constraint.restitution = Real(0.5);
+      constraint.approach_velocity = -4;
+      constraint.normal_impulse = 1;
     }
-    apply_restitution(box.rows, box.bodies, bouncing_step(sweeps));
+    apply_restitution(box.constraints, box.bodies, bouncing_step(sweeps));
     Story swept = story;
     swept.given("sweeps", sweeps);
     double worst = 0;
-    for (const ContactRow& row : box.rows) {
-      const Meeting corner{box.bodies[0], box.bodies[1], row};
+    for (const ContactConstraint& constraint : box.constraints) {
+      const Meeting corner{box.bodies[0], box.bodies[1], constraint};
       worst = std::max(worst, std::abs(corner.contact_velocity()[0] - 2));
-      swept.expect("every row is marked as struck", row.struck);
+      swept.expect("every impact is marked as handled", constraint.impact_handled);
     }
     if (sweeps == 0) swept.expect_near("largest error of v_n", worst, 2, 0, "m/s");
     if (sweeps == 1) swept.expect_at_least("largest error of v_n", worst, 0.02, "m/s");

@@ -8,8 +8,8 @@
 
 #include "cs550/not_implemented.hpp"
 #include "cs550/world.hpp"
+#include "helpers/story.hpp"
 #include "support/fixtures.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 

@@ -1,7 +1,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "dense_contact.hpp"
-#include "support/story.hpp"
+#include "helpers/story.hpp"
 
 namespace cs550::test {
 namespace {
@@ -9,14 +9,14 @@ namespace {
 /// Roundings of float in a few products and sums, relative to the largest term.
 constexpr double rounding = 5e-6;
 
-/// Two bodies whose row remembers impulses that change speeds by some m/s.
+/// Two bodies whose constraint remembers impulses that change speeds by some m/s.
 Meeting loaded_meeting(Random& random) {
   Meeting meeting = random_meeting(random);
-  ContactRow& row = meeting.row;
-  const Real unit = row.normal_mass;
-  row.normal_impulse = unit * random.real(0, 2);
-  row.tangent_impulse.x() = unit * random.real(-1, 1);
-  row.tangent_impulse.y() = unit * random.real(-1, 1);
+  ContactConstraint& constraint = meeting.constraint;
+  const Real unit = constraint.normal_mass;
+  constraint.normal_impulse = unit * random.real(0, 2);
+  constraint.tangent_impulse.x() = unit * random.real(-1, 1);
+  constraint.tangent_impulse.y() = unit * random.real(-1, 1);
   return meeting;
 }
 
@@ -25,12 +25,12 @@ GRADED_TEST(Lab7, WarmStartAppliesTheAccumulatedImpulses, 2, "L7.5") {
   Story story("warm starting adds M⁻¹·Jᵀ·λ to the velocities, for λ_n, λ_u and λ_v");
   story.seed(random.seed())
       .likely("λ ≥ 0 pushes apart: −λ·n to A and +λ·n to B")
-      .likely("the second tangent is row.v() = n × u")
+      .likely("the second tangent is constraint.v() = n × u")
       .likely("the impulse acts at r_A and r_B, not at the centres");
   for (int i = 0; i < 200; ++i) {
     Meeting meeting = loaded_meeting(random);
     const Vec12 expected = meeting.velocity_after(meeting.impulses());
-    warm_start(meeting.row, meeting.a, meeting.b);
+    warm_start(meeting.constraint, meeting.a, meeting.b);
     const Vec12 got = meeting.velocity();
     const double tolerance = rounding * (1 + expected.norm());
     const auto part = [](const Vec12& all, int first) {
@@ -52,7 +52,7 @@ GRADED_TEST(Lab7, WarmStartConservesMomentum, 1, "L7.5") {
   for (int i = 0; i < 100; ++i) {
     Meeting meeting = loaded_meeting(random);
     const auto before = meeting.momentum();
-    warm_start(meeting.row, meeting.a, meeting.b);
+    warm_start(meeting.constraint, meeting.a, meeting.b);
     const Vec12 change = meeting.velocity() - meeting.velocity_after(-meeting.impulses());
     const double moved = (meeting.momentum() - before).norm();
     // What each body gained is rounded on its own, at the scale of its momentum.

@@ -16,9 +16,9 @@
 
 namespace Eigen {
 
-template <class Archive, class Scalar, int Rows, int Columns, int Options>
-void serialize(Archive& archive, Matrix<Scalar, Rows, Columns, Options>& matrix) {
-  static_assert(Rows > 0 && Columns > 0, "only types of fixed size");
+template <class Archive, class Scalar, int Constraints, int Columns, int Options>
+void serialize(Archive& archive, Matrix<Scalar, Constraints, Columns, Options>& matrix) {
+  static_assert(Constraints > 0 && Columns > 0, "only types of fixed size");
   for (Scalar& entry : matrix.reshaped()) archive(entry);
 }
 
@@ -142,7 +142,7 @@ void serialize(Archive& archive, Manifold& manifold) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, BodyVelocity& body) {
+void serialize(Archive& archive, SolverBody& body) {
   auto& [v, w, inverse_mass, world_inverse_inertia, delta_position, delta_rotation] = body;
   archive(v, w, inverse_mass, world_inverse_inertia, delta_position, delta_rotation);
 }
@@ -154,11 +154,13 @@ void serialize(Archive& archive, Softness& softness) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, ContactRow& row) {
+void serialize(Archive& archive, ContactConstraint& constraint) {
   auto& [body_a, body_b, n, u, r_a, r_b, separation, friction, restitution, normal_mass,
-         tangent_mass, softness, approach_velocity, struck, normal_impulse, tangent_impulse] = row;
+         tangent_mass, softness, approach_velocity, impact_handled, normal_impulse,
+         tangent_impulse] = constraint;
   archive(body_a, body_b, n, u, r_a, r_b, separation, friction, restitution, normal_mass,
-          tangent_mass, softness, approach_velocity, struck, normal_impulse, tangent_impulse);
+          tangent_mass, softness, approach_velocity, impact_handled, normal_impulse,
+          tangent_impulse);
 }
 
 template <class Archive>

@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "cs550/contact_row.hpp"
-#include "support/random.hpp"
+#include "cs550/contact_constraint.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 
-inline BodyVelocity moving(Random& random) {
-  BodyVelocity body;
+inline SolverBody moving(Random& random) {
+  SolverBody body;
   body.v = random.point_in_box({3, 3, 3});
   body.w = random.point_in_box({3, 3, 3});
   body.inverse_mass = random.real(0.5F, 2);
@@ -21,30 +21,31 @@ inline BodyVelocity moving(Random& random) {
 }
 
 /// A contact that approaches, overlaps, slides and has impulses from before.
-inline ContactRow touching(Random& random) {
-  ContactRow row;
-  row.body_a = 0;
-  row.body_b = 1;
-  row.n = random.unit_vector();
-  row.u = any_perpendicular(row.n);
-  row.r_a = random.point_in_box({1, 1, 1});
-  row.r_b = random.point_in_box({1, 1, 1});
-  row.separation = -0.1F;
-  row.friction = 0.4F;
-  row.restitution = 0.5F;
-  row.normal_mass = 0.7F;
-  row.tangent_mass << 0.6F, 0.1F, 0.1F, 0.5F;
-  row.softness = {10, 0.9F, 0.1F};
-  row.approach_velocity = -2;
-  row.normal_impulse = 1;
-  row.tangent_impulse = {0.2F, 0.1F};
-  return row;
+inline ContactConstraint touching(Random& random) {
+  ContactConstraint constraint;
+  constraint.body_a = 0;
+  constraint.body_b = 1;
+  constraint.n = random.unit_vector();
+  constraint.u = any_perpendicular(constraint.n);
+  constraint.r_a = random.point_in_box({1, 1, 1});
+  constraint.r_b = random.point_in_box({1, 1, 1});
+  constraint.separation = -0.1F;
+  constraint.friction = 0.4F;
+  constraint.restitution = 0.5F;
+  constraint.normal_mass = 0.7F;
+  constraint.tangent_mass << 0.6F, 0.1F, 0.1F, 0.5F;
+  constraint.softness = {10, 0.9F, 0.1F};
+  constraint.approach_velocity = -2;
+  constraint.normal_impulse = 1;
+  constraint.tangent_impulse = {0.2F, 0.1F};
+  return constraint;
 }
 
 struct BodiesInContact {
   Random random{32};
-  std::vector<BodyVelocity> bodies = {moving(random), moving(random)};
-  std::vector<ContactRow> rows = {touching(random), touching(random), touching(random)};
+  std::vector<SolverBody> bodies = {moving(random), moving(random)};
+  std::vector<ContactConstraint> constraints = {touching(random), touching(random),
+                                                touching(random)};
 };
 
 }  // namespace cs550::test

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "cs550/clipping.hpp"
+#include "helpers/random.hpp"
 #include "serialisation/wire.hpp"
-#include "support/random.hpp"
 
 namespace cs550::test {
 namespace {

@@ -21,25 +21,25 @@ ContactStep some_step() {
 }
 
 TEST(Serialisation, Lab7IsCalledAcrossAWire) {
-  const auto& [random, bodies, rows] = BodiesInContact();
-  const BodyVelocity& a = bodies[0];
-  const BodyVelocity& b = bodies[1];
-  const ContactRow& row = rows[0];
+  const auto& [random, bodies, constraints] = BodiesInContact();
+  const SolverBody& a = bodies[0];
+  const SolverBody& b = bodies[1];
+  const ContactConstraint& constraint = constraints[0];
   const ContactStep step = some_step();
   ContactStep relax = step;
   relax.use_bias = false;
-  const ContactJacobian jacobian = contact_jacobian(row.n, row.r_a, row.r_b);
+  const ContactJacobian jacobian = contact_jacobian(constraint.n, constraint.r_a, constraint.r_b);
 
-  EXPECT_SAME_ACROSS_WIRE(contact_jacobian, row.n, row.r_a, row.r_b);
+  EXPECT_SAME_ACROSS_WIRE(contact_jacobian, constraint.n, constraint.r_a, constraint.r_b);
   EXPECT_SAME_ACROSS_WIRE(constraint_mass, jacobian, a, b);
-  EXPECT_SAME_ACROSS_WIRE(contact_bias, row, row.separation, step);
-  EXPECT_SAME_ACROSS_WIRE(contact_bias, row, row.separation, relax);
-  EXPECT_SAME_ACROSS_WIRE(prepare_contacts, rows, bodies, step);
-  EXPECT_SAME_ACROSS_WIRE(warm_start, row, a, b);
-  EXPECT_SAME_ACROSS_WIRE(solve_normal, row, a, b, step);
-  EXPECT_SAME_ACROSS_WIRE(solve_friction, row, a, b);
-  EXPECT_SAME_ACROSS_WIRE(solve_contacts, rows, bodies, step);
-  EXPECT_SAME_ACROSS_WIRE(apply_restitution, rows, bodies, step);
+  EXPECT_SAME_ACROSS_WIRE(contact_bias, constraint, constraint.separation, step);
+  EXPECT_SAME_ACROSS_WIRE(contact_bias, constraint, constraint.separation, relax);
+  EXPECT_SAME_ACROSS_WIRE(prepare_contacts, constraints, bodies, step);
+  EXPECT_SAME_ACROSS_WIRE(warm_start, constraint, a, b);
+  EXPECT_SAME_ACROSS_WIRE(solve_normal, constraint, a, b, step);
+  EXPECT_SAME_ACROSS_WIRE(solve_friction, constraint, a, b);
+  EXPECT_SAME_ACROSS_WIRE(solve_contacts, constraints, bodies, step);
+  EXPECT_SAME_ACROSS_WIRE(apply_restitution, constraints, bodies, step);
 }
 
 TEST(Serialisation, NoMemberOfLab7IsForgotten) {

@@ -19,9 +19,9 @@ TEST(StackAnswer, KeepsContactsFromApproachingAndNeedsNoPull) {
     const Stack start = make_stack(settings);
     Stack stack = start;
     stack.bodies = frictionless_answer(start);
-    for (const ContactRow& row : stack.rows) {
-      const Real before = approach_velocity(row, start);
-      EXPECT_NEAR(approach_velocity(row, stack), -settings.restitution * before, 1e-6);
+    for (const ContactConstraint& constraint : stack.constraints) {
+      const Real before = approach_velocity(constraint, start);
+      EXPECT_NEAR(approach_velocity(constraint, stack), -settings.restitution * before, 1e-6);
     }
     // Each level passes on, upwards, what all boxes above it gained.
     Real gained = 0;
@@ -38,7 +38,7 @@ TEST(StackAnswer, IsWhatAccumulatedImpulsesConvergeTo) {
   for (const StackSettings& settings : stacks) {
     if (settings.restitution > 0) continue;
     const Stack start = without_friction(make_stack(settings));
-    const std::vector<BodyVelocity> answer = frictionless_answer(start);
+    const std::vector<SolverBody> answer = frictionless_answer(start);
     const StackRun run = solve_accumulating(start, 2000, {});
     EXPECT_GT(velocity_error(start, answer), 0.1) << "g·h and more";
     EXPECT_LT(velocity_error(run.back(), answer), 1e-5) << settings.boxes << " boxes";

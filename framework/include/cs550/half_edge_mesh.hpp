@@ -198,8 +198,8 @@ inline constexpr Real coplanar_tolerance = Real(1e-5);
 /// **L2.6** (one shared edge) and **L2.7** (chains of shared edges) Merges coplanar neighbours into
 /// polygons. Faces are merged only if every vertex of the *merged* face lies within tolerance·size
 /// of that face's Newell plane (nearly coplanar is not transitive), its outline stays convex, and no
-/// other vertex comes out in front of it. Where two faces leave a dent, the coplanar faces in the
-/// dent join them: a flat face becomes one polygon however it was cut. A chain of shared edges goes
+/// other vertex comes out in front of it. Where the union has a reflex vertex, the coplanar
+/// faces behind that vertex join it: a flat face becomes one polygon however it was cut. A chain of shared edges goes
 /// as a whole, with its inner vertices; a vertex that is left with two edges on a straight line goes
 /// too. Unused vertices are removed and the rest keep their order. The result does not depend on
 /// the order of the triangles, and merging it again changes nothing. Matters before lab 5: a

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "cs550/contact_row.hpp"
+#include "cs550/contact_constraint.hpp"
 
 namespace cs550 {
 
@@ -14,19 +14,19 @@ namespace cs550 {
 /// 0 for two immovable bodies.
 /// @param direction unit, world frame
 /// @param r_a, r_b contact from each centre of mass, world frame (m)
-Real effective_mass(const BodyVelocity& a, const BodyVelocity& b, const Vec3& r_a, const Vec3& r_b,
+Real effective_mass(const SolverBody& a, const SolverBody& b, const Vec3& r_a, const Vec3& r_b,
                     const Vec3& direction);
 
 /// **L6.2** v_n = n·(v_B + ω_B × r_B − v_A − ω_A × r_A): negative when approaching (m/s).
 /// @param n unit, A → B, world frame
-Real normal_velocity(const BodyVelocity& a, const BodyVelocity& b, const Vec3& r_a, const Vec3& r_b,
+Real normal_velocity(const SolverBody& a, const SolverBody& b, const Vec3& r_a, const Vec3& r_b,
                      const Vec3& n);
 
-/// **L6.3** (impulse) and **L6.4** (restitution and the loop) Visits the rows once, in order: where
+/// **L6.3** (impulse) and **L6.4** (restitution and the loop) Visits the constraints once, in order: where
 /// two bodies touch or overlap (separation ≤ 0) and approach (v_n < 0), applies
-/// j = −(1 + e)·v_n·m_e as −j·n to A and +j·n to B, and adds j to the row's normal_impulse. Bodies
-/// that separate are left alone. Reads geometry and restitution from the rows, nothing that lab 7
+/// j = −(1 + e)·v_n·m_e as −j·n to A and +j·n to B, and adds j to the constraint's normal_impulse. Bodies
+/// that separate are left alone. Reads geometry and restitution from the constraints, nothing that lab 7
 /// prepares.
-void resolve_contacts_naive(std::span<ContactRow> rows, std::span<BodyVelocity> bodies);
+void resolve_contacts_naive(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies);
 
 }  // namespace cs550

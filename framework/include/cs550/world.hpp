@@ -44,7 +44,7 @@ struct WorldSettings {
   int restitution_iterations = 8;          ///< sweeps of apply_restitution()
 
   bool check_stages = false;    ///< check after each stage what it promised (rule 5)
-  bool audit_momentum = false;  ///< keep the ledger of momentum_error()
+  bool audit_momentum = false;  ///< keep the audit of momentum_error()
 };
 
 /// Which bodies may touch: A and B do if each one's mask has a bit of the other's category.
@@ -84,7 +84,7 @@ enum class Stage : std::uint8_t {
   BroadPhase,  ///< given
   Collide,     ///< labs 3 and 4
   Manifolds,   ///< lab 5
-  Prepare,     ///< rows and masses, lab 7
+  Prepare,     ///< constraints and masses, lab 7
   Solve,       ///< labs 6 and 7
 };
 /// How many stages a step has.

@@ -59,7 +59,7 @@ void Shader::set(const char* name, const Vec3& value) const {
 void Shader::set(const char* name, const Vec2& value) const {
   glUniform2fv(glGetUniformLocation(program_, name), 1, value.data());
 }
-void Shader::set(const char* name, const Colour& value) const {
+void Shader::set(const char* name, const Rgba& value) const {
   glUniform4fv(glGetUniformLocation(program_, name), 1, value.data());
 }
 void Shader::set(const char* name, float value) const {

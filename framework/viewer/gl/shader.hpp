@@ -11,7 +11,7 @@ namespace cs550::viewer {
 /// 4 × 4, column-major, as OpenGL takes it.
 using Matrix4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;
 /// Red, green, blue, opacity; each 0–1, as a screen shows them (sRGB).
-using Colour = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
+using Rgba = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
 
 /// A vertex and a fragment shader, linked.
 class Shader {
@@ -30,7 +30,7 @@ class Shader {
   void set(const char* name, const Matrix4& value) const;
   void set(const char* name, const Vec3& value) const;
   void set(const char* name, const Vec2& value) const;
-  void set(const char* name, const Colour& value) const;
+  void set(const char* name, const Rgba& value) const;
   void set(const char* name, float value) const;
   void set(const char* name, int value) const;
   /// @}

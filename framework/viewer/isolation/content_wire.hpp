@@ -13,7 +13,7 @@ CS550_PLAIN(Pose);
 CS550_PLAIN(Bounds);
 CS550_PLAIN(HalfEdge);
 CS550_PLAIN(Face);
-CS550_PLAIN(Colour);
+CS550_PLAIN(Rgba);
 CS550_PLAIN(Focus);
 CS550_PLAIN(drawing::Stroke);
 CS550_PLAIN(drawing::Point);

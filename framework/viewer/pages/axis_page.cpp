@@ -25,7 +25,7 @@ struct AxisSettings {
   bool operator==(const AxisSettings&) const = default;
 };
 
-void describe(AxisSettings& settings, KnobVisitor& visit) {
+void describe(AxisSettings& settings, ControlVisitor& visit) {
   viewer::describe(settings.pair, visit);
   visit.section("Show");
   visit.toggle({"gauss_maps", "Gauss maps of A and −B", ""}, settings.gauss_maps);

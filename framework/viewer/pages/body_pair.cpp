@@ -2,7 +2,7 @@
 
 namespace cs550::viewer {
 
-void describe(PairSettings& settings, KnobVisitor& visit) {
+void describe(PairSettings& settings, ControlVisitor& visit) {
   visit.section("Bodies");
   visit.choice({"shape_a", "A", ""}, settings.shape_a, shape_names);
   visit.choice({"shape_b", "B", ""}, settings.shape_b, shape_names);

@@ -2,7 +2,7 @@
 /// @file body_pair.hpp
 /// Two bodies that the pages of labs 4 and 5 share.
 
-#include "viewer/knobs.hpp"
+#include "viewer/controls.hpp"
 #include "viewer/pages/shapes.hpp"
 
 namespace cs550::viewer {
@@ -18,7 +18,7 @@ struct PairSettings {
 };
 
 /// Visits them.
-void describe(PairSettings& settings, KnobVisitor& visit);
+void describe(PairSettings& settings, ControlVisitor& visit);
 
 /// The bodies; they own their shapes.
 struct BodyPair {

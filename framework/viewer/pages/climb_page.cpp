@@ -20,7 +20,7 @@ struct ClimbSettings {
   bool operator==(const ClimbSettings&) const = default;
 };
 
-void describe(ClimbSettings& settings, KnobVisitor& visit) {
+void describe(ClimbSettings& settings, ControlVisitor& visit) {
   visit.section("Climb");
   visit.choice({"shape", "shape", ""}, settings.shape, shape_names);
   visit.vector({"direction", "direction", ""}, settings.direction, 2);

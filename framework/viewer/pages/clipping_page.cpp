@@ -20,7 +20,7 @@ struct ClippingSettings {
   bool operator==(const ClippingSettings&) const = default;
 };
 
-void describe(ClippingSettings& settings, KnobVisitor& visit) {
+void describe(ClippingSettings& settings, ControlVisitor& visit) {
   visit.section("Walk");
   visit.whole({"step", "shown step", ""}, settings.step, -1, 40);
   visit.toggle({"bodies", "bodies", ""}, settings.bodies);

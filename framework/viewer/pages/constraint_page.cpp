@@ -16,12 +16,12 @@ struct ConstraintSettings {
   int step = 20;
   bool warm_start = false;
   bool disk = true;
-  int row = 16;
+  int constraint = 16;
 
   bool operator==(const ConstraintSettings&) const = default;
 };
 
-void describe(ConstraintSettings& settings, KnobVisitor& visit) {
+void describe(ConstraintSettings& settings, ControlVisitor& visit) {
   visit.section("Passes");
   visit.whole({"step", "shown pass", ""}, settings.step, -1, 200);
   visit.whole({"passes", "passes", ""}, settings.passes, 1, 200);
@@ -30,17 +30,17 @@ void describe(ConstraintSettings& settings, KnobVisitor& visit) {
   visit.number({"friction", "friction", ""}, settings.stack.friction, 0, 2);
   visit.section("Friction disk");
   visit.toggle({"disk", "show", ""}, settings.disk);
-  visit.whole({"row", "of contact", ""}, settings.row, 0, 39);
+  visit.whole({"constraint", "of contact", ""}, settings.constraint, 0, 39);
 }
 
 /// Beside the stack, flat on the ground; its radius stands for the limit.
-void add_disk(const ContactRow& row, const Stack& before, Content& content) {
-  const Real limit = row.friction * row.normal_impulse;
+void add_disk(const ContactConstraint& constraint, const Stack& before, Content& content) {
+  const Real limit = constraint.friction * constraint.normal_impulse;
   if (limit <= 0) return;
   const std::vector<drawing::DiskImpulse> impulses{
-      {row.tangent_impulse / limit, Role::Highlight, "friction impulse"}};
+      {constraint.tangent_impulse / limit, Role::Highlight, "friction impulse"}};
   const drawing::Drawing disk =
-      drawing::draw_friction_disk(1, impulses, slip_velocity(row, before));
+      drawing::draw_friction_disk(1, impulses, slip_velocity(constraint, before));
   const Pose place{{Real(1.55), Real(-0.2), Real(0.02)}, Quat::Identity()};
   drawing::append(content.drawing, drawing::transformed(scaled(disk, Real(0.6)), place));
 }
@@ -49,20 +49,22 @@ Content show(const ConstraintSettings& settings) {
   const Stack start = make_stack(settings.stack);
   const StackRun cold = solve_accumulating(start, settings.passes, {});
   // The warm start of a stack that stood still: what an earlier step has found.
-  const StackRun warm = solve_accumulating(start, settings.passes, cold.back().rows);
+  const StackRun warm = solve_accumulating(start, settings.passes, cold.back().constraints);
   const StackRun& run = settings.warm_start ? warm : cold;
 
   Content content = show_pass(start, run, settings.step);
-  const std::vector<ContactRow>& rows =
-      run[static_cast<std::size_t>(shown_step(settings.step, content.step_count))].rows;
-  const std::size_t row = std::min(static_cast<std::size_t>(settings.row), rows.size() - 1);
+  const std::vector<ContactConstraint>& constraints =
+      run[static_cast<std::size_t>(shown_step(settings.step, content.step_count))].constraints;
+  const std::size_t constraint =
+      std::min(static_cast<std::size_t>(settings.constraint), constraints.size() - 1);
   content.facts.insert(
       content.facts.end(),
-      {{"contact", std::to_string(row)},
-       {"λ normal", quantity(static_cast<double>(rows[row].normal_impulse), "N·s")},
-       {"|λ friction|", quantity(static_cast<double>(rows[row].tangent_impulse.norm()), "N·s")}});
+      {{"contact", std::to_string(constraint)},
+       {"λ normal", quantity(static_cast<double>(constraints[constraint].normal_impulse), "N·s")},
+       {"|λ friction|",
+        quantity(static_cast<double>(constraints[constraint].tangent_impulse.norm()), "N·s")}});
   if (settings.disk) {
-    add_disk(rows[row], start, content);
+    add_disk(constraints[constraint], start, content);
     content.focus.center.x() += Real(0.5);
   }
   return content;

@@ -29,7 +29,7 @@ struct HalfEdgeSettings {
   bool operator==(const HalfEdgeSettings&) const = default;
 };
 
-void describe(HalfEdgeSettings& settings, KnobVisitor& visit) {
+void describe(HalfEdgeSettings& settings, ControlVisitor& visit) {
   visit.section("Walk");
   visit.whole({"edge", "begin at half-edge", ""}, settings.edge, 0, 119);
   visit.moves({"walk", "walk", ""}, settings.walk, move_names);

@@ -22,7 +22,7 @@ struct IntegrationSettings {
   bool operator==(const IntegrationSettings&) const = default;
 };
 
-void describe(IntegrationSettings& settings, KnobVisitor& visit) {
+void describe(IntegrationSettings& settings, ControlVisitor& visit) {
   visit.section("Free body");
   visit.vector({"half_extents", "half extents", "m"}, settings.half_extents, 2);
   visit.vector({"spin", "spin", "rad/s"}, settings.spin, 20);

@@ -19,7 +19,7 @@ struct LabPageParts {
   Camera first_view;       ///< only yaw and pitch matter
   Settings settings;       ///< at first
   /// Visits the settings.
-  void (*describe)(Settings& settings, KnobVisitor& visit) = nullptr;
+  void (*describe)(Settings& settings, ControlVisitor& visit) = nullptr;
   /// Makes the content; calls the functions of the lab, which may throw, crash or never end.
   Content (*show)(const Settings& settings) = nullptr;
   /// What can be dragged, if anything.
@@ -39,7 +39,7 @@ class LabPage final : public Page {
   int lab() const override { return parts_.lab; }
   std::string title() const override { return page_name(parts_.lab); }
   std::string story() const override { return parts_.story; }
-  void describe(KnobVisitor& visit) override { parts_.describe(settings_, visit); }
+  void describe(ControlVisitor& visit) override { parts_.describe(settings_, visit); }
   const Content& content() const override { return content_; }
   Camera first_view() const override { return parts_.first_view; }
 

@@ -13,7 +13,7 @@ struct NaiveSettings {
   bool operator==(const NaiveSettings&) const = default;
 };
 
-void describe(NaiveSettings& settings, KnobVisitor& visit) {
+void describe(NaiveSettings& settings, ControlVisitor& visit) {
   visit.section("Passes");
   visit.whole({"step", "shown pass", ""}, settings.step, -1, 200);
   visit.whole({"passes", "passes", ""}, settings.passes, 1, 200);
@@ -24,7 +24,7 @@ void describe(NaiveSettings& settings, KnobVisitor& visit) {
 Content show(const NaiveSettings& settings) {
   const Stack start = make_stack(settings.stack);
   Content content = show_pass(start, solve_naively(start, settings.passes), settings.step);
-  content.facts.push_back({"contacts", std::to_string(start.rows.size())});
+  content.facts.push_back({"contacts", std::to_string(start.constraints.size())});
   return content;
 }
 

@@ -9,8 +9,8 @@
 
 #include "viewer/camera.hpp"
 #include "viewer/content.hpp"
+#include "viewer/controls.hpp"
 #include "viewer/isolation/service.hpp"
-#include "viewer/knobs.hpp"
 
 namespace cs550::viewer {
 
@@ -29,7 +29,7 @@ class Page {
   /// What is to be seen and why it matters, in a sentence or two.
   virtual std::string story() const = 0;
   /// Visits every setting.
-  virtual void describe(KnobVisitor& visit) = 0;
+  virtual void describe(ControlVisitor& visit) = 0;
   /// Brings the content up to date with the settings.
   virtual void refresh() = 0;
   /// What refresh() found.

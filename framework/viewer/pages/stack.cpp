@@ -13,43 +13,43 @@ const Vec3 half_extents(Real(0.5), Real(0.5), Real(0.3));  // m
 constexpr Real gravity = Real(9.81);                       // m/s²
 constexpr Real ground_thickness = Real(0.2);               // m, half
 
-BodyVelocity falling_box(Real mass) {
+SolverBody falling_box(Real mass) {
   const Vec3 squared = half_extents.cwiseAbs2();
   const Vec3 inertia =
       mass / 3 *
       Vec3(squared.y() + squared.z(), squared.x() + squared.z(), squared.x() + squared.y());
-  BodyVelocity body;
+  SolverBody body;
   body.inverse_mass = 1 / mass;
   body.world_inverse_inertia = inertia.cwiseInverse().asDiagonal();
   body.v = {0, 0, -gravity * stack_step};
   return body;
 }
 
-/// Four rows between a body and the one on top of it.
-void add_rows(Stack& stack, Index lower, const StackSettings& settings) {
+/// Four constraints between a body and the one on top of it.
+void add_constraints(Stack& stack, Index lower, const StackSettings& settings) {
   const auto below = static_cast<std::size_t>(lower);
   const Real height = stack.centers[below + 1].z() - half_extents.z();
   for (const Real x : {Real(-1), Real(1)}) {
     for (const Real y : {Real(-1), Real(1)}) {
       const Vec3 point(x * half_extents.x(), y * half_extents.y(), height);
-      ContactRow row;
-      row.body_a = lower;
-      row.body_b = lower + 1;
-      row.n = Vec3::UnitZ();
-      row.u = Vec3::UnitX();
-      row.r_a = point - stack.centers[below];
-      row.r_b = point - stack.centers[below + 1];
-      row.friction = settings.friction;
-      row.restitution = settings.restitution;
-      stack.rows.push_back(row);
+      ContactConstraint constraint;
+      constraint.body_a = lower;
+      constraint.body_b = lower + 1;
+      constraint.n = Vec3::UnitZ();
+      constraint.u = Vec3::UnitX();
+      constraint.r_a = point - stack.centers[below];
+      constraint.r_b = point - stack.centers[below + 1];
+      constraint.friction = settings.friction;
+      constraint.restitution = settings.restitution;
+      stack.constraints.push_back(constraint);
     }
   }
 }
 
-Vec3 relative_velocity(const ContactRow& row, const Stack& stack) {
-  const BodyVelocity& a = stack.bodies[static_cast<std::size_t>(row.body_a)];
-  const BodyVelocity& b = stack.bodies[static_cast<std::size_t>(row.body_b)];
-  return b.v + b.w.cross(row.r_b) - a.v - a.w.cross(row.r_a);
+Vec3 relative_velocity(const ContactConstraint& constraint, const Stack& stack) {
+  const SolverBody& a = stack.bodies[static_cast<std::size_t>(constraint.body_a)];
+  const SolverBody& b = stack.bodies[static_cast<std::size_t>(constraint.body_b)];
+  return b.v + b.w.cross(constraint.r_b) - a.v - a.w.cross(constraint.r_a);
 }
 
 /// A unit box of half-edges, stretched.
@@ -65,7 +65,7 @@ MeshPtr box_mesh(const Vec3& half) {
 
 }  // namespace
 
-void describe(StackSettings& settings, KnobVisitor& visit) {
+void describe(StackSettings& settings, ControlVisitor& visit) {
   visit.section("Stack");
   visit.whole({"boxes", "boxes", ""}, settings.boxes, 1, 10);
   visit.number({"top_mass", "mass of the top", "kg"}, settings.top_mass, Real(0.1), 100);
@@ -81,7 +81,7 @@ Stack make_stack(const StackSettings& settings) {
     stack.bodies.push_back(falling_box(is_top ? settings.top_mass : 1));
     if (is_top) stack.bodies.back().v.x() += settings.push;
     stack.centers.emplace_back(0, 0, static_cast<Real>(2 * i + 1) * half_extents.z());
-    add_rows(stack, i, settings);
+    add_constraints(stack, i, settings);
   }
   return stack;
 }
@@ -108,8 +108,8 @@ std::vector<Solid> stack_solids(const Stack& stack) {
 
 std::vector<Real> level_impulses(const Stack& stack) {
   std::vector<Real> sums(stack.bodies.size() - 1, 0);
-  for (const ContactRow& row : stack.rows) {
-    sums[static_cast<std::size_t>(row.body_a)] += row.normal_impulse;
+  for (const ContactConstraint& constraint : stack.constraints) {
+    sums[static_cast<std::size_t>(constraint.body_a)] += constraint.normal_impulse;
   }
   return sums;
 }
@@ -124,35 +124,35 @@ drawing::Plot plot_levels(std::span<const std::vector<Real>> history) {
   return plot;
 }
 
-Real approach_velocity(const ContactRow& row, const Stack& stack) {
-  return row.n.dot(relative_velocity(row, stack));
+Real approach_velocity(const ContactConstraint& constraint, const Stack& stack) {
+  return constraint.n.dot(relative_velocity(constraint, stack));
 }
 
 Real approach_error(const Stack& stack) {
   Real error = 0;
-  for (const ContactRow& row : stack.rows) {
-    error = std::max(error, -approach_velocity(row, stack));
+  for (const ContactConstraint& constraint : stack.constraints) {
+    error = std::max(error, -approach_velocity(constraint, stack));
   }
   return error;
 }
 
 Stack without_friction(Stack stack) {
-  for (ContactRow& row : stack.rows) row.friction = 0;
+  for (ContactConstraint& constraint : stack.constraints) constraint.friction = 0;
   return stack;
 }
 
-std::vector<BodyVelocity> frictionless_answer(const Stack& start) {
-  std::vector<BodyVelocity> answer = start.bodies;
-  const Real e = start.rows.front().restitution;
-  for (BodyVelocity& body : answer) body.v.z() *= -e;
+std::vector<SolverBody> frictionless_answer(const Stack& start) {
+  std::vector<SolverBody> answer = start.bodies;
+  const Real e = start.constraints.front().restitution;
+  for (SolverBody& body : answer) body.v.z() *= -e;
   return answer;
 }
 
-Real velocity_error(const Stack& stack, std::span<const BodyVelocity> answer) {
+Real velocity_error(const Stack& stack, std::span<const SolverBody> answer) {
   Real twice_energy = 0;
   Real mass = 0;
   for (std::size_t i = 1; i < stack.bodies.size(); ++i) {
-    const BodyVelocity& body = stack.bodies[i];
+    const SolverBody& body = stack.bodies[i];
     const Vec3 v = body.v - answer[i].v;
     const Vec3 w = body.w - answer[i].w;
     mass += 1 / body.inverse_mass;
@@ -173,9 +173,9 @@ drawing::Plot plot_velocity_errors(std::span<const drawing::Convergence> runs) {
   return plot;
 }
 
-Vec2 slip_velocity(const ContactRow& row, const Stack& stack) {
-  const Vec3 relative = relative_velocity(row, stack);
-  return {row.u.dot(relative), row.v().dot(relative)};
+Vec2 slip_velocity(const ContactConstraint& constraint, const Stack& stack) {
+  const Vec3 relative = relative_velocity(constraint, stack);
+  return {constraint.u.dot(relative), constraint.v().dot(relative)};
 }
 
 }  // namespace cs550::viewer

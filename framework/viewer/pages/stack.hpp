@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "cs550/contact_row.hpp"
+#include "cs550/contact_constraint.hpp"
 #include "drawing/impulse_drawing.hpp"
 #include "viewer/content.hpp"
-#include "viewer/knobs.hpp"
+#include "viewer/controls.hpp"
 
 namespace cs550::viewer {
 
@@ -25,13 +25,13 @@ struct StackSettings {
 };
 
 /// Visits those that both solvers know.
-void describe(StackSettings& settings, KnobVisitor& visit);
+void describe(StackSettings& settings, ControlVisitor& visit);
 
 /// A moment after gravity acted for one step and before any contact did.
 struct Stack {
-  std::vector<BodyVelocity> bodies;  ///< the ground first
-  std::vector<Vec3> centers;         ///< of mass (m)
-  std::vector<ContactRow> rows;      ///< four under each box
+  std::vector<SolverBody> bodies;              ///< the ground first
+  std::vector<Vec3> centers;                   ///< of mass (m)
+  std::vector<ContactConstraint> constraints;  ///< four under each box
 };
 
 /// Length of the step that gravity acted for (s).
@@ -49,24 +49,24 @@ Real approach_error(const Stack& stack);
 /// times the speed at which they met it, and keep the rest of their velocities.
 Stack without_friction(Stack stack);
 /// That answer, for a stack before any contact acted.
-std::vector<BodyVelocity> frictionless_answer(const Stack& start);
+std::vector<SolverBody> frictionless_answer(const Stack& start);
 /// How far the velocities of a stack are from an answer: √(2T/m) of the difference, with T its
 /// kinetic energy and m the mass of all boxes, so that every solver is measured alike (m/s).
-Real velocity_error(const Stack& stack, std::span<const BodyVelocity> answer);
+Real velocity_error(const Stack& stack, std::span<const SolverBody> answer);
 
 /// velocity_error() over the passes of some solvers.
 drawing::Plot plot_velocity_errors(std::span<const drawing::Convergence> runs);
 
-/// What carries each box: the normal impulses of the four rows under it together (N·s).
+/// What carries each box: the normal impulses of the four constraints under it together (N·s).
 std::vector<Real> level_impulses(const Stack& stack);
 
 /// level_impulses() after each pass.
 drawing::Plot plot_levels(std::span<const std::vector<Real>> history);
 
-/// n·(velocity of B − velocity of A) at a row (m/s).
-Real approach_velocity(const ContactRow& row, const Stack& stack);
+/// n·(velocity of B − velocity of A) at a constraint (m/s).
+Real approach_velocity(const ContactConstraint& constraint, const Stack& stack);
 
-/// Velocity of B relative to A at a row, along u and v (m/s).
-Vec2 slip_velocity(const ContactRow& row, const Stack& stack);
+/// Velocity of B relative to A at a constraint, along u and v (m/s).
+Vec2 slip_velocity(const ContactConstraint& constraint, const Stack& stack);
 
 }  // namespace cs550::viewer

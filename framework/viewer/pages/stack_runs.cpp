@@ -11,28 +11,28 @@ namespace cs550::viewer {
 StackRun solve_naively(Stack stack, int passes) {
   StackRun run{stack};
   for (int pass = 0; pass < passes; ++pass) {
-    resolve_contacts_naive(stack.rows, stack.bodies);
+    resolve_contacts_naive(stack.constraints, stack.bodies);
     run.push_back(stack);
   }
   return run;
 }
 
-StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactRow> warm) {
+StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactConstraint> warm) {
   ContactStep step;
   step.h = stack_step;
   step.use_bias = false;  // boxes that touch exactly: a rigid contact
-  prepare_contacts(stack.rows, stack.bodies, step);
+  prepare_contacts(stack.constraints, stack.bodies, step);
   for (std::size_t i = 0; i < warm.size(); ++i) {
-    ContactRow& row = stack.rows[i];
-    row.normal_impulse = warm[i].normal_impulse;
-    row.tangent_impulse = warm[i].tangent_impulse;
-    warm_start(row, stack.bodies[static_cast<std::size_t>(row.body_a)],
-               stack.bodies[static_cast<std::size_t>(row.body_b)]);
+    ContactConstraint& constraint = stack.constraints[i];
+    constraint.normal_impulse = warm[i].normal_impulse;
+    constraint.tangent_impulse = warm[i].tangent_impulse;
+    warm_start(constraint, stack.bodies[static_cast<std::size_t>(constraint.body_a)],
+               stack.bodies[static_cast<std::size_t>(constraint.body_b)]);
   }
   StackRun run{stack};
   for (int pass = 0; pass < passes; ++pass) {
     step.backwards = pass % 2 == 1;
-    solve_contacts(stack.rows, stack.bodies, step);
+    solve_contacts(stack.constraints, stack.bodies, step);
     run.push_back(stack);
   }
   return run;
@@ -40,7 +40,7 @@ StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactRow>
 
 drawing::Plot compare_solvers(const Stack& start, int passes) {
   const Stack slippery = without_friction(start);
-  const std::vector<BodyVelocity> answer = frictionless_answer(slippery);
+  const std::vector<SolverBody> answer = frictionless_answer(slippery);
   std::vector<drawing::Convergence> curves;
   const auto add = [&](const char* name, const StackRun& run, bool dashed) {
     drawing::Convergence& curve = curves.emplace_back(drawing::Convergence{name, {}, dashed});
@@ -51,12 +51,12 @@ drawing::Plot compare_solvers(const Stack& start, int passes) {
   } catch (const NotImplemented&) {
     // Lab 7 may be looked at without lab 6.
   }
-  const bool bounces = start.rows.front().restitution > 0;
+  const bool bounces = start.constraints.front().restitution > 0;
   try {
     if (!bounces) {
       const StackRun cold = solve_accumulating(slippery, passes, {});
       add("accumulated", cold, false);
-      add("warm start", solve_accumulating(slippery, passes, cold.back().rows), false);
+      add("warm start", solve_accumulating(slippery, passes, cold.back().constraints), false);
     }
   } catch (const NotImplemented&) {
     // Lab 6 comes before lab 7.
@@ -70,8 +70,8 @@ Content show_pass(const Stack& start, const StackRun& run, int pass) {
   const int step = shown_step(pass, content.step_count);
   const Stack& shown = run[static_cast<std::size_t>(step)];
   content.solids = stack_solids(shown);
-  const Real scale = drawing::impulse_scale(run.back().rows, Real(0.75));
-  content.drawing = drawing::draw_impulses(shown.rows, shown.centers, scale);
+  const Real scale = drawing::impulse_scale(run.back().constraints, Real(0.75));
+  content.drawing = drawing::draw_impulses(shown.constraints, shown.centers, scale);
   std::vector<std::vector<Real>> history;
   for (const Stack& stack : run) history.push_back(level_impulses(stack));
   content.plots = {compare_solvers(start, content.step_count - 1), plot_levels(history)};

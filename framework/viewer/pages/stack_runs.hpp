@@ -15,7 +15,7 @@ using StackRun = std::vector<Stack>;
 /// By lab 6.
 StackRun solve_naively(Stack stack, int passes);
 /// By lab 7, accumulating impulses. @param warm impulses to begin with; none starts cold
-StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactRow> warm);
+StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactConstraint> warm);
 
 /// The errors of both, cold and warm, on the same problem: without friction, which the naive solver
 /// does not know. A lab that is not written yet is left out, and lab 7 also where boxes bounce: that

@@ -17,12 +17,12 @@ constexpr Real outline = Real(1.2);  ///< pixels around a stroke that is too lig
 void append(std::vector<float>& floats, const Vec3& v) {
   floats.insert(floats.end(), {v.x(), v.y(), v.z()});
 }
-void append(std::vector<float>& floats, const Colour& c) {
+void append(std::vector<float>& floats, const Rgba& c) {
   floats.insert(floats.end(), {c.x(), c.y(), c.z(), c.w()});
 }
 
 /// @param rim pixels that the stroke is wider on every side
-void append_line(std::vector<float>& floats, const drawing::Line& line, const Colour& colour,
+void append_line(std::vector<float>& floats, const drawing::Line& line, const Rgba& colour,
                  float scale, float rim) {
   append(floats, line.from);
   append(floats, line.to);
@@ -79,7 +79,7 @@ std::vector<const drawing::Polygon*> in_order(const Drawing& drawing, const Vec3
 std::vector<float> triangle_records(std::span<const drawing::Polygon* const> polygons) {
   std::vector<float> floats;
   for (const drawing::Polygon* polygon : polygons) {
-    const Colour colour = role_colour(polygon->role, polygon->opacity);
+    const Rgba colour = role_colour(polygon->role, polygon->opacity);
     for (std::size_t i = 2; i < polygon->corners.size(); ++i) {
       for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
         append(floats, polygon->corners[corner]);
@@ -128,13 +128,13 @@ void end_blending() {
 
 }  // namespace
 
-Colour as_colour(drawing::Color color, float opacity) {
+Rgba as_colour(drawing::Colour colour, float opacity) {
   constexpr float most = 255;
-  return {static_cast<float>(color.red) / most, static_cast<float>(color.green) / most,
-          static_cast<float>(color.blue) / most, opacity};
+  return {static_cast<float>(colour.red) / most, static_cast<float>(colour.green) / most,
+          static_cast<float>(colour.blue) / most, opacity};
 }
 
-Colour role_colour(Role role, float opacity) { return as_colour(drawing::color(role), opacity); }
+Rgba role_colour(Role role, float opacity) { return as_colour(drawing::colour(role), opacity); }
 
 InkRenderer::InkRenderer()
     : line_shader_("line", ink::line_vertex, ink::line_fragment),

@@ -12,9 +12,9 @@
 namespace cs550::viewer {
 
 /// A palette's colour for the graphics card.
-Colour as_colour(drawing::Color color, float opacity = 1);
+Rgba as_colour(drawing::Colour colour, float opacity = 1);
 /// The colour of a role.
-Colour role_colour(drawing::Role role, float opacity = 1);
+Rgba role_colour(drawing::Role role, float opacity = 1);
 
 /// Draws what a Drawing holds, save its labels, which are text.
 class InkRenderer {

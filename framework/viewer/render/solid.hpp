@@ -15,10 +15,10 @@ using MeshPtr = std::shared_ptr<const HalfEdgeMesh>;
 
 /// A mesh at a place, in a colour. An opacity below 1 shows what is behind.
 struct Solid {
-  MeshPtr mesh;                  ///< body frame; nothing is drawn without
-  Pose pose;                     ///< body → world
-  Colour colour = {1, 1, 1, 1};  ///< of its faces; edges are darker
-  bool is_ground = false;        ///< has a grid of metres, throws no shadow
+  MeshPtr mesh;                ///< body frame; nothing is drawn without
+  Pose pose;                   ///< body → world
+  Rgba colour = {1, 1, 1, 1};  ///< of its faces; edges are darker
+  bool is_ground = false;      ///< has a grid of metres, throws no shadow
 
   bool operator==(const Solid& other) const {
     return mesh == other.mesh && pose.position == other.pose.position &&

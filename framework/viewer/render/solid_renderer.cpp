@@ -133,7 +133,7 @@ Shader solid_shader(Quality quality) {
 void append(std::vector<float>& floats, const Solid& solid) {
   const Vec3& p = solid.pose.position;
   const Quat& q = solid.pose.orientation;
-  const Colour& c = solid.colour;
+  const Rgba& c = solid.colour;
   floats.insert(floats.end(), {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w(), c.x(), c.y(), c.z(),
                                c.w(), solid.is_ground ? 1.0F : 0.0F});
 }

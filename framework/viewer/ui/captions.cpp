@@ -14,15 +14,15 @@ namespace {
 
 using drawing::LegendEntry;
 
-ImU32 packed(drawing::Color color, int opacity = 255) {
-  return IM_COL32(color.red, color.green, color.blue, opacity);
+ImU32 packed(drawing::Colour colour, int opacity = 255) {
+  return IM_COL32(colour.red, colour.green, colour.blue, opacity);
 }
 
 /// A colour in which text can be read on a light ground.
-drawing::Color readable(drawing::Role role) {
-  constexpr drawing::Color black = {0, 0, 0};
-  if (role == drawing::Role::Text || role == drawing::Role::Axis) return drawing::color(role);
-  return drawing::mix(drawing::color(role), black, drawing::needs_outline(role) ? 0.7 : 0.35);
+drawing::Colour readable(drawing::Role role) {
+  constexpr drawing::Colour black = {0, 0, 0};
+  if (role == drawing::Role::Text || role == drawing::Role::Axis) return drawing::colour(role);
+  return drawing::mix(drawing::colour(role), black, drawing::needs_outline(role) ? 0.7 : 0.35);
 }
 
 void haloed_text(ImDrawList* list, const Typeface& face, ImVec2 at, ImU32 colour,
@@ -38,7 +38,7 @@ void haloed_text(ImDrawList* list, const Typeface& face, ImVec2 at, ImU32 colour
 
 void draw_sample(ImDrawList* list, const LegendEntry& entry, ImVec2 at, float length, float size) {
   const float middle = at.y + size * 0.55F;
-  const ImU32 colour = packed(drawing::color(entry.stroke.role));
+  const ImU32 colour = packed(drawing::colour(entry.stroke.role));
   if (entry.mark == drawing::LegendMark::Patch) {
     list->AddRectFilled({at.x + length * 0.25F, middle - size * 0.4F},
                         {at.x + length * 0.75F, middle + size * 0.4F}, colour, 2);

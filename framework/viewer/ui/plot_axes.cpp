@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "viewer/knobs.hpp"
+#include "viewer/controls.hpp"
 
 namespace cs550::viewer {
 

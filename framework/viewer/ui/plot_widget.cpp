@@ -15,7 +15,9 @@ using drawing::Plot;
 using drawing::Series;
 using drawing::SeriesStyle;
 
-ImU32 packed(drawing::Color color) { return IM_COL32(color.red, color.green, color.blue, 255); }
+ImU32 packed(drawing::Colour colour) {
+  return IM_COL32(colour.red, colour.green, colour.blue, 255);
+}
 
 void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& fonts) {
   const float size = fonts.small.size;
@@ -59,7 +61,7 @@ void draw_dashes(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, float w
 
 void draw_curve(ImDrawList* list, const Series& series, const Axis& x, const Axis& y) {
   const float width = 1.8F;
-  const ImU32 colour = packed(drawing::color(series.role));
+  const ImU32 colour = packed(drawing::colour(series.role));
   std::vector<ImVec2> run;
   float travelled = 0;
   const auto finish = [&] {
@@ -95,11 +97,11 @@ void draw_series(ImDrawList* list, const Series& series, const Axis& x, const Ax
     const ImVec2 at(x.pixel(static_cast<double>(value.x())),
                     y.pixel(static_cast<double>(value.y())));
     if (series.style == SeriesStyle::Dots)
-      list->AddCircleFilled(at, 2.6F, packed(drawing::color(series.role)));
+      list->AddCircleFilled(at, 2.6F, packed(drawing::colour(series.role)));
     if (series.style == SeriesStyle::Bars) {
       const float zero = y.logarithmic ? y.start : y.pixel(0);
       list->AddRectFilled({at.x - bar, std::min(at.y, zero)}, {at.x + bar, std::max(at.y, zero)},
-                          packed(drawing::color(series.role)));
+                          packed(drawing::colour(series.role)));
     }
   }
 }
@@ -109,7 +111,7 @@ void draw_marks(ImDrawList* list, const Plot& plot, const Axis& x, const Axis& y
   const float size = fonts.small.size;
   for (const drawing::PlotMark& mark : plot.marks) {
     const auto value = static_cast<double>(mark.at);
-    const ImU32 colour = packed(drawing::color(mark.role));
+    const ImU32 colour = packed(drawing::colour(mark.role));
     if (mark.vertical) {
       const float at = x.pixel(value);
       list->AddLine({at, y.start}, {at, y.end}, colour, 1.5F);
@@ -150,7 +152,7 @@ float draw_heading(ImDrawList* list, const Plot& plot, ImVec2 at, float width, c
       place = {at.x, place.y + size + 3};
     }
     const float middle = place.y + size * 0.55F;
-    const ImU32 colour = packed(drawing::color(series.role));
+    const ImU32 colour = packed(drawing::colour(series.role));
     list->AddLine({place.x, middle}, {place.x + (series.dashed ? 4 : 11), middle}, colour, 3);
     if (series.dashed) list->AddLine({place.x + 7, middle}, {place.x + 11, middle}, colour, 3);
     list->AddText(fonts.small.font, size, {place.x + mark, place.y}, quiet_ink,

@@ -190,7 +190,7 @@ void add_legend(Drawing& drawing, const Overlays& overlays) {
 
 }  // namespace
 
-void describe(Overlays& overlays, KnobVisitor& visit) {
+void describe(Overlays& overlays, ControlVisitor& visit) {
   visit.section("Show");
   visit.toggle({"contacts", "contact points, normals", ""}, overlays.contacts);
   visit.toggle({"impulses", "impulses", ""}, overlays.impulses);

@@ -3,7 +3,7 @@
 /// What can be drawn over a world.
 
 #include "drawing/drawing.hpp"
-#include "viewer/knobs.hpp"
+#include "viewer/controls.hpp"
 #include "viewer/world/world_frame.hpp"
 
 namespace cs550::viewer {
@@ -25,7 +25,7 @@ struct Overlays {
   bool are_inside() const { return velocities || spins || momenta || centers; }
 };
 
-void describe(Overlays& overlays, KnobVisitor& visit);
+void describe(Overlays& overlays, ControlVisitor& visit);
 
 /// What the switches ask for. @param length of a contact normal (m); other arrows follow it
 drawing::Drawing draw_overlays(const Overlays& overlays, const WorldFrame& frame,

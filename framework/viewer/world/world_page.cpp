@@ -6,7 +6,7 @@
 #include "viewer/render/cutaway.hpp"
 #include "viewer/units.hpp"
 #include "viewer/world/simulation.hpp"
-#include "viewer/world/world_knobs.hpp"
+#include "viewer/world/world_controls.hpp"
 #include "viewer/world/world_plots.hpp"
 
 namespace cs550::viewer {
@@ -24,7 +24,7 @@ std::string WorldPage::title() const { return info_.title.empty() ? scene_ : inf
 
 std::string WorldPage::story() const { return info_.description; }
 
-void WorldPage::describe(KnobVisitor& visit) {
+void WorldPage::describe(ControlVisitor& visit) {
   viewer::describe(overlays_, visit);
   viewer::describe(settings_, visit);
 }

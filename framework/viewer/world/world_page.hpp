@@ -19,7 +19,7 @@ class WorldPage final : public Page {
   int lab() const override { return 0; }
   std::string title() const override;
   std::string story() const override;
-  void describe(KnobVisitor& visit) override;
+  void describe(ControlVisitor& visit) override;
   void refresh() override;
   const Content& content() const override { return content_; }
   void advance() override { take_steps(1); }

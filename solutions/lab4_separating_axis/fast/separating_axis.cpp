@@ -25,7 +25,7 @@
 namespace cs550 {
 
 using lab4::best_feature;
-using lab4::choose;
+using lab4::with_feature;
 
 namespace {
 
@@ -209,31 +209,31 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
   EdgeQuery hinted_edges;
   if (hint.feature == AxisFeature::FaceA) {
     result.face_a = query_face(ab, hint.face_a.face, hint.face_a.vertex);
-    if (result.face_a.separation > margin) return choose(AxisFeature::FaceA, result, a, b);
+    if (result.face_a.separation > margin) return with_feature(AxisFeature::FaceA, result, a, b);
   } else if (hint.feature == AxisFeature::FaceB) {
     result.face_b = query_face(ba, hint.face_b.face, hint.face_b.vertex);
-    if (result.face_b.separation > margin) return choose(AxisFeature::FaceB, result, a, b);
+    if (result.face_b.separation > margin) return with_feature(AxisFeature::FaceB, result, a, b);
   } else if (hint.feature == AxisFeature::Edges) {
     hinted_edges = query_edge_pair(ab, hint.edges.edge_a, hint.edges.edge_b);
     if (hinted_edges && hinted_edges.separation > margin) {
       result.edges = hinted_edges;
       result.edges.axis = a.pose.rotate(result.edges.axis);
-      return choose(AxisFeature::Edges, result, a, b);
+      return with_feature(AxisFeature::Edges, result, a, b);
     }
   }
 
   FaceBounds bounds;
   result = {};
   result.face_b = query_faces(ba, hint.face_b, margin, bounds);
-  if (result.face_b.separation > margin) return choose(AxisFeature::FaceB, result, a, b);
+  if (result.face_b.separation > margin) return with_feature(AxisFeature::FaceB, result, a, b);
   result.face_a = query_faces(ab, hint.face_a, margin, bounds);
-  if (result.face_a.separation > margin) return choose(AxisFeature::FaceA, result, a, b);
+  if (result.face_a.separation > margin) return with_feature(AxisFeature::FaceA, result, a, b);
 
   const Real tolerance = tie_tolerance * std::min(a.shape->radius, b.shape->radius);
   const Real to_beat = std::max(result.face_a.separation, result.face_b.separation) - tolerance;
   result.edges = EdgeSearch(ab).best_beyond_faces(hinted_edges, bounds, to_beat, margin);
   result.edges.axis = a.pose.rotate(result.edges.axis);
-  return choose(best_feature(result, hint.feature, tolerance), result, a, b);
+  return with_feature(best_feature(result, hint.feature, tolerance), result, a, b);
 }
 
 bool overlap(const PosedShape& a, const PosedShape& b) {

@@ -1,12 +1,12 @@
 #pragma once
 /// @file batch.hpp
-/// Up to four rows and their bodies in lanes: read from the arrays, solved, written back.
+/// Up to four constraints and their bodies in lanes: read from the arrays, solved, written back.
 
 #include <cstddef>
 #include <cstring>
 #include <span>
 
-#include "cs550/contact_row.hpp"
+#include "cs550/contact_constraint.hpp"
 #include "lanes.hpp"
 
 namespace cs550 {
@@ -50,12 +50,16 @@ class FourStructs {
 };
 
 // Numbers that are read together lie together; these lines break when the contract moves them apart.
-static_assert(offsetof(BodyVelocity, world_inverse_inertia) == 7 * sizeof(Real));
-static_assert(offsetof(BodyVelocity, delta_rotation) == 19 * sizeof(Real));
-static_assert(offsetof(ContactRow, separation) == offsetof(ContactRow, n) + 12 * sizeof(Real));
-static_assert(offsetof(ContactRow, normal_mass) == offsetof(ContactRow, separation) + 12);
-static_assert(offsetof(ContactRow, normal_impulse) == offsetof(ContactRow, struck) + sizeof(Real));
-static_assert(offsetof(ContactRow, tangent_impulse) == offsetof(ContactRow, struck) + 8);
+static_assert(offsetof(SolverBody, world_inverse_inertia) == 7 * sizeof(Real));
+static_assert(offsetof(SolverBody, delta_rotation) == 19 * sizeof(Real));
+static_assert(offsetof(ContactConstraint, separation) ==
+              offsetof(ContactConstraint, n) + 12 * sizeof(Real));
+static_assert(offsetof(ContactConstraint, normal_mass) ==
+              offsetof(ContactConstraint, separation) + 12);
+static_assert(offsetof(ContactConstraint, normal_impulse) ==
+              offsetof(ContactConstraint, impact_handled) + sizeof(Real));
+static_assert(offsetof(ContactConstraint, tangent_impulse) ==
+              offsetof(ContactConstraint, impact_handled) + 8);
 
 struct BodyLanes {
   Vec3Lanes v, w;
@@ -63,7 +67,7 @@ struct BodyLanes {
   Mat3Lanes inverse_inertia;
   Vec3Lanes delta_position, delta_rotation;
 
-  explicit BodyLanes(const FourStructs<BodyVelocity>& from) {
+  explicit BodyLanes(const FourStructs<SolverBody>& from) {
     auto& [c0, c1, c2] = inverse_inertia.column;
     Lanes repeated;
     from.read(0, v.x, v.y, v.z, w.x);
@@ -74,40 +78,43 @@ struct BodyLanes {
     from.read(72, repeated, delta_rotation.x, delta_rotation.y, delta_rotation.z);
   }
 
-  void store_velocities(const FourStructs<BodyVelocity>& to) const {
+  void store_velocities(const FourStructs<SolverBody>& to) const {
     to.write(0, v.x, v.y, v.z, w.x);
     to.write(16, w.y, w.z, inverse_mass, inverse_inertia.column[0].x);
   }
 
-  /// BodyVelocity::apply().
+  /// SolverBody::apply().
   void apply(const Vec3Lanes& impulse, const Vec3Lanes& r) {
     v = v + inverse_mass * impulse;
     w = w + inverse_inertia * r.cross(impulse);
   }
 };
 
-struct RowLanes {
+struct ConstraintLanes {
   Vec3Lanes n, u, r_a, r_b;
   Lanes separation, friction, restitution, normal_mass;
   Lanes uu, uv, vu, vv;  ///< tangent_mass, by columns
   Lanes bias_rate, mass_scale, impulse_scale, approach_velocity;
-  Lanes struck, normal_impulse;
+  Lanes impact_handled, normal_impulse;
   Lanes tangent_u, tangent_v;
 
-  explicit RowLanes(const FourStructs<ContactRow>& from) {
-    constexpr std::size_t geometry = offsetof(ContactRow, n);
+  explicit ConstraintLanes(const FourStructs<ContactConstraint>& from) {
+    constexpr std::size_t geometry = offsetof(ContactConstraint, n);
     from.read(geometry, n.x, n.y, n.z, u.x);
     from.read(geometry + 16, u.y, u.z, r_a.x, r_a.y);
     from.read(geometry + 32, r_a.z, r_b.x, r_b.y, r_b.z);
-    from.read(offsetof(ContactRow, separation), separation, friction, restitution, normal_mass);
-    from.read(offsetof(ContactRow, tangent_mass), uu, vu, uv, vv);
-    from.read(offsetof(ContactRow, softness), bias_rate, mass_scale, impulse_scale,
+    from.read(offsetof(ContactConstraint, separation), separation, friction, restitution,
+              normal_mass);
+    from.read(offsetof(ContactConstraint, tangent_mass), uu, vu, uv, vv);
+    from.read(offsetof(ContactConstraint, softness), bias_rate, mass_scale, impulse_scale,
               approach_velocity);
-    from.read(offsetof(ContactRow, struck), struck, normal_impulse, tangent_u, tangent_v);
+    from.read(offsetof(ContactConstraint, impact_handled), impact_handled, normal_impulse,
+              tangent_u, tangent_v);
   }
 
-  void store_impulses(const FourStructs<ContactRow>& to) const {
-    to.write(offsetof(ContactRow, struck), struck, normal_impulse, tangent_u, tangent_v);
+  void store_impulses(const FourStructs<ContactConstraint>& to) const {
+    to.write(offsetof(ContactConstraint, impact_handled), impact_handled, normal_impulse, tangent_u,
+             tangent_v);
   }
 };
 

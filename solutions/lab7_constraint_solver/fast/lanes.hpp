@@ -1,6 +1,6 @@
 #pragma once
 /// @file lanes.hpp
-/// Four rows at a time: every number is four numbers, one in the lane of each row. All operations act
+/// Four constraints at a time: every number is four numbers, one in the lane of each constraint. All operations act
 /// lane by lane and round as the scalar ones do, in the order in which Eigen computes them, so that
 /// a lane holds the bits that the teaching form would.
 
@@ -30,7 +30,7 @@ inline Lanes square_root(Lanes x) {
   return Lanes{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
 }
 
-/// Rows to columns: the first numbers of w0…w3 come into w0, the second ones into w1, and so on.
+/// Constraints to columns: the first numbers of w0…w3 come into w0, the second ones into w1, and so on.
 inline void transpose(Lanes& w0, Lanes& w1, Lanes& w2, Lanes& w3) {
   const Lanes low01 = __builtin_shufflevector(w0, w1, 0, 4, 1, 5);
   const Lanes low23 = __builtin_shufflevector(w2, w3, 0, 4, 1, 5);

@@ -1,10 +1,10 @@
 /// @file passes.cpp
-/// L7.8 for the engine: the rows of a pass, four at a time, with the bits of the teaching form.
+/// L7.8 for the engine: the constraints of a pass, four at a time, with the bits of the teaching form.
 ///
-/// Rows that share no movable body do not see each other: solved together they give what they give one
+/// Constraints that share no movable body do not see each other: solved together they give what they give one
 /// after the other. So neighbours in the array are taken together as long as that holds, and bodies
-/// stay in registers while the rows that follow belong to the same pairs; the world puts such rows
-/// side by side (row_order.cpp). Four chains of dependent operations then run at once, each of which
+/// stay in registers while the constraints that follow belong to the same pairs; the world puts such constraints
+/// side by side (solve_order.cpp). Four chains of dependent operations then run at once, each of which
 /// alone would leave the processor waiting most of the time.
 
 #include <cstddef>
@@ -17,18 +17,19 @@ namespace cs550 {
 
 namespace {
 
-/// The rows of a pass in the order in which they are visited.
+/// The constraints of a pass in the order in which they are visited.
 class Visits {
  public:
-  Visits(std::span<ContactRow> rows, bool backwards) : rows_(rows), backwards_(backwards) {}
+  Visits(std::span<ContactConstraint> constraints, bool backwards)
+      : constraints_(constraints), backwards_(backwards) {}
 
-  std::size_t size() const { return rows_.size(); }
-  ContactRow& operator[](std::size_t i) const {
-    return rows_[backwards_ ? rows_.size() - 1 - i : i];
+  std::size_t size() const { return constraints_.size(); }
+  ContactConstraint& operator[](std::size_t i) const {
+    return constraints_[backwards_ ? constraints_.size() - 1 - i : i];
   }
 
  private:
-  std::span<ContactRow> rows_;
+  std::span<ContactConstraint> constraints_;
   bool backwards_;
 };
 
@@ -36,37 +37,37 @@ class Visits {
 /// at rest.
 class Pairs {
  public:
-  explicit Pairs(std::span<BodyVelocity> bodies) : bodies_(bodies) {}
+  explicit Pairs(std::span<SolverBody> bodies) : bodies_(bodies) {}
 
-  /// Takes the pairs of as many rows as it can, from the given one on. @returns how many
-  std::size_t take(const Visits& rows, std::size_t first) {
+  /// Takes the pairs of as many constraints as it can, from the given one on. @returns how many
+  std::size_t take(const Visits& constraints, std::size_t first) {
     count_ = 0;
-    while (first + count_ < rows.size() && add(rows[first + count_])) {
+    while (first + count_ < constraints.size() && add(constraints[first + count_])) {
     }
     for (std::size_t lane = count_; lane < lane_count; ++lane) a_[lane] = b_[lane] = &at_rest_;
     return count_;
   }
 
-  /// How many of the rows from the given one on belong to the same pairs in turn.
-  std::size_t repeats(const Visits& rows, std::size_t first) const {
+  /// How many of the constraints from the given one on belong to the same pairs in turn.
+  std::size_t repeats(const Visits& constraints, std::size_t first) const {
     std::size_t lane = 0;
-    while (lane < count_ && first + lane < rows.size() &&
-           &body(rows[first + lane].body_a) == a_[lane] &&
-           &body(rows[first + lane].body_b) == b_[lane]) {
+    while (lane < count_ && first + lane < constraints.size() &&
+           &body(constraints[first + lane].body_a) == a_[lane] &&
+           &body(constraints[first + lane].body_b) == b_[lane]) {
       ++lane;
     }
     return lane;
   }
 
-  FourStructs<BodyVelocity> bodies_a() const { return FourStructs<BodyVelocity>(a_); }
-  FourStructs<BodyVelocity> bodies_b() const { return FourStructs<BodyVelocity>(b_); }
+  FourStructs<SolverBody> bodies_a() const { return FourStructs<SolverBody>(a_); }
+  FourStructs<SolverBody> bodies_b() const { return FourStructs<SolverBody>(b_); }
 
  private:
-  BodyVelocity& body(Index i) const { return bodies_[static_cast<std::size_t>(i)]; }
+  SolverBody& body(Index i) const { return bodies_[static_cast<std::size_t>(i)]; }
 
-  bool add(const ContactRow& row) {
-    BodyVelocity& a = body(row.body_a);
-    BodyVelocity& b = body(row.body_b);
+  bool add(const ContactConstraint& constraint) {
+    SolverBody& a = body(constraint.body_a);
+    SolverBody& b = body(constraint.body_b);
     if (count_ == lane_count || is_taken(a) || is_taken(b)) return false;
     a_[count_] = &a;
     b_[count_] = &b;
@@ -74,47 +75,51 @@ class Pairs {
     return true;
   }
 
-  bool is_taken(const BodyVelocity& body) const {
+  bool is_taken(const SolverBody& body) const {
     if (body.inverse_mass == 0) return false;
     bool taken = false;
     for (std::size_t i = 0; i < count_; ++i) taken |= a_[i] == &body || b_[i] == &body;
     return taken;
   }
 
-  std::span<BodyVelocity> bodies_;
+  std::span<SolverBody> bodies_;
   std::size_t count_ = 0;
-  BodyVelocity* a_[lane_count] = {};
-  BodyVelocity* b_[lane_count] = {};
-  BodyVelocity at_rest_;
+  SolverBody* a_[lane_count] = {};
+  SolverBody* b_[lane_count] = {};
+  SolverBody at_rest_;
 };
 
-void apply_pair(const RowLanes& row, const Vec3Lanes& impulse, BodyLanes& a, BodyLanes& b) {
-  a.apply(-impulse, row.r_a);
-  b.apply(impulse, row.r_b);
+void apply_pair(const ConstraintLanes& constraint, const Vec3Lanes& impulse, BodyLanes& a,
+                BodyLanes& b) {
+  a.apply(-impulse, constraint.r_a);
+  b.apply(impulse, constraint.r_b);
 }
 
-Vec3Lanes relative_velocity(const RowLanes& row, const BodyLanes& a, const BodyLanes& b) {
-  return b.v + b.w.cross(row.r_b) - a.v - a.w.cross(row.r_a);
+Vec3Lanes relative_velocity(const ConstraintLanes& constraint, const BodyLanes& a,
+                            const BodyLanes& b) {
+  return b.v + b.w.cross(constraint.r_b) - a.v - a.w.cross(constraint.r_a);
 }
 
-Lanes present_separation(const RowLanes& row, const BodyLanes& a, const BodyLanes& b) {
-  const Vec3Lanes moved = b.delta_position + b.delta_rotation.cross(row.r_b) - a.delta_position -
-                          a.delta_rotation.cross(row.r_a);
-  return row.separation + row.n.dot(moved);
+Lanes present_separation(const ConstraintLanes& constraint, const BodyLanes& a,
+                         const BodyLanes& b) {
+  const Vec3Lanes moved = b.delta_position + b.delta_rotation.cross(constraint.r_b) -
+                          a.delta_position - a.delta_rotation.cross(constraint.r_a);
+  return constraint.separation + constraint.n.dot(moved);
 }
 
 struct BiasLanes {
   Lanes velocity, mass_scale, impulse_scale;
 };
 
-BiasLanes contact_bias(const RowLanes& row, Lanes separation, const ContactStep& step) {
+BiasLanes contact_bias(const ConstraintLanes& constraint, Lanes separation,
+                       const ContactStep& step) {
   const Lanes zero = all_lanes(0);
   const Lanes fastest = all_lanes(-step.max_push_speed);
   BiasLanes in_touch{zero, all_lanes(1), zero};
   if (step.use_bias && step.model == ContactModel::Soft) {
-    in_touch.velocity = larger(row.bias_rate * separation, fastest);
-    in_touch.mass_scale = row.mass_scale;
-    in_touch.impulse_scale = row.impulse_scale;
+    in_touch.velocity = larger(constraint.bias_rate * separation, fastest);
+    in_touch.mass_scale = constraint.mass_scale;
+    in_touch.impulse_scale = constraint.impulse_scale;
   } else if (step.use_bias) {
     const Lanes excess = smaller(separation + all_lanes(step.slop), zero);
     in_touch.velocity = larger(all_lanes(step.baumgarte / step.h) * excess, fastest);
@@ -126,86 +131,91 @@ BiasLanes contact_bias(const RowLanes& row, Lanes separation, const ContactStep&
   bias.impulse_scale = apart ? zero : in_touch.impulse_scale;
   if (step.use_bias && step.model == ContactModel::Baumgarte) {
     const LaneMask bounces =
-        (row.restitution > zero) & (row.approach_velocity < all_lanes(-step.restitution_threshold));
-    const Lanes bounce = row.restitution * row.approach_velocity;
+        (constraint.restitution > zero) &
+        (constraint.approach_velocity < all_lanes(-step.restitution_threshold));
+    const Lanes bounce = constraint.restitution * constraint.approach_velocity;
     bias.velocity = bounces ? smaller(bias.velocity, bounce) : bias.velocity;
   }
   return bias;
 }
 
-void solve_normal(RowLanes& row, BodyLanes& a, BodyLanes& b, const ContactStep& step) {
-  const BiasLanes bias = contact_bias(row, present_separation(row, a, b), step);
-  const Lanes jv = row.n.dot(relative_velocity(row, a, b));
-  const Lanes impulse = -bias.mass_scale * row.normal_mass * (jv + bias.velocity) -
-                        bias.impulse_scale * row.normal_impulse;
-  const Lanes before = row.normal_impulse;
-  row.normal_impulse = larger(before + impulse, all_lanes(0));
-  apply_pair(row, (row.normal_impulse - before) * row.n, a, b);
+void solve_normal(ConstraintLanes& constraint, BodyLanes& a, BodyLanes& b,
+                  const ContactStep& step) {
+  const BiasLanes bias = contact_bias(constraint, present_separation(constraint, a, b), step);
+  const Lanes jv = constraint.n.dot(relative_velocity(constraint, a, b));
+  const Lanes impulse = -bias.mass_scale * constraint.normal_mass * (jv + bias.velocity) -
+                        bias.impulse_scale * constraint.normal_impulse;
+  const Lanes before = constraint.normal_impulse;
+  constraint.normal_impulse = larger(before + impulse, all_lanes(0));
+  apply_pair(constraint, (constraint.normal_impulse - before) * constraint.n, a, b);
 }
 
 /// The smaller eigenvalue of tangent_mass.
-Lanes sliding_mass(const RowLanes& row) {
-  const Lanes half_trace = all_lanes(Real(0.5)) * (row.uu + row.vv);
-  const Lanes determinant = row.uu * row.vv - row.vu * row.uv;
+Lanes sliding_mass(const ConstraintLanes& constraint) {
+  const Lanes half_trace = all_lanes(Real(0.5)) * (constraint.uu + constraint.vv);
+  const Lanes determinant = constraint.uu * constraint.vv - constraint.vu * constraint.uv;
   return half_trace - square_root(larger(all_lanes(0), half_trace * half_trace - determinant));
 }
 
-void solve_friction(RowLanes& row, BodyLanes& a, BodyLanes& b) {
-  const Vec3Lanes v = row.n.cross(row.u);
-  const Vec3Lanes relative = relative_velocity(row, a, b);
-  const Lanes slip_u = row.u.dot(relative);
+void solve_friction(ConstraintLanes& constraint, BodyLanes& a, BodyLanes& b) {
+  const Vec3Lanes v = constraint.n.cross(constraint.u);
+  const Vec3Lanes relative = relative_velocity(constraint, a, b);
+  const Lanes slip_u = constraint.u.dot(relative);
   const Lanes slip_v = v.dot(relative);
-  const Lanes before_u = row.tangent_u;
-  const Lanes before_v = row.tangent_v;
-  const Lanes limit = row.friction * row.normal_impulse;
-  row.tangent_u = before_u - (row.uu * slip_u + row.uv * slip_v);
-  row.tangent_v = before_v - (row.vu * slip_u + row.vv * slip_v);
-  const LaneMask slides =
-      square_root(row.tangent_u * row.tangent_u + row.tangent_v * row.tangent_v) > limit;
+  const Lanes before_u = constraint.tangent_u;
+  const Lanes before_v = constraint.tangent_v;
+  const Lanes limit = constraint.friction * constraint.normal_impulse;
+  constraint.tangent_u = before_u - (constraint.uu * slip_u + constraint.uv * slip_v);
+  constraint.tangent_v = before_v - (constraint.vu * slip_u + constraint.vv * slip_v);
+  const LaneMask slides = square_root(constraint.tangent_u * constraint.tangent_u +
+                                      constraint.tangent_v * constraint.tangent_v) > limit;
   if (any(slides)) {
-    const Lanes mass = sliding_mass(row);
+    const Lanes mass = sliding_mass(constraint);
     const Lanes u = before_u - mass * slip_u;
     const Lanes w = before_v - mass * slip_v;
     const Lanes length = square_root(u * u + w * w);
     const Lanes scale = limit / length;
-    row.tangent_u = slides ? (length > limit ? scale * u : u) : row.tangent_u;
-    row.tangent_v = slides ? (length > limit ? scale * w : w) : row.tangent_v;
+    constraint.tangent_u = slides ? (length > limit ? scale * u : u) : constraint.tangent_u;
+    constraint.tangent_v = slides ? (length > limit ? scale * w : w) : constraint.tangent_v;
   }
-  apply_pair(row, (row.tangent_u - before_u) * row.u + (row.tangent_v - before_v) * v, a, b);
+  apply_pair(
+      constraint,
+      (constraint.tangent_u - before_u) * constraint.u + (constraint.tangent_v - before_v) * v, a,
+      b);
 }
 
-/// Rows of different lanes. Those beyond `count` have no mass.
-[[gnu::flatten]] void solve_rows(const Visits& visits, std::size_t first, std::size_t count,
-                                 BodyLanes& a, BodyLanes& b, const ContactStep& step) {
-  ContactRow idle;
-  ContactRow* items[lane_count];
+/// Constraints of different lanes. Those beyond `count` have no mass.
+[[gnu::flatten]] void solve_constraints(const Visits& visits, std::size_t first, std::size_t count,
+                                        BodyLanes& a, BodyLanes& b, const ContactStep& step) {
+  ContactConstraint idle;
+  ContactConstraint* items[lane_count];
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     items[lane] = lane < count ? &visits[first + lane] : &idle;
   }
-  const FourStructs<ContactRow> rows(items);
-  RowLanes row(rows);
+  const FourStructs<ContactConstraint> constraints(items);
+  ConstraintLanes constraint(constraints);
   if (step.backwards) {
-    solve_friction(row, a, b);
-    solve_normal(row, a, b, step);
+    solve_friction(constraint, a, b);
+    solve_normal(constraint, a, b, step);
   } else {
-    solve_normal(row, a, b, step);
-    solve_friction(row, a, b);
+    solve_normal(constraint, a, b, step);
+    solve_friction(constraint, a, b);
   }
-  row.store_impulses(rows);
+  constraint.store_impulses(constraints);
 }
 
 }  // namespace
 
-void solve_contacts(std::span<ContactRow> rows, std::span<BodyVelocity> bodies,
+void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
                     const ContactStep& step) {
-  const Visits visits(rows, step.backwards);
+  const Visits visits(constraints, step.backwards);
   Pairs pairs(bodies);
   for (std::size_t i = 0; i < visits.size();) {
     std::size_t count = pairs.take(visits, i);
     BodyLanes a(pairs.bodies_a());
     BodyLanes b(pairs.bodies_b());
     do {
-      solve_rows(visits, i, count, a, b, step);
+      solve_constraints(visits, i, count, a, b, step);
       i += count;
       count = pairs.repeats(visits, i);
     } while (count > 0);

@@ -1,10 +1,10 @@
 // Other sizes, shapes, planets and seeds for the properties of lab 1.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/random.hpp"
+#include "helpers/story.hpp"
 #include "lab1_integration/flips.hpp"
 #include "lab1_integration/free_body.hpp"
-#include "support/random.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {

@@ -1,9 +1,9 @@
 // Other shapes, orders and seeds for the properties of lab 6.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/story.hpp"
 #include "lab6_naive_solver/collision.hpp"
 #include "lab6_naive_solver/stack.hpp"
-#include "support/story.hpp"
 
 namespace cs550::test {
 namespace {
@@ -12,8 +12,8 @@ GRADED_TEST(Lab6, EffectiveMassOfNeedlesAndPlates, 3, "L6.1") {
   Random random(601);
   for (const Vec3& shape : {Vec3(1, Real(0.02), Real(0.02)), Vec3(1, 1, Real(0.01))}) {
     for (const Real size : {Real(0.02), Real(50)}) {
-      const BodyVelocity a = movable(random.real(1, 5), size * shape, random.orientation());
-      const BodyVelocity b = movable(1000, size * shape, random.orientation());
+      const SolverBody a = movable(random.real(1, 5), size * shape, random.orientation());
+      const SolverBody b = movable(1000, size * shape, random.orientation());
       const Vec3 r_a = size * random.unit_vector();
       const Vec3 r_b = size * random.unit_vector();
       const Vec3 d = random.unit_vector();
@@ -36,40 +36,41 @@ GRADED_TEST(Lab6, SpinningBodyStrikesAWall, 3, "L6.4") {
     at.a.v = Vec3::Zero();
     at.a.w = Vec3::Zero();
     const double inverse_mass = at.b.inverse_mass;
-    const double before =
-        dense_jacobian(at.row.n, at.row.r_a, at.row.r_b).dot(dense_velocity(at.a, at.b));
-    if (before > 0) at.row.n = -at.row.n;
-    const Vec3 along = at.row.n.cross(at.b.v);
+    const double before = dense_jacobian(at.constraint.n, at.constraint.r_a, at.constraint.r_b)
+                              .dot(dense_velocity(at.a, at.b));
+    if (before > 0) at.constraint.n = -at.constraint.n;
+    const Vec3 along = at.constraint.n.cross(at.b.v);
     const Vec3 v = at.b.v;
     collide(at);
-    const double after =
-        dense_jacobian(at.row.n, at.row.r_a, at.row.r_b).dot(dense_velocity(at.a, at.b));
+    const double after = dense_jacobian(at.constraint.n, at.constraint.r_a, at.constraint.r_b)
+                             .dot(dense_velocity(at.a, at.b));
     Story story("A spinning box leaves a wall at e times the speed of its corner");
     story.seed(random.seed()).given("size", size, "m").given("e", 0.3);
     story.likely("a point at r of a turning body moves by ω × r as well, in that order")
         .likely("j = −(1 + e)·v_n·m_e: 1 stops the approach, e throws back");
     story.expect_near("v_n afterwards", after, 0.3 * std::abs(before), 2e-5 * size, "m/s");
-    story.expect_near("impulse", at.row.normal_impulse, (at.b.v - v).norm() / inverse_mass,
-                      1e-4 * at.row.normal_impulse, "N·s");
-    story.expect_near("velocity along the wall, n × v", at.row.n.cross(at.b.v), along, 1e-5 * size,
-                      "m/s");
+    story.expect_near("impulse", at.constraint.normal_impulse, (at.b.v - v).norm() / inverse_mass,
+                      1e-4 * at.constraint.normal_impulse, "N·s");
+    story.expect_near("velocity along the wall, n × v", at.constraint.n.cross(at.b.v), along,
+                      1e-5 * size, "m/s");
     story.expect_near("v of the wall", at.a.v, Vec3::Zero(), 0, "m/s");
   }
 }
 
-GRADED_TEST(Lab6, BlowsPassOnInTheOrderOfTheRows, 3, "L6.4") {
+GRADED_TEST(Lab6, BlowsPassOnInTheOrderOfTheConstraints, 3, "L6.4") {
   const Vec3 x = Vec3::UnitX();
   const auto run = [&x](Real e, bool forwards) {
-    std::vector<BodyVelocity> bodies(3, movable(1, Vec3(1, 1, 1)));
+    std::vector<SolverBody> bodies(3, movable(1, Vec3(1, 1, 1)));
     bodies[0].v = Vec3(3, 0, 0);
-    std::vector<ContactRow> rows = {touching(x, x, -x, e, 0, 1), touching(x, x, -x, e, 1, 2)};
-    if (!forwards) std::swap(rows[0], rows[1]);
-    resolve_contacts_naive(rows, bodies);
+    std::vector<ContactConstraint> constraints = {touching(x, x, -x, e, 0, 1),
+                                                  touching(x, x, -x, e, 1, 2)};
+    if (!forwards) std::swap(constraints[0], constraints[1]);
+    resolve_contacts_naive(constraints, bodies);
     return Vec3(bodies[0].v.x(), bodies[1].v.x(), bodies[2].v.x());
   };
-  Story story("Each row sees what the rows before it did, so their order decides");
+  Story story("Each constraint sees what the constraints before it did, so their order decides");
   story.given("three touching bodies of 1 kg, the first at 3 m/s");
-  story.likely("rows are visited once, in order, with the velocities of that moment");
+  story.likely("constraints are visited once, in order, with the velocities of that moment");
   story.expect_near("e = 1, contacts in the order of the blow", run(1, true), Vec3(0, 0, 3), 1e-6,
                     "m/s");
   story.expect_near("e = 1, the far contact first", run(1, false), Vec3(0, 3, 0), 1e-6, "m/s");
@@ -85,14 +86,16 @@ GRADED_TEST(Lab6, PassesGrowFasterThanTheStack, 3, "L6.4") {
     stack.fall(1);
     int passes = 0;
     while (stack.approach() > Real(0.01) && passes < 10000) {
-      resolve_contacts_naive(stack.rows, stack.bodies);
+      resolve_contacts_naive(stack.constraints, stack.bodies);
       ++passes;
     }
     return passes;
   };
   Story story("Twice the boxes need three times the passes: the naive solver scales badly");
   story.when("passes until no contact approaches faster than 1 % of g·h");
-  story.likely("rows are visited once per call, in order, and each call goes on from the last")
+  story
+      .likely(
+          "constraints are visited once per call, in order, and each call goes on from the last")
       .likely("only approaching bodies collide: v_n < 0");
   const int ten = passes_until_at_rest(10);
   const int twenty = passes_until_at_rest(20);

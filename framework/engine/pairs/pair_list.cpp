@@ -1,0 +1,199 @@
+#include <algorithm>
+
+#include "engine/world/world_state.hpp"
+
+namespace cs550 {
+
+namespace {
+
+/// Sorts like (a, b); a < b.
+std::uint64_t pair_key(Index a, Index b) {
+  return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+         static_cast<std::uint64_t>(std::max(a, b));
+}
+
+std::uint64_t pair_key(const Contact& contact) { return pair_key(contact.body_a, contact.body_b); }
+
+/// The farthest that a point of a body's surface may travel in a step (m).
+Real travel(const RigidBody& body, Real radius, Real gravity, Real h) {
+  const Real fall = body.kind == BodyKind::Dynamic ? gravity * h : 0;
+  return h * (body.linear_velocity.norm() + radius * body.angular_velocity.norm() + fall);
+}
+
+bool may_touch(const WorldState& world, Index a, Index b) {
+  const auto i = static_cast<std::size_t>(a);
+  const auto j = static_cast<std::size_t>(b);
+  if (world.bodies[i].kind != BodyKind::Dynamic && world.bodies[j].kind != BodyKind::Dynamic) {
+    return false;
+  }
+  const CollisionFilter& filter_a = world.definitions[i].filter;
+  const CollisionFilter& filter_b = world.definitions[j].filter;
+  return (filter_a.mask & filter_b.category) != 0 && (filter_b.mask & filter_a.category) != 0;
+}
+
+/// A leaf moves only when its body's swept bounds leaves the box that was stored for it, or when the box
+/// has become far too large for a body that slowed down.
+bool leaf_is_stale(const Bounds& stored, const Bounds& swept_bounds, Real room) {
+  return !stored.contains(swept_bounds) || !swept_bounds.expanded(4 * room).contains(stored);
+}
+
+/// Gives a body's leaf a new box and remembers to look for new pairs.
+void move_leaf(WorldState& world, Index body, const Bounds& bounds) {
+  world.tree.move(world.slots[static_cast<std::size_t>(body)].leaf, bounds);
+  world.moved.push_back(body);
+}
+
+/// How much larger than a body's swept bounds its stored box is (m).
+Real leaf_room(const WorldState& world) { return Real(0.05) * world.settings.length_unit; }
+
+/// Updates every body's swept bounds, and the leaves that it has outgrown.
+void refit_leaves(WorldState& world, Real h) {
+  const Real gravity = world.settings.gravity.norm();
+  for (std::size_t i = 0; i < world.slot_count(); ++i) {
+    BodySlot& slot = world.slots[i];
+    if (!slot.alive) continue;
+    const RigidBody& body = world.bodies[i];
+    const auto index = static_cast<Index>(i);
+    const Real margin =
+        2 * world.slop() + travel(body, world.definitions[i].shape->radius, gravity, h);
+    const Real room = leaf_room(world) + margin;
+    slot.swept_bounds = world_bounds(world.posed_shape(index)).expanded(margin);
+    if (leaf_is_stale(world.tree.bounds(slot.leaf), slot.swept_bounds, room)) {
+      move_leaf(world, index, slot.swept_bounds.expanded(room));
+    }
+  }
+}
+
+/// Keys of the pairs whose boxes began to overlap, sorted, each once; old ones among them.
+void find_new_keys(WorldState& world) {
+  world.new_keys.clear();
+  for (const Index body : world.moved) {
+    if (!world.slots[static_cast<std::size_t>(body)].alive) continue;
+    world.found.clear();
+    const Index leaf = world.slots[static_cast<std::size_t>(body)].leaf;
+    world.tree.query(world.tree.bounds(leaf), world.found);
+    for (const Index other : world.found) {
+      if (other != body && may_touch(world, body, other)) {
+        world.new_keys.push_back(pair_key(body, other));
+      }
+    }
+  }
+  std::sort(world.new_keys.begin(), world.new_keys.end());
+  world.new_keys.erase(std::unique(world.new_keys.begin(), world.new_keys.end()),
+                       world.new_keys.end());
+}
+
+bool leaves_overlap(const WorldState& world, const Contact& contact) {
+  const BodySlot& a = world.slots[static_cast<std::size_t>(contact.body_a)];
+  const BodySlot& b = world.slots[static_cast<std::size_t>(contact.body_b)];
+  return world.tree.bounds(a.leaf).overlaps(world.tree.bounds(b.leaf));
+}
+
+void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs) {
+  Contact contact;
+  contact.body_a = static_cast<Index>(key >> 32);
+  contact.body_b = static_cast<Index>(key & 0xffffffffU);
+  const BodyDef& a = world.definitions[static_cast<std::size_t>(contact.body_a)];
+  const BodyDef& b = world.definitions[static_cast<std::size_t>(contact.body_b)];
+  contact.friction = std::sqrt(a.friction * b.friction);
+  contact.restitution = std::max(a.restitution, b.restitution);
+  pairs.contacts.push_back(contact);
+  pairs.axes.emplace_back();
+  pairs.touching.push_back(0);
+}
+
+void note_end(WorldState& world, std::size_t pair, std::vector<ContactEvent>& events) {
+  const Contact& contact = world.pairs.contacts[pair];
+  if (world.pairs.touching[pair]) {
+    events.push_back({world.id_at(contact.body_a), world.id_at(contact.body_b)});
+  }
+}
+
+/// Merges the old pairs whose boxes still overlap with the new keys; both are sorted.
+void merge_pairs(WorldState& world) {
+  PairList& old = world.pairs;
+  PairList& merged = world.next_pairs;
+  merged.clear();
+  auto key = world.new_keys.begin();
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    const std::uint64_t old_key = pair_key(old.contacts[i]);
+    for (; key != world.new_keys.end() && *key < old_key; ++key) {
+      append_new_pair(world, *key, merged);
+    }
+    if (key != world.new_keys.end() && *key == old_key) ++key;
+    if (leaves_overlap(world, old.contacts[i])) {
+      merged.append(old, i);
+    } else {
+      note_end(world, i, world.ended);
+    }
+  }
+  for (; key != world.new_keys.end(); ++key) append_new_pair(world, *key, merged);
+  std::swap(world.pairs, world.next_pairs);
+}
+
+}  // namespace
+
+void PairList::clear() {
+  contacts.clear();
+  axes.clear();
+  touching.clear();
+}
+
+void PairList::append(const PairList& other, std::size_t i) {
+  contacts.push_back(other.contacts[i]);
+  axes.push_back(other.axes[i]);
+  touching.push_back(other.touching[i]);
+}
+
+Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h) {
+  const auto i = static_cast<std::size_t>(body_a);
+  const auto j = static_cast<std::size_t>(body_b);
+  const RigidBody& a = world.bodies[i];
+  const RigidBody& b = world.bodies[j];
+  const Real closing = (b.linear_velocity - a.linear_velocity).norm() +
+                       a.angular_velocity.norm() * world.definitions[i].shape->radius +
+                       b.angular_velocity.norm() * world.definitions[j].shape->radius;
+  return 4 * world.slop() + h * (closing + h * world.settings.gravity.norm());
+}
+
+void update_pairs(WorldState& world, Real h) {
+  refit_leaves(world, h);
+  if (world.moved.empty()) return;
+  find_new_keys(world);
+  merge_pairs(world);
+  world.moved.clear();
+}
+
+void insert_leaf(WorldState& world, Index body) {
+  const Bounds bounds = world_bounds(world.posed_shape(body));
+  world.slots[static_cast<std::size_t>(body)].leaf =
+      world.tree.insert(bounds.expanded(leaf_room(world)), body);
+  world.moved.push_back(body);
+}
+
+void enclose_bodies(WorldState& world) {
+  for (std::size_t i = 0; i < world.slot_count(); ++i) {
+    if (!world.slots[i].alive || world.bodies[i].kind == BodyKind::Static) continue;
+    const auto index = static_cast<Index>(i);
+    const Bounds bounds = world_bounds(world.posed_shape(index));
+    if (!world.tree.bounds(world.slots[i].leaf).contains(bounds)) {
+      move_leaf(world, index, bounds.expanded(leaf_room(world)));
+    }
+  }
+}
+
+void remove_pairs_of(WorldState& world, Index body) {
+  PairList& kept = world.next_pairs;
+  kept.clear();
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    const Contact& contact = world.pairs.contacts[i];
+    if (contact.body_a == body || contact.body_b == body) {
+      note_end(world, i, world.ended_by_removal);
+    } else {
+      kept.append(world.pairs, i);
+    }
+  }
+  std::swap(world.pairs, world.next_pairs);
+}
+
+}  // namespace cs550

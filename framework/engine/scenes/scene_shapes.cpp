@@ -1,0 +1,186 @@
+#include "engine/scenes/scene_shapes.hpp"
+
+#include <algorithm>
+
+#include "cs550/assets.hpp"
+#include "cs550/mesh_io.hpp"
+#include "engine/scenes/nearest_word.hpp"
+
+namespace cs550 {
+namespace {
+
+enum class ShapeKind { Box, Tetrahedron, Prism, Pyramid, Icosphere, Hull, RandomHull, Mesh };
+
+const Names<ShapeKind> shape_kinds = {
+    {"box", ShapeKind::Box},
+    {"tetrahedron", ShapeKind::Tetrahedron},
+    {"prism", ShapeKind::Prism},
+    {"pyramid", ShapeKind::Pyramid},
+    {"icosphere", ShapeKind::Icosphere},
+    {"hull", ShapeKind::Hull},
+    {"random_hull", ShapeKind::RandomHull},
+    {"mesh", ShapeKind::Mesh},
+};
+
+ShapePtr shape_or_fault(const ShapeResult& result, const std::string& path) {
+  if (!result) throw SceneFault(path, "no shape can be made of this: " + result.error);
+  return result.shape;
+}
+
+ShapePtr shape_of(const TriangleSoup& soup, const std::string& path) {
+  return shape_or_fault(make_shape(soup.vertices, soup.triangles), path);
+}
+
+ShapePtr hull_of(const std::vector<Vec3>& points, const std::string& path) {
+  const SoupResult hull = convex_hull(points);
+  if (!hull.error.empty()) throw SceneFault(path, "these points have no hull: " + hull.error);
+  return shape_of(hull.soup, path);
+}
+
+std::vector<Vec3> stretched(std::vector<Vec3> points, const Vec3& factors) {
+  for (Vec3& point : points) point = point.cwiseProduct(factors);
+  return points;
+}
+
+/// A mesh stretched along its axes: normals turn by the inverse factors.
+HalfEdgeMesh stretched(HalfEdgeMesh mesh, const Vec3& factors) {
+  mesh.vertices = stretched(mesh.vertices, factors);
+  for (Face& face : mesh.faces) {
+    face.plane.normal = face.plane.normal.cwiseQuotient(factors).normalized();
+    face.plane.offset = face.plane.normal.dot(mesh.vertex(mesh.edge(face.edge).vertex));
+  }
+  return mesh;
+}
+
+std::vector<Vec3> read_points(SceneReader& description) {
+  const char* example = "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+  description.require("points", example);
+  std::vector<Vec3> points;
+  for (const auto& [point, path] : description.list("points")) {
+    const bool good = point->is_array() && point->size() == 3 &&
+                      std::all_of(point->begin(), point->end(),
+                                  [](const auto& item) { return item.is_number(); });
+    if (!good) {
+      throw SceneFault(path, "expected a point of three numbers; for example \"points\": " +
+                                 std::string(example));
+    }
+    points.emplace_back((*point)[0].get<Real>(), (*point)[1].get<Real>(), (*point)[2].get<Real>());
+  }
+  return points;
+}
+
+}  // namespace
+
+void SceneShapes::define(SceneReader named) {
+  for (const std::string& name : named.keys()) named_[name] = make(named.object(name));
+}
+
+ShapePtr SceneShapes::read(SceneReader& owner, const std::string& key) const {
+  owner.require(key, R"({"kind": "box", "half_extents": [0.5, 0.5, 0.5]})");
+  if (!owner.is_string(key)) return make(owner.object(key));
+
+  std::string name;
+  owner.read(key, name);
+  const auto found = named_.find(name);
+  if (found != named_.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [known, shape] : named_) names.push_back(known);
+  const std::string nearest = nearest_word(name, names);
+  owner.refuse(key,
+               "an object, or a name from the scene's \"shapes\"" +
+                   (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)"),
+               R"({"kind": "box", "half_extents": [0.5, 0.5, 0.5]})");
+}
+
+ShapePtr SceneShapes::random_hull(const SceneReader& owner, int vertices, std::uint32_t seed,
+                                  const Vec3& radii) {
+  return hull_of(stretched(random_sphere_points(vertices, seed), radii), owner.path());
+}
+
+ShapePtr SceneShapes::box(const SceneReader& owner, const Vec3& half_extents) {
+  return shape_of(box_soup(half_extents), owner.path());
+}
+
+ShapePtr SceneShapes::make(SceneReader description) const {
+  const std::string path = description.path();
+  ShapeKind kind = ShapeKind::Box;
+  description.need("kind", kind, shape_kinds);
+
+  Vec3 half_extents = {Real(0.5), Real(0.5), Real(0.5)};
+  Real radius = Real(0.5);
+  Real height = 1;
+  int sides = 6;
+  int subdivisions = 2;
+  int vertices = 24;
+  std::uint32_t seed = 1;
+  constexpr int most_sides = max_face_vertices;
+  switch (kind) {
+    case ShapeKind::Box:
+      description.need("half_extents", half_extents, Range::Positive);
+      description.refuse_other_keys();
+      return box(description, half_extents);
+    case ShapeKind::Tetrahedron:
+      description.need("side", height, Range::Positive);
+      description.refuse_other_keys();
+      return shape_of(tetrahedron_soup(height), path);
+    case ShapeKind::Prism:
+      description.need("sides", sides, 3, most_sides);
+      description.need("radius", radius, Range::Positive);
+      description.need("height", height, Range::Positive);
+      description.refuse_other_keys();
+      return shape_of(prism_soup(sides, radius, height / 2), path);
+    case ShapeKind::Pyramid:
+      description.need("sides", sides, 3, most_sides);
+      description.need("radius", radius, Range::Positive);
+      description.need("height", height, Range::Positive);
+      description.refuse_other_keys();
+      return shape_of(pyramid_soup(sides, radius, height), path);
+    case ShapeKind::Icosphere:
+      description.need("radius", radius, Range::Positive);
+      description.read("subdivisions", subdivisions, 0, 4);
+      description.refuse_other_keys();
+      return shape_of(icosphere_soup(subdivisions, radius), path);
+    case ShapeKind::Hull: {
+      const std::vector<Vec3> points = read_points(description);
+      description.refuse_other_keys();
+      return hull_of(points, path);
+    }
+    case ShapeKind::RandomHull:
+      description.need("vertices", vertices, 4, 1000);
+      description.need("radius", radius, Range::Positive);
+      description.read("seed", seed);
+      description.refuse_other_keys();
+      return random_hull(description, vertices, seed, Vec3::Constant(radius));
+    case ShapeKind::Mesh:
+      return from_mesh_file(description);
+  }
+  return nullptr;
+}
+
+ShapePtr SceneShapes::from_mesh_file(SceneReader& description) const {
+  std::string name = "bunny.obj";
+  Vec3 scale = Vec3::Ones();
+  description.need("file", name);
+  description.read("scale", scale, Range::Positive);
+  description.refuse_other_keys();
+
+  std::filesystem::path file = folder_ / name;
+  if (!std::filesystem::is_regular_file(file)) file = assets_folder() / "meshes" / name;
+  if (!std::filesystem::is_regular_file(file)) {
+    description.refuse("file",
+                       "an .obj or .json file in " + folder_.string() + " or " +
+                           (assets_folder() / "meshes").string(),
+                       "\"bunny.obj\"");
+  }
+  const std::string path = description.path_of("file");
+  if (file.extension() == ".json") {
+    const MeshResult recorded = load_mesh_json(file);
+    if (!recorded.error.empty()) throw SceneFault(path, recorded.error);
+    return shape_or_fault(make_shape(stretched(recorded.mesh, scale)), path);
+  }
+  const SoupResult triangles = load_obj(file);
+  if (!triangles.error.empty()) throw SceneFault(path, triangles.error);
+  return hull_of(stretched(triangles.soup.vertices, scale), path);
+}
+
+}  // namespace cs550

@@ -1,0 +1,71 @@
+#include "cs550/clipping.hpp"
+#include "engine/world/stages.hpp"
+
+namespace cs550 {
+
+namespace {
+
+void find_axes(WorldState& world, Real h) {
+  PairList& pairs = world.pairs;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Contact& contact = pairs.contacts[i];
+    const Bounds& swept_bounds_a =
+        world.slots[static_cast<std::size_t>(contact.body_a)].swept_bounds;
+    const Bounds& swept_bounds_b =
+        world.slots[static_cast<std::size_t>(contact.body_b)].swept_bounds;
+    if (!swept_bounds_a.overlaps(swept_bounds_b)) {
+      pairs.axes[i].feature = AxisFeature::None;
+      continue;
+    }
+    const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
+    pairs.axes[i] = find_separating_axis(world.posed_shape(contact.body_a),
+                                         world.posed_shape(contact.body_b), pairs.axes[i], margin);
+  }
+}
+
+void build_manifolds(WorldState& world, Real h) {
+  PairList& pairs = world.pairs;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Contact& contact = pairs.contacts[i];
+    const SeparatingAxis& axis = pairs.axes[i];
+    const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
+    if (axis.feature == AxisFeature::None || axis.separation > margin) {
+      contact.manifold.points.clear();
+      continue;
+    }
+    const Manifold before = contact.manifold;
+    contact.manifold = build_manifold(world.posed_shape(contact.body_a),
+                                      world.posed_shape(contact.body_b), axis, margin);
+    if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
+  }
+}
+
+void count_contacts(WorldState& world) {
+  StepStats& stats = world.stats;
+  stats.pairs = static_cast<int>(world.pairs.size());
+  for (const Contact& contact : world.pairs.contacts) {
+    if (!contact.manifold.points.empty()) ++stats.contacts;
+    stats.points += contact.manifold.points.size();
+    for (const ContactPoint& point : contact.manifold.points) {
+      stats.deepest_separation = std::min(stats.deepest_separation, point.separation);
+    }
+  }
+}
+
+}  // namespace
+
+void drop_manifolds(WorldState& world) {
+  for (Contact& contact : world.pairs.contacts) contact.manifold.points.clear();
+}
+
+void detect_collisions(WorldState& world, Real h) {
+  attempt(world, Stage::BroadPhase, [&] { update_pairs(world, h); });
+  bool done = attempt(world, Stage::Collide, [&] { find_axes(world, h); });
+  if (done && world.settings.check_stages) check_axes(world);
+  done = done && attempt(world, Stage::Manifolds, [&] { build_manifolds(world, h); });
+  if (!done) drop_manifolds(world);
+  if (done && world.settings.check_stages) check_manifolds(world);
+  count_contacts(world);
+}
+
+}  // namespace cs550

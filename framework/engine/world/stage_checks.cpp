@@ -1,0 +1,111 @@
+#include <cmath>
+
+#include "engine/world/world_state.hpp"
+
+namespace cs550 {
+
+namespace {
+
+/// Rounding of a normalised vector or quaternion, with room for one careless product.
+constexpr Real unit_tolerance = Real(1e-3);
+
+bool is_unit(const Vec3& v) { return std::abs(v.norm() - 1) < unit_tolerance; }
+
+void report(WorldState& world, Stage stage, int lab, Index body, const std::string& promise) {
+  world.problems.push_back({stage, lab, body, world.step_count,
+                            "stage " + std::string(to_string(stage)) + " (lab " +
+                                std::to_string(lab) + "), body " + std::to_string(body) +
+                                ", step " + std::to_string(world.step_count) + ": " + promise});
+}
+
+/// The promise that lab 1 broke for this body, or nothing.
+const char* broken_promise(const RigidBody& body) {
+  if (!body.pose.position.allFinite() || !body.linear_momentum.allFinite()) {
+    return "position or linear momentum is not finite";
+  }
+  if (!body.pose.orientation.coeffs().allFinite() || !body.angular_momentum.allFinite()) {
+    return "orientation or angular momentum is not finite";
+  }
+  if (!body.linear_velocity.allFinite() || !body.angular_velocity.allFinite()) {
+    return "a velocity is not finite";
+  }
+  if (std::abs(body.pose.orientation.norm() - 1) > unit_tolerance) {
+    return "the orientation is not a unit quaternion";
+  }
+  return nullptr;
+}
+
+bool in_range(Index index, Index count) { return index >= 0 && index < count; }
+
+bool in_range(const FaceQuery& query, const HalfEdgeMesh& faces_of,
+              const HalfEdgeMesh& vertices_of) {
+  return !query || (in_range(query.face, faces_of.face_count()) &&
+                    in_range(query.vertex, vertices_of.vertex_count()));
+}
+
+/// The promise that lab 4 broke for this axis, or nothing.
+const char* broken_promise(const SeparatingAxis& axis, const HalfEdgeMesh& a,
+                           const HalfEdgeMesh& b) {
+  if (!std::isfinite(axis.separation)) return "the separation is not finite";
+  if (!is_unit(axis.axis)) return "the axis is not a unit vector";
+  if (!in_range(axis.face_a, a, b) || !in_range(axis.face_b, b, a)) {
+    return "a face query names a face or vertex that does not exist";
+  }
+  if (axis.edges && (!in_range(axis.edges.edge_a, a.edge_count()) ||
+                     !in_range(axis.edges.edge_b, b.edge_count()))) {
+    return "the edge query names an edge that does not exist";
+  }
+  return nullptr;
+}
+
+/// The promise that lab 5 broke for this manifold, or nothing.
+const char* broken_promise(const Manifold& manifold) {
+  if (manifold.points.empty()) return nullptr;
+  if (!is_unit(manifold.normal)) return "the normal is not a unit vector";
+  if (!is_unit(manifold.tangent) ||
+      std::abs(manifold.normal.dot(manifold.tangent)) > unit_tolerance) {
+    return "the tangent is not a unit vector perpendicular to the normal";
+  }
+  for (const ContactPoint& point : manifold.points) {
+    if (!point.anchor_a.allFinite() || !point.anchor_b.allFinite() ||
+        !std::isfinite(point.separation)) {
+      return "a contact point is not finite";
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void check_bodies(WorldState& world) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const char* promise = broken_promise(world.bodies[i]);
+    if (promise == nullptr) continue;
+    report(world, Stage::Integrate, 1, static_cast<Index>(i), promise);
+    world.bodies[i] = world.bodies_before[i];
+  }
+}
+
+void check_axes(WorldState& world) {
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    SeparatingAxis& axis = world.pairs.axes[i];
+    if (axis.feature == AxisFeature::None) continue;
+    const Contact& contact = world.pairs.contacts[i];
+    const char* promise = broken_promise(axis, world.posed_shape(contact.body_a).mesh(),
+                                         world.posed_shape(contact.body_b).mesh());
+    if (promise == nullptr) continue;
+    report(world, Stage::Collide, 4, contact.body_a, promise);
+    axis = {};
+  }
+}
+
+void check_manifolds(WorldState& world) {
+  for (Contact& contact : world.pairs.contacts) {
+    const char* promise = broken_promise(contact.manifold);
+    if (promise == nullptr) continue;
+    report(world, Stage::Manifolds, 5, contact.body_a, promise);
+    contact.manifold.points.clear();
+  }
+}
+
+}  // namespace cs550

@@ -1,0 +1,181 @@
+#include "cs550/world.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "engine/world/world_state.hpp"
+
+namespace cs550 {
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(std::string("a body needs ") + what);
+}
+
+void check_definition(const BodyDef& def) {
+  require(def.shape != nullptr, "a shape");
+  require(def.pose.position.allFinite(), "a finite position");
+  require(std::abs(def.pose.orientation.norm() - 1) < Real(1e-3),
+          "a unit quaternion as its orientation");
+  require(def.linear_velocity.allFinite() && def.angular_velocity.allFinite(), "finite velocities");
+  if (def.mass) {
+    require(std::isfinite(*def.mass) && *def.mass > 0, "a positive, finite mass");
+  } else {
+    require(std::isfinite(def.density) && def.density > 0, "a positive, finite density");
+  }
+  require(std::isfinite(def.friction) && def.friction >= 0, "a friction of 0 or more");
+  require(def.restitution >= 0 && def.restitution <= 1, "a restitution from 0 to 1");
+}
+
+RigidBody make_body(const BodyDef& def) {
+  RigidBody body;
+  if (def.kind == BodyKind::Dynamic) {
+    const Real density = def.mass ? *def.mass / def.shape->volume : def.density;
+    body =
+        make_dynamic_body(density * def.shape->volume, density * def.shape->unit_inertia, def.pose);
+  } else {
+    body = make_immovable_body(def.kind, def.pose);
+  }
+  set_velocity(body, def.linear_velocity, def.angular_velocity);
+  return body;
+}
+
+/// The lowest free place, so that the same calls give the same order of bodies.
+std::size_t free_place(const WorldState& world) {
+  std::size_t place = 0;
+  if (world.alive_count == static_cast<int>(world.slot_count())) return world.slot_count();
+  while (world.slots[place].alive) ++place;
+  return place;
+}
+
+/// Fowler–Noll–Vo hash, variant 1a, of the bytes of some numbers.
+class Fnv1a {
+ public:
+  template <int Constraints>
+  void add(const Eigen::Matrix<Real, Constraints, 1, Eigen::DontAlign>& numbers) {
+    unsigned char bytes[sizeof numbers];
+    std::memcpy(bytes, numbers.data(), sizeof bytes);
+    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 0x100000001b3ULL;
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+}  // namespace
+
+const char* to_string(Stage stage) {
+  switch (stage) {
+    case Stage::Integrate:
+      return "integrate";
+    case Stage::BroadPhase:
+      return "broad phase";
+    case Stage::Collide:
+      return "collide";
+    case Stage::Manifolds:
+      return "manifolds";
+    case Stage::Prepare:
+      return "prepare";
+    case Stage::Solve:
+      return "solve";
+  }
+  return "";
+}
+
+World::World(const WorldSettings& settings) : state_(std::make_unique<WorldState>()) {
+  state_->settings = settings;
+}
+World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_)) {}
+World& World::operator=(const World& other) {
+  if (this != &other) *state_ = *other.state_;
+  return *this;
+}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+WorldSettings& World::settings() { return state_->settings; }
+const WorldSettings& World::settings() const { return state_->settings; }
+
+BodyId World::add_body(const BodyDef& def) {
+  check_definition(def);
+  const RigidBody body = make_body(def);
+  const std::size_t place = free_place(*state_);
+  if (place == state_->slot_count()) {
+    state_->bodies.emplace_back();
+    state_->definitions.emplace_back();
+    state_->slots.emplace_back();
+  }
+  state_->bodies[place] = body;
+  state_->definitions[place] = def;
+  state_->slots[place].alive = true;
+  ++state_->alive_count;
+  const auto index = static_cast<Index>(place);
+  insert_leaf(*state_, index);
+  return state_->id_at(index);
+}
+
+void World::remove_body(BodyId id) {
+  if (!is_alive(id)) return;
+  const auto i = static_cast<std::size_t>(id.index);
+  remove_pairs_of(*state_, id.index);
+  state_->tree.remove(state_->slots[i].leaf);
+  state_->slots[i] = {state_->slots[i].generation + 1, false, no_index, {}};
+  state_->bodies[i] = make_immovable_body(BodyKind::Static, {});
+  state_->definitions[i] = {};
+  --state_->alive_count;
+}
+
+bool World::is_alive(BodyId id) const {
+  return id.index >= 0 && id.index < static_cast<Index>(state_->slot_count()) &&
+         state_->slots[static_cast<std::size_t>(id.index)].alive && id == id_at(id.index);
+}
+
+int World::body_count() const { return state_->alive_count; }
+std::span<const RigidBody> World::bodies() const { return state_->bodies; }
+BodyId World::id_at(Index index) const { return state_->id_at(index); }
+const RigidBody& World::body(BodyId id) const {
+  return state_->bodies[static_cast<std::size_t>(id.index)];
+}
+RigidBody& World::body(BodyId id) { return state_->bodies[static_cast<std::size_t>(id.index)]; }
+const ShapePtr& World::shape(BodyId id) const { return definition(id).shape; }
+const BodyDef& World::definition(BodyId id) const {
+  return state_->definitions[static_cast<std::size_t>(id.index)];
+}
+PosedShape World::posed_shape(BodyId id) const { return state_->posed_shape(id.index); }
+
+void World::step(Real h) { advance(*state_, h); }
+std::int64_t World::step_count() const { return state_->step_count; }
+double World::time() const { return state_->time; }
+
+std::span<const Contact> World::contacts() const { return state_->pairs.contacts; }
+std::span<const SeparatingAxis> World::axes() const { return state_->pairs.axes; }
+std::span<const ContactEvent> World::began() const { return state_->began; }
+std::span<const ContactEvent> World::ended() const { return state_->ended; }
+const StepStats& World::stats() const { return state_->stats; }
+std::span<const StageProblem> World::problems() const { return state_->problems; }
+const AabbTree& World::broad_phase() const { return state_->tree; }
+
+std::uint64_t World::state_hash() const {
+  Fnv1a hash;
+  for (std::size_t i = 0; i < state_->slot_count(); ++i) {
+    if (!state_->slots[i].alive) continue;
+    const RigidBody& body = state_->bodies[i];
+    const Eigen::Matrix<Real, 4, 1, Eigen::DontAlign> orientation = body.pose.orientation.coeffs();
+    hash.add(body.pose.position);
+    hash.add(orientation);
+    hash.add(body.linear_momentum);
+    hash.add(body.angular_momentum);
+  }
+  return hash.value();
+}
+
+double World::momentum_error() const {
+  const MomentumAudit& audit = state_->audit;
+  return audit.largest_sum > 0 ? audit.unexplained.norm() / audit.largest_sum : 0;
+}
+
+}  // namespace cs550

@@ -1,0 +1,124 @@
+// The order of the constraints: the same bits as in the order of the contacts, and groups without a shared body.
+#include "engine/contacts/solve_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "helpers/random.hpp"
+
+namespace cs550::test {
+namespace {
+
+std::vector<RigidBody> bodies_of_kinds(Index movable, Index immovable) {
+  std::vector<RigidBody> bodies(static_cast<std::size_t>(movable + immovable));
+  for (Index i = 0; i < movable; ++i) {
+    bodies[static_cast<std::size_t>(i)].kind = BodyKind::Dynamic;
+  }
+  for (Index i = movable; i < movable + immovable; ++i) {
+    bodies[static_cast<std::size_t>(i)].kind = BodyKind::Static;
+  }
+  return bodies;
+}
+
+Contact contact_between(Index a, Index b, Index points) {
+  Contact contact;
+  contact.body_a = a;
+  contact.body_b = b;
+  for (Index i = 0; i < points; ++i) contact.manifold.points.push_back({});
+  return contact;
+}
+
+/// Which body pair each constraint of the order belongs to; −1 where no constraint went.
+std::vector<int> contact_of_constraint(const std::vector<Contact>& contacts,
+                                       const SolveOrder& order) {
+  std::vector<int> owner(order.place_of_point.size(), -1);
+  std::size_t point = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (Index k = 0; k < contacts[i].manifold.points.size(); ++k) {
+      owner[static_cast<std::size_t>(order.place_of_point[point++])] = static_cast<int>(i);
+    }
+  }
+  return owner;
+}
+
+TEST(SolveOrder, ConstraintsOfAMovableBodyKeepTheirOrder) {
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Index movable = random.integer(2, 60);
+    const std::vector<RigidBody> bodies = bodies_of_kinds(movable, 3);
+    std::vector<Contact> contacts;
+    for (Index i = random.integer(0, 200); i > 0; --i) {
+      const Index a = random.integer(0, movable - 1);
+      const Index b = random.integer(0, movable + 2);
+      if (a != b) contacts.push_back(contact_between(a, b, random.integer(0, 4)));
+    }
+    SolveOrder order;
+    arrange_constraints(contacts, bodies, order);
+
+    std::vector<Index> last_constraint(static_cast<std::size_t>(movable), no_index);
+    std::size_t point = 0;
+    for (const Contact& contact : contacts) {
+      for (Index k = 0; k < contact.manifold.points.size(); ++k) {
+        const Index constraint = order.place_of_point[point++];
+        for (const Index body : {contact.body_a, contact.body_b}) {
+          if (body >= movable) continue;
+          Index& last = last_constraint[static_cast<std::size_t>(body)];
+          ASSERT_LT(last, constraint) << "body " << body;
+          last = constraint;
+        }
+      }
+    }
+    const std::vector<int> owners = contact_of_constraint(contacts, order);
+    EXPECT_EQ(std::count(owners.begin(), owners.end(), -1), 0) << "every place is taken once";
+  }
+}
+
+/// Of each four constraints that follow each other, every one belongs to a contact of its own.
+void expect_full_lanes(const std::vector<Contact>& contacts, Index bodies_on_floor) {
+  SolveOrder order;
+  arrange_constraints(contacts, bodies_of_kinds(bodies_on_floor, 1), order);
+  const std::vector<int> owners = contact_of_constraint(contacts, order);
+  constexpr auto group_size = static_cast<std::size_t>(ContactGroup::capacity());
+  ASSERT_EQ(owners.size() % group_size, 0U) << "the example fills all lanes";
+  for (std::size_t first = 0; first < owners.size(); first += group_size) {
+    for (std::size_t i = first; i < first + group_size; ++i) {
+      for (std::size_t k = first; k < i; ++k) {
+        EXPECT_NE(owners[i], owners[k]) << "constraints " << k << " and " << i;
+      }
+    }
+  }
+}
+
+TEST(SolveOrder, BoxesOnOneFloorFillTheirGroups) {
+  constexpr Index boxes = 8;
+  std::vector<Contact> contacts;
+  contacts.reserve(boxes);
+  for (Index i = 0; i < boxes; ++i) contacts.push_back(contact_between(i, boxes, 4));
+  expect_full_lanes(contacts, boxes);
+}
+
+TEST(SolveOrder, ContactsOfOnePointDoNotIdleBesideLongerOnes) {
+  constexpr Index bodies = 8;
+  std::vector<Contact> contacts;
+  contacts.reserve(bodies);
+  for (Index i = 0; i < bodies; ++i) {
+    contacts.push_back(contact_between(i, bodies, i % 2 == 0 ? 1 : 4));
+  }
+  expect_full_lanes(contacts, bodies);
+}
+
+TEST(SolveOrder, ContactsWithMorePointsGoOnInTheFirstLanes) {
+  const std::vector<RigidBody> bodies = bodies_of_kinds(3, 1);
+  const std::vector<Contact> contacts{contact_between(0, 3, 3), contact_between(1, 3, 1),
+                                      contact_between(2, 3, 2)};
+  SolveOrder order;
+  arrange_constraints(contacts, bodies, order);
+  EXPECT_EQ(contact_of_constraint(contacts, order), (std::vector<int>{0, 2, 1, 0, 2, 0}));
+}
+
+}  // namespace
+}  // namespace cs550::test

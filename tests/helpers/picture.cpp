@@ -1,0 +1,86 @@
+#include "helpers/picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace cs550::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_of(const testing::TestInfo& test) {
+  std::string name = std::string(test.test_suite_name()) + '.' + test.name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+fs::path folder() {
+  const char* chosen = std::getenv("CS550_PICTURES");
+  return chosen != nullptr ? chosen : CS550_PICTURES_DIR;
+}
+
+/// Written beside and renamed, so that two runs of a test at once do not mix.
+bool write(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  const fs::path draft = file.string() + '.' + std::to_string(std::hash<std::string>()(text));
+  std::ofstream stream(draft);
+  stream << text;
+  stream.close();
+  if (stream) fs::rename(draft, file, error);
+  return stream && !error;
+}
+
+/// As short as it can be clicked on.
+std::string shown(const fs::path& file) {
+  std::error_code error;
+  const fs::path near = fs::relative(file, fs::current_path(error), error);
+  return error || near.empty() || *near.begin() == ".." ? file.string() : near.string();
+}
+
+}  // namespace
+
+std::string write_picture(const std::function<std::string()>& draw) {
+  static const testing::TestInfo* last = nullptr;
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  if (test == nullptr || test == last || folder().empty()) return "";
+  last = test;
+  // Values of a student's code may be anything, and what reads them may throw.
+  try {
+    const fs::path file = folder() / (name_of(*test) + ".svg");
+    return write(file, draw()) ? shown(file) : "";
+  } catch (...) {
+    return "";
+  }
+}
+
+std::string expected_beside_got(const std::string& title, drawing::Drawing expected,
+                                drawing::Drawing got, const drawing::View& view,
+                                const std::string& note) {
+  expected.title = "Expected: " + expected.title;
+  got.title = "Got: " + got.title;
+  expected.alt_text = "Expected: " + expected.alt_text;
+  got.alt_text = "Got: " + got.alt_text;
+  drawing::Page page;
+  page.title = title;
+  page.panels = {drawing::Scene{std::move(expected), view}, drawing::Scene{std::move(got), view}};
+  page.framed_by_first = true;
+  if (!note.empty()) page.notes.push_back(note);
+  return drawing::write_svg(page);
+}
+
+std::string side_by_side(const std::string& title, std::vector<drawing::Panel> panels,
+                         const std::string& note) {
+  drawing::Page page;
+  page.title = title;
+  page.panels = std::move(panels);
+  if (!note.empty()) page.notes.push_back(note);
+  return drawing::write_svg(page);
+}
+
+}  // namespace cs550::test
