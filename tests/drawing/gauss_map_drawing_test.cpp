@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "drawing/minkowski_drawing.hpp"
-#include "support/fixtures.hpp"
+#include "helpers/fixtures.hpp"
 
 namespace cs550::drawing {
 namespace {

@@ -9,7 +9,7 @@
 #include "drawing/mesh_drawing.hpp"
 #include "drawing/svg.hpp"
 #include "drawing/trajectory_drawing.hpp"
-#include "support/fixtures.hpp"
+#include "helpers/fixtures.hpp"
 #include "xml.hpp"
 
 namespace cs550::drawing {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cs550/mesh_io.hpp"
+#include "helpers/fixtures.hpp"
 #include "helpers/random.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

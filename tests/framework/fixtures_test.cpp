@@ -1,4 +1,4 @@
-#include "support/fixtures.hpp"
+#include "helpers/fixtures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cs550/mesh_validation.hpp"
-#include "support/fixtures.hpp"
+#include "helpers/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

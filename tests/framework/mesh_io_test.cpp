@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "support/fixtures.hpp"
+#include "helpers/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

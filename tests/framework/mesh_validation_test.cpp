@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/fixtures.hpp"
+#include "helpers/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "cs550/hill_climbing.hpp"
 #include "drawing/climb_drawing.hpp"
+#include "helpers/fixtures.hpp"
 #include "helpers/picture.hpp"
 #include "helpers/random.hpp"
 #include "helpers/story.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 

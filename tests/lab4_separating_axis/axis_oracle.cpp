@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "drawing/gauss_map_drawing.hpp"
+#include "helpers/fixtures.hpp"
 #include "helpers/picture.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 

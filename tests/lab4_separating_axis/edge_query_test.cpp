@@ -2,11 +2,11 @@
 #include <cs550/graded_test.hpp>
 
 #include "drawing/gauss_map_drawing.hpp"
+#include "helpers/fixtures.hpp"
 #include "helpers/picture.hpp"
 #include "lab4_separating_axis/axis_oracle.hpp"
 #include "lab4_separating_axis/crossed_shapes.hpp"
 #include "lab4_separating_axis/gauss_map.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

@@ -1,9 +1,9 @@
 // L4.4: the best axis of all.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/fixtures.hpp"
 #include "lab4_separating_axis/axis_oracle.hpp"
 #include "lab4_separating_axis/crossed_shapes.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

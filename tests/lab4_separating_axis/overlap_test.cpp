@@ -1,8 +1,8 @@
 // L4.5: yes or no.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/fixtures.hpp"
 #include "lab4_separating_axis/gjk.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cs550/clipping.hpp"
+#include "helpers/fixtures.hpp"
 #include "helpers/random.hpp"
 #include "helpers/story.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 

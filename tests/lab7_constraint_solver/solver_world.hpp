@@ -8,8 +8,8 @@
 
 #include "cs550/not_implemented.hpp"
 #include "cs550/world.hpp"
+#include "helpers/fixtures.hpp"
 #include "helpers/story.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 

@@ -2,8 +2,8 @@
 
 #include "cs550/half_edge_mesh.hpp"
 #include "cs550/primitives.hpp"
+#include "helpers/fixtures.hpp"
 #include "serialisation/wire.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "cs550/hill_climbing.hpp"
+#include "helpers/fixtures.hpp"
 #include "serialisation/wire.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

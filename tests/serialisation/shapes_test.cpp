@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "helpers/fixtures.hpp"
 #include "serialisation/shape_archive.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 namespace {

@@ -15,8 +15,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "helpers/fixtures.hpp"
 #include "serialisation/shape_archive.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 

@@ -1,9 +1,9 @@
 // The same properties with other shapes, seeds and sizes.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/fixtures.hpp"
 #include "lab4_separating_axis/crossed_shapes.hpp"
 #include "lab4_separating_axis/gjk.hpp"
-#include "support/fixtures.hpp"
 
 namespace cs550::test {
 namespace {
