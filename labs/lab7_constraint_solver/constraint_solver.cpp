@@ -39,7 +39,7 @@ ContactJacobian contact_jacobian([[maybe_unused]] const Vec3& direction,
                                  [[maybe_unused]] const Vec3& r_b) {
   // L7.1, step 1: write d·(v_B + ω_B × r_B − v_A − ω_A × r_A) as a sum of four dot products, each
   //               with one of v_A, ω_A, v_B, ω_B. The triple product d·(ω × r) can be turned round.
-  // L7.1, step 2: the four vectors beside the velocities are the constraint of J.
+  // L7.1, step 2: the four vectors beside the velocities are the row of J.
   // See README.md, L7.1.
   throw NotImplemented("L7.1");
 }

@@ -18,9 +18,8 @@ std::vector<double> apexes(Real restitution, Story& story) {
   std::vector<double> fallen;
   for (int k = 0; k < heights; ++k) {
     const Real height = 5 + static_cast<Real>(k) * Real(0.005);
-    const int constraint = k / 8;
-    const Vec3 place(static_cast<Real>(4 * (k % 8) - 14), static_cast<Real>(4 * constraint - 14),
-                     0);
+    const int row = k / 8;
+    const Vec3 place(static_cast<Real>(4 * (k % 8) - 14), static_cast<Real>(4 * row - 14), 0);
     BodyDef def = body_at(cube, place + Vec3(0, 0, Real(0.5) + height));
     def.restitution = restitution;
     boxes.push_back(world.add_body(def));

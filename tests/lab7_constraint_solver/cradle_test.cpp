@@ -5,7 +5,7 @@
 namespace cs550::test {
 namespace {
 
-/// Speeds along x of equal cubes in a constraint without friction, the first of which came at 2 m/s.
+/// Speeds along x of equal cubes in a row without friction, the first of which came at 2 m/s.
 std::vector<double> cradle(int count, Real gap, Story& story) {
   World world = checked_world();
   add_floor(world, 20, 0);
@@ -29,7 +29,7 @@ std::vector<double> cradle(int count, Real gap, Story& story) {
 }
 
 GRADED_TEST(Lab7, CradlePassesTheBlowOn, 1, "L7.9") {
-  Story story("in a constraint with gaps the last cube leaves with the speed of the first");
+  Story story("in a row with gaps the last cube leaves with the speed of the first");
   // More than what a cube travels in two steps: each impact is over before the next begins.
   story.given("5 equal cubes, gaps 0.1 m, e = 1, no friction, the first at 2 m/s").when("1 s");
   story.likely("each impact is −e·v_n⁰ of its own constraint")
@@ -41,7 +41,7 @@ GRADED_TEST(Lab7, CradlePassesTheBlowOn, 1, "L7.9") {
     story.expect_near("speed of cube " + std::to_string(k + 1), apart[k], k == 4 ? 2 : 0, 0.04,
                       "m/s");
   }
-  Story touching("in a touching constraint all impacts are one: −⅓, ⅔, ⅔ of the speed");
+  Story touching("in a touching row all impacts are one: −⅓, ⅔, ⅔ of the speed");
   touching.given("3 equal cubes, the last two touching, e = 1, no friction, the first at 2 m/s");
   touching.likely(
       "v_n⁰ of the second constraint is 0: it is not driven to bounce, but held at v_n ≥ 0");

@@ -85,12 +85,12 @@ inline ContactConstraint random_constraint(Random& random, Real size = 1) {
   return constraint;
 }
 
-/// Constraints of n, u and v.
+/// The rows of J for n, u and v.
 inline Eigen::Matrix<double, 3, 12> dense_jacobians(const ContactConstraint& constraint) {
   Eigen::Matrix<double, 3, 12> j;
-  j.constraint(0) = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b).transpose();
-  j.constraint(1) = dense_jacobian(constraint.u, constraint.r_a, constraint.r_b).transpose();
-  j.constraint(2) =
+  j.row(0) = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b).transpose();
+  j.row(1) = dense_jacobian(constraint.u, constraint.r_a, constraint.r_b).transpose();
+  j.row(2) =
       dense_jacobian(constraint.n.cross(constraint.u), constraint.r_a, constraint.r_b).transpose();
   return j;
 }

@@ -12,7 +12,7 @@ namespace cs550::test {
 
 /// The normals of some constraints and all their bodies, as matrices.
 struct DenseContacts {
-  Eigen::MatrixXd jacobian;      ///< one constraint per contact, six columns per body
+  Eigen::MatrixXd jacobian;      ///< one row per contact, six columns per body
   Eigen::MatrixXd inverse_mass;  ///< block diagonal
   Eigen::VectorXd velocity;      ///< v, ω of each body
 
@@ -26,8 +26,8 @@ struct DenseContacts {
     for (Eigen::Index k = 0; k < count; ++k) {
       const ContactConstraint& constraint = constraints[static_cast<std::size_t>(k)];
       const Vec12 j = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b);
-      jacobian.constraint(k).segment<6>(6 * constraint.body_a) = j.head<6>();
-      jacobian.constraint(k).segment<6>(6 * constraint.body_b) = j.tail<6>();
+      jacobian.row(k).segment<6>(6 * constraint.body_a) = j.head<6>();
+      jacobian.row(k).segment<6>(6 * constraint.body_b) = j.tail<6>();
     }
     for (Eigen::Index i = 0; 6 * i < columns; ++i) {
       const SolverBody& body = bodies[static_cast<std::size_t>(i)];
@@ -54,7 +54,7 @@ inline std::optional<Eigen::VectorXd> solve_lcp(const DenseContacts& contacts) {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(q.size());
     for (Eigen::Index i = 0; i < q.size(); ++i) {
       if ((set >> i & 1U) == 0) continue;
-      system.constraint(i) = k.constraint(i) / k(i, i);
+      system.row(i) = k.row(i) / k(i, i);
       right[i] = -q[i] / k(i, i);
     }
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(system);

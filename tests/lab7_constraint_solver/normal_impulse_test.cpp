@@ -121,7 +121,7 @@ GRADED_TEST(Lab7, TheSeparationFollowsTheBodies, 1, "L7.6") {
     Vec12 moved;
     moved << wide(meeting.a.delta_position), wide(meeting.a.delta_rotation),
         wide(meeting.b.delta_position), wide(meeting.b.delta_rotation);
-    const double closed = dense_jacobians(meeting.constraint).constraint(0).dot(moved);
+    const double closed = dense_jacobians(meeting.constraint).row(0).dot(moved);
     // A gap now that half of the approach closes in the substep.
     const double half = -0.5 * meeting.contact_velocity()[0];
     const double gap = half * static_cast<double>(step.h);

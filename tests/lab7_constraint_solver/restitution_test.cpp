@@ -65,7 +65,7 @@ GRADED_TEST(Lab7, OnlyFreshHardImpactsBounce, 1, "L7.9") {
       "as handled");
   story.given("a cube of 2 kg at rest on a floor, e = 0.5, threshold 0.5 m/s");
   story.likely("a constraint without impulse has not been hit, however fast it approached")
-      .likely("a constraint whose impact was handled has bounced already: v_n⁰ is used up")
+      .likely("a constraint whose impact was handled has bounced already: its v_n⁰ is spent")
       .likely("mark every constraint with λ_n > 0, also those that do not bounce");
   struct Case {
     const char* what;
