@@ -1,13 +1,13 @@
 #pragma once
 /// @file assets.hpp
-/// Where meshes and scenes are.
+/// Locates the shipped meshes and scenes.
 
 #include <filesystem>
 
 namespace cs550 {
 
-/// The folder that holds meshes/ and scenes/: the environment variable CS550_ASSETS if it is set,
-/// else the one in the source tree from which this was built.
+/// The folder that contains meshes/ and scenes/: the value of the environment variable CS550_ASSETS
+/// if it is set, otherwise the folder in the source tree that this program was built from.
 std::filesystem::path assets_folder();
 
 }  // namespace cs550

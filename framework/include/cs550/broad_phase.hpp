@@ -1,6 +1,6 @@
 #pragma once
 /// @file broad_phase.hpp
-/// Which bodies are near each other: a dynamic tree of axis-aligned boxes.
+/// The broad phase: a dynamic tree of axis-aligned boxes that finds bodies near each other.
 
 #include <functional>
 #include <span>
@@ -10,50 +10,54 @@
 
 namespace cs550 {
 
-/// A binary tree of boxes, built and mended one leaf at a time: a new leaf goes where the summed
-/// surface area grows least, and rotations keep the tree shallow (Catto, *Dynamic Bounding Volume
-/// Hierarchies*, GDC 2019). Leaves hold boxes with room to move, so that most steps change nothing.
-/// A plain value: a copy continues identically.
+/// A binary bounding volume hierarchy that is updated incrementally. A new leaf is inserted where
+/// the total surface area grows least, and rotations keep the tree shallow (Catto, *Dynamic
+/// Bounding Volume Hierarchies*, GDC 2019). Leaves store fat AABBs, so that most steps leave the
+/// tree unchanged. A plain value: a copy continues identically.
 class AabbTree {
  public:
-  /// Adds a leaf. @param bounds with the room already added, @param user what queries report
-  /// @return the leaf's name until it is removed
+  /// Adds a leaf.
+  /// @param bounds the fat AABB: the caller has already added its margin
+  /// @param user the value that queries report for this leaf
+  /// @return the handle of the leaf, valid until it is removed
   Index insert(const Bounds& bounds, Index user);
   /// Precondition: `leaf` is in the tree.
   void remove(Index leaf);
-  /// Gives a leaf a new box. Precondition: `leaf` is in the tree.
+  /// Replaces the box of a leaf. Precondition: `leaf` is in the tree.
   void move(Index leaf, const Bounds& bounds);
-  /// The box that a leaf was given last.
+  /// The current box of a leaf. Precondition: `leaf` is in the tree.
   const Bounds& bounds(Index leaf) const;
 
-  /// Appends the users of all leaves whose boxes overlap the given one, in no particular order.
+  /// Appends the users of all leaves that overlap a box, in no particular order.
   void query(const Bounds& bounds, std::vector<Index>& users) const;
 
-  /// Visits leaves whose boxes a ray meets. The visitor gets a user and the present length of the
-  /// ray and returns the new one: shorter after a hit, the same after a miss.
-  /// @param origin, direction world frame, the direction unit; @param length m
+  /// Visits the leaves that a ray intersects. The visitor receives a user and the current length of
+  /// the ray and returns the new length: shorter after a hit, unchanged after a miss.
+  /// @param origin world frame (m)
+  /// @param direction world frame, unit
+  /// @param length m
   void ray_cast(const Vec3& origin, const Vec3& direction, Real length,
                 const std::function<Real(Index user, Real length)>& visit) const;
 
-  /// How many leaves there are.
+  /// The number of leaves.
   int leaf_count() const { return leaf_count_; }
-  /// Levels below the root; 0 for one leaf or none.
+  /// The number of levels below the root; 0 for a tree of one leaf or none.
   int height() const;
 
-  /// One node for people who draw the tree; the leaves have a user.
+  /// A node, exposed for drawing the tree. Only leaves have a user.
   struct Node {
-    Bounds bounds;                          ///< of all leaves below
-    Index parent = no_index;                ///< also links the free nodes
+    Bounds bounds;                          ///< encloses all leaves below
+    Index parent = no_index;                ///< in a free node: the next free node
     Index child[2] = {no_index, no_index};  ///< none or two
-    Index user = no_index;                  ///< what insert() was told; no_index above the leaves
-    Index height = 0;                       ///< leaves 0, free nodes −1
+    Index user = no_index;                  ///< as passed to insert(); no_index in inner nodes
+    Index height = 0;                       ///< 0 for leaves, −1 for free nodes
 
-    /// Whether it has a user and no children.
+    /// Whether the node has no children.
     bool is_leaf() const { return child[0] == no_index; }
   };
-  /// All places of nodes, the free ones included.
+  /// The node array, including free nodes.
   std::span<const Node> nodes() const { return nodes_; }
-  /// Where to begin in nodes(); no_index for an empty tree.
+  /// The index of the root in nodes(); no_index for an empty tree.
   Index root() const { return root_; }
 
  private:

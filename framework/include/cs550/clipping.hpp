@@ -1,8 +1,8 @@
 #pragma once
 /// @file clipping.hpp
-/// **Lab 5:** From an axis to contact points: clip the incident face against the reference face.
-/// Document §3.6–3.7; Sutherland & Hodgman (1974); Gregorius, *Robust Contact Creation for Physics
-/// Simulations* (GDC 2015).
+/// **Lab 5:** Contact generation: turns a separating axis into a contact manifold by clipping the
+/// incident face against the reference face. Document §3.6–3.7; Sutherland & Hodgman (1974);
+/// Gregorius, *Robust Contact Creation for Physics Simulations* (GDC 2015).
 
 #include <span>
 
@@ -10,95 +10,113 @@
 
 namespace cs550 {
 
-/// Where an edge of a clipped polygon comes from.
+/// The origin of an edge of a clipped polygon.
 struct ClipEdge {
-  /// Whose edge it is.
+  /// The face that contributed the edge.
   enum class Source : std::uint8_t {
-    Incident,   ///< a side of the polygon that is clipped
-    Reference,  ///< along a plane that clipped it
+    Incident,   ///< a side of the polygon before clipping
+    Reference,  ///< the intersection with a clipping plane
   };
-  Source source = Source::Incident;  ///< whose edge it is
+  Source source = Source::Incident;  ///< the face that contributed the edge
   Index edge = no_index;             ///< half-edge of the incident or of the reference body
 
-  /// Whether both are the same edge.
+  /// Whether both name the same edge.
   bool operator==(const ClipEdge& other) const {
     return source == other.source && edge == other.edge;
   }
 };
 
-/// A corner of a clipped polygon. The two edges that meet in it name it: two incident edges are an
-/// incident vertex, one of each a crossing, two reference edges a corner of the reference face.
+/// A corner of a clipped polygon, named by the two edges that meet there. Two incident edges meet
+/// in an incident vertex, an incident edge and a reference edge in a crossing, two reference edges
+/// in a corner of the reference face.
 struct ClipVertex {
-  Vec3 point = {0, 0, 0};  ///< any frame: face_manifold() takes the reference body's (m)
-  ClipEdge in;             ///< the edge that ends here, going counter-clockwise
-  ClipEdge out;            ///< the edge that leaves here
+  Vec3 point = {0, 0, 0};  ///< any frame; face_manifold() uses the reference body's (m)
+  ClipEdge in;             ///< the edge that ends here, in counter-clockwise order
+  ClipEdge out;            ///< the edge that starts here
 };
 
-/// A convex polygon, counter-clockwise about its face's normal. Clipping adds at most one corner per
-/// plane, hence the capacity: two faces of the largest size.
+/// A convex polygon, counter-clockwise about the normal of its face. Each clipping plane adds at
+/// most one corner, so the capacity suffices for two faces of the largest size.
 using ClipPolygon = StaticVector<ClipVertex, 2 * max_face_vertices>;
 
-/// **L5.1** Clips a polygon by a plane, keeping the side where the distance is ≤ 0 (Sutherland &
-/// Hodgman). The document's table, "front" being the side that is kept: front → front emits the
-/// second end, behind → front the intersection and the second end, front → behind the intersection,
-/// behind → behind nothing. A point on the plane is kept; an intersection is emitted only between
-/// ends that are strictly on opposite sides, so no corner appears twice.
-/// @param plane normal pointing out of the side that is kept, same frame as the polygon
-/// @param plane_edge what the new edge along the plane is called
+/// **L5.1** Clips a polygon by a plane and keeps the side where the distance is ≤ 0 (Sutherland &
+/// Hodgman). A corner on the plane is kept as it is and emitted once: an intersection is created
+/// only between corners strictly on opposite sides. The result keeps the polygon's orientation, may
+/// start at any corner, and is empty if nothing is kept.
+///
+/// Every corner is named by its two edges. The new edge along the plane is called `plane_edge`,
+/// also where the outline crosses the plane exactly in a corner. A polygon that the plane does not
+/// cross keeps its names.
+/// @param plane its normal points away from the kept side; same frame as the polygon
+/// @param plane_edge the name of the new edge along the plane
 ClipPolygon clip_polygon(const ClipPolygon& polygon, const Plane& plane, ClipEdge plane_edge = {});
 
-/// **L5.2** The incident face: the one whose normal is most anti-parallel to the reference normal.
-/// The first of several equal ones wins.
+/// **L5.2** The incident face: the face whose normal is most anti-parallel to the reference normal.
+/// On a tie the face with the smallest index wins.
 /// @param body the body that does *not* own the reference face
 /// @param reference_normal world frame, unit, out of the reference body
 Index find_incident_face(const PosedShape& body, const Vec3& reference_normal);
 
-/// How far outside a side plane a point still counts as on it, relative to the smaller radius of the
-/// two shapes. Boxes stacked edge to edge keep the same features although their edges differ by
-/// rounding.
+/// The distance by which side planes are moved outward before clipping, relative to the smaller
+/// radius of the two shapes. Boxes stacked edge to edge then keep their features even though their
+/// edges differ by rounding.
 inline constexpr Real side_plane_tolerance = Real(1e-4);
 
-/// **L5.3** The manifold of a face against a face: the incident face is clipped by the side planes of
-/// the reference face (each through one of its edges, perpendicular to it, moved outward by
-/// side_plane_tolerance); of what is left, the points with separation ≤ margin are kept. Each has
-/// one anchor at the clipped point, on the incident body, and one at its projection onto the
-/// reference plane. The manifold's normal points A → B whichever body owns the reference face, its
-/// tangent is along the reference face's first edge. Reduced to max_manifold_points.
-/// @param axis its feature, FaceA or FaceB, picks the reference face from axis.face_a or axis.face_b
-/// @param margin keep points up to this separation (m)
+/// **L5.3** The manifold of two faces. The incident face is clipped by the side planes of the
+/// reference face: each contains an edge of that face, is perpendicular to the face, and is moved
+/// outward by side_plane_tolerance. Corners with a separation ≤ margin become contact points,
+/// reduced to max_manifold_points by reduce_manifold().
+///
+/// The anchor on the incident body is the clipped corner; the anchor on the reference body is its
+/// projection onto the reference plane. The normal points from A to B whichever body owns the
+/// reference face. The tangent is parallel to the reference face's first edge.
+/// @param axis its feature, FaceA or FaceB, selects the reference face axis.face_a or axis.face_b
+/// @param margin largest separation of a contact point (m)
 Manifold face_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
                        Real margin);
 
-/// **L5.4** The manifold of two edges: one point, with anchors at the closest points of the two
-/// *segments* (Ericson §5.1.9), normal along axis.edges.axis, tangent along A's edge.
-/// @param axis axis.edges is not empty
+/// **L5.4** The manifold of two edges: one point with anchors at the closest points of the two
+/// *segments* (Ericson §5.1.9). The normal is axis.edges.axis, the tangent is parallel to A's edge.
+/// @param axis its edge query is not empty, so the edges are not parallel
 Manifold edge_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis);
 
-/// **L5.5** Picks at most four points that support a body nearly as well as all of them: the deepest
-/// point, the one farthest from it, the one that spans the largest triangle with these two, and the
-/// one that adds the largest area to that triangle. Fewer than five come back unchanged; of more,
-/// those that coincide with a chosen one or add no area are left out.
+/// **L5.5** Selects at most four points that support a body nearly as well as all of them do. Up to
+/// four points are returned unchanged, in their order. Of more, the deepest point is always kept,
+/// and the selection spans at least 65 % of the largest area (96 % on average) that any four of the
+/// points including the deepest span, measured perpendicular to the normal. Points that add no area
+/// are dropped: no two kept points coincide, and of points on one line the two ends of a segment
+/// that starts at the deepest point remain.
 /// @param points anchors in body frames
-/// @param normal of the manifold, in A's **body** frame, unit
+/// @param normal the manifold's normal in A's **body** frame, unit
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
     std::span<const ContactPoint> points, const Vec3& normal);
 
-/// An edge contact is taken in place of a face only if it is better by this much, relative to the
-/// smaller radius of the two shapes: a face is the steadier support.
+/// The lead in separation that an edge contact needs to replace a face contact, relative to the
+/// smaller radius of the two shapes. A face is the steadier support.
 inline constexpr Real edge_preference = Real(5e-3);
 
-/// **L5.6** The manifold for an axis: of edges if their separation beats the better face query's by
-/// edge_preference, else of that face (axis.feature decides between faces that are equal up to
-/// tie_tolerance). Like is compared with like: what clipping leaves can be much shallower than the
-/// face's separation, and edges that had to beat *that* would leave boxes deep in each other.
+/// **L5.6** The manifold for an axis. It is empty if the axis has no feature or its separation
+/// exceeds the margin. Otherwise it has at least one point, since fast bodies would pass through
+/// each other without one.
 ///
-/// A face manifold without a point that is as deep as the face query says, up to edge_preference,
-/// has lost the contact (the incident face need not hold the deepest vertex). It gives way to the
-/// edges if their separation is no less than the face's, else, where the bodies overlap or clipping
-/// left nothing, to the deepest vertex. So bodies within the margin never get an empty manifold (fast
-/// ones that come together sideways would pass through each other), and the depth it reports for
-/// bodies that overlap is that of the axis up to edge_preference. A separation above the margin gives
-/// an empty manifold.
+/// 1. The face query with the larger separation is the candidate; if the two differ by at most
+///    tie_tolerance, axis.feature decides.
+/// 2. The edges replace the candidate if their separation exceeds the candidate *query's* by more
+///    than edge_preference. Clipped points are not a fair comparison: they can be much shallower
+///    than the query, and boxes would then stay deep in each other.
+/// 3. Otherwise the face manifold is built. It has lost the contact if none of its points is as
+///    deep as the query reports, up to edge_preference: the incident face need not contain the
+///    deepest vertex. Then the edges are used if their separation is no less than the query's. If
+///    not, and the bodies overlap or clipping left no point, the manifold is the query's deepest
+///    vertex and its projection.
+///
+/// For overlapping bodies the deepest point is therefore as deep as the axis, up to
+/// edge_preference.
+///
+/// Any query may be empty. An empty query has a separation of 0 and no features, so test the query
+/// before comparing its separation. The edge query is empty if no arcs cross, as for aligned boxes;
+/// the queries that an early out did not reach are empty as well. If both face queries are empty,
+/// the edges are used.
 Manifold build_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
                         Real margin);
 

@@ -1,8 +1,12 @@
 #pragma once
 /// @file constraint_solver.hpp
-/// **Lab 7:** Sequential impulses: every contact is a constraint Jv + b ≥ 0, solved a constraint at a time,
-/// over and over, with accumulated impulses. Document §4.2; Catto, *Iterative Dynamics with Temporal
-/// Coherence* (GDC 2005), *Modeling and Solving Constraints* (GDC 2009), *Solver2D* (2024).
+/// **Lab 7:** Sequential impulses: every contact is a constraint JV + b ≥ 0. Constraints are solved
+/// one at a time, repeatedly, with accumulated impulses. Document §4.2; Catto, *Iterative Dynamics
+/// with Temporal Coherence* (GDC 2005), *Modeling and Solving Constraints* (GDC 2009), *Solver2D*
+/// (2024).
+///
+/// Two immovable bodies: such a constraint has zero masses, and every function accepts it. No
+/// impulse is applied, and no division by zero occurs.
 
 #include <span>
 
@@ -10,98 +14,125 @@
 
 namespace cs550 {
 
-/// One constraint of the constraint matrix: JV = linear_a·v_A + angular_a·ω_A + linear_b·v_B + angular_b·ω_B.
+/// One row of the Jacobian matrix, for the velocities V of two bodies:
+/// JV = linear_a·v_A + angular_a·ω_A + linear_b·v_B + angular_b·ω_B.
 struct ContactJacobian {
-  Vec3 linear_a = {0, 0, 0};   ///< times v of A
-  Vec3 angular_a = {0, 0, 0};  ///< times ω of A (m)
-  Vec3 linear_b = {0, 0, 0};   ///< times v of B
-  Vec3 angular_b = {0, 0, 0};  ///< times ω of B (m)
+  Vec3 linear_a = {0, 0, 0};   ///< coefficient of v_A
+  Vec3 angular_a = {0, 0, 0};  ///< coefficient of ω_A (m)
+  Vec3 linear_b = {0, 0, 0};   ///< coefficient of v_B
+  Vec3 angular_b = {0, 0, 0};  ///< coefficient of ω_B (m)
 };
 
-/// How penetration is undone.
+/// How penetration is corrected.
 enum class ContactModel : std::uint8_t {
-  Baumgarte,  ///< the document's bias: a share β of the error per step, restitution in the bias
-  Soft,       ///< a damped spring (Catto 2024), then a relax pass, then restitution
+  Baumgarte,  ///< the document's bias: a fraction β of the error per step, restitution in the bias
+  Soft,       ///< a damped spring (Catto 2024), then relax passes, then apply_restitution()
 };
 
-/// What the solver is told about a substep.
+/// The parameters of a substep.
 struct ContactStep {
-  Real h = 0;                               ///< length of the substep (s)
-  bool use_bias = true;                     ///< false in the relax pass
-  bool backwards = false;                   ///< visit the constraints in reverse: every second pass
-  ContactModel model = ContactModel::Soft;  ///< how penetration is undone
-  Softness soft;                            ///< contacts between movable bodies
-  Softness soft_static;                     ///< contacts with an immovable body
+  Real h = 0;                               ///< duration of the substep (s)
+  bool use_bias = true;                     ///< false in relax passes
+  bool backwards = false;                   ///< solve in reverse order; true in every second pass
+  ContactModel model = ContactModel::Soft;  ///< how penetration is corrected
+  Softness soft;                            ///< for contacts between two movable bodies
+  Softness soft_static;                     ///< for contacts with an immovable body
   Real baumgarte = Real(0.2);               ///< β
-  Real slop = 0;                            ///< penetration that Baumgarte leaves alone (m)
-  Real max_push_speed = HUGE_VALF;          ///< fastest recovery from penetration (m/s)
-  Real restitution_threshold = 0;           ///< approaches slower than this do not bounce (m/s)
+  Real slop = 0;                            ///< penetration that Baumgarte leaves uncorrected (m)
+  Real max_push_speed = HUGE_VALF;          ///< largest speed of recovery from penetration (m/s)
+  Real restitution_threshold = 0;           ///< slower approaches do not bounce (m/s)
   int restitution_iterations = 1;           ///< sweeps of apply_restitution()
 };
 
-/// b of one constraint in one pass, with what softness makes of the impulse.
+/// The bias b of one constraint in one pass, with the scales of its impulse.
 struct ContactBias {
   Real velocity = 0;       ///< b (m/s): the constraint asks for v_n ≥ −b
   Real mass_scale = 1;     ///< of the effective mass, see Softness
   Real impulse_scale = 0;  ///< of the accumulated impulse, see Softness
 };
 
-/// **L7.1** The constraint of J for a direction d at a contact: [−d, −r_A × d, d, r_B × d].
-/// @param direction unit, world frame
+/// **L7.1** The row J for a direction d at a contact: JV is the velocity along d of B's contact
+/// point relative to A's.
+/// @param direction d, unit, world frame
 /// @param r_a, r_b contact from each centre of mass, world frame (m)
 ContactJacobian contact_jacobian(const Vec3& direction, const Vec3& r_a, const Vec3& r_b);
 
-/// **L7.2** (JM⁻¹Jᵀ)⁻¹ (kg); 0 for two immovable bodies.
+/// **L7.2** The effective mass of a constraint, (JM⁻¹Jᵀ)⁻¹ (kg). Returns 0 for two immovable
+/// bodies.
 Real constraint_mass(const ContactJacobian& jacobian, const SolverBody& a, const SolverBody& b);
 
-/// **L7.3** The bias of a constraint, negative to push apart.
-/// - Apart (d > 0): b = d/h, whatever the pass: the gap may close, not more (speculative contact).
-/// - In the relax pass otherwise: b = 0.
-/// - In penetration, Baumgarte: position term b_p = (β/h)·min(0, d + slop), not below −max_push_speed.
-/// - In penetration, soft: b_p = rate·d, not below −max_push_speed, with the constraint's mass and impulse
-///   scales. A spring under load rests a little deep; that is what brings a leaning stack back.
-/// - Restitution, in the Baumgarte model only: b_r = e·v_n⁰ where v_n⁰ < −threshold, else 0, and
-///   b = min(b_p, b_r), never the sum, whether the bodies are apart or not.
-/// @param separation d at present (m)
+/// **L7.3** The bias b of a normal constraint, which asks for v_n ≥ −b. A negative bias pushes the
+/// bodies apart.
+///
+/// - Separated (d > 0), in every pass and both models: the gap may close within this substep, but
+///   not more (speculative contact).
+/// - Penetrating (d ≤ 0), in a relax pass (`use_bias` is false): b = 0.
+/// - Penetrating, Baumgarte: a fraction β of the penetration beyond the slop is corrected per
+///   substep, at no more than max_push_speed.
+/// - Penetrating, soft: the recovery speed is bias_rate times the whole penetration (no slop), at
+///   no more than max_push_speed. Only here are the scales those of constraint.softness; in all
+///   other cases they are those of a rigid contact, 1 and 0.
+/// - Restitution belongs to the bias in the Baumgarte model only, and there only if `use_bias` is
+///   true, e > 0 and v_n⁰ < −restitution_threshold. Such a constraint also asks for v_n ≥ −e·v_n⁰,
+///   whether the bodies are separated or not. The stronger of the two demands holds: b is the
+///   smaller of the two biases, never their sum.
+/// @param separation current separation d (m)
 ContactBias contact_bias(const ContactConstraint& constraint, Real separation,
                          const ContactStep& step);
 
-/// **L7.4** Fills normal_mass, tangent_mass (the inverse of the 2 × 2 matrix JM⁻¹Jᵀ of u and v) and
-/// softness (soft_static where either body is immovable) of every constraint.
+/// **L7.4** Computes what stays constant during a step, for every constraint: normal_mass;
+/// tangent_mass, the inverse of the 2 × 2 matrix JM⁻¹Jᵀ of the two rows for u and v; and softness,
+/// which is soft_static if at least one of the bodies is immovable (inverse_mass of 0). For two
+/// immovable bodies both masses are zero.
 void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
                       const ContactStep& step);
 
-/// **L7.5** Applies the impulses that a constraint has accumulated: −λ to A, +λ to B, along n, u and v.
+/// **L7.5** Applies the accumulated impulses along n, u and v to B, and their opposite to A.
 void warm_start(const ContactConstraint& constraint, SolverBody& a, SolverBody& b);
 
-/// **L7.6** One normal impulse: λ = −m·(Jv + b), softened, added to the accumulated one, which is
-/// kept ≥ 0; the difference is applied. An impulse may go back down. The present separation is the
-/// constraint's plus n·(Δx_B + Δθ_B × r_B − Δx_A − Δθ_A × r_A): the same J, applied to displacements.
+/// **L7.6** Solves the normal constraint once. Computes the impulse that this constraint needs at
+/// its contact_bias(), softened as described at Softness, and adds it to normal_impulse. The
+/// *accumulated* impulse is clamped to ≥ 0, so a single impulse may be negative; the change is
+/// applied to both bodies. The bias is evaluated at the current separation: the constraint's own
+/// plus the relative displacement of the two contact points along n since the step began, with r_a
+/// and r_b as they are.
 void solve_normal(ContactConstraint& constraint, SolverBody& a, SolverBody& b,
                   const ContactStep& step);
 
-/// **L7.7** One friction impulse: u and v solved together, λ = λ_acc − m_t·(J_u v, J_v v). If the pair
-/// lies in the disk ‖λ‖ ≤ μ·λ_n of the *accumulated* normal impulse, the contact sticks. If not, it
-/// slides, and friction must point against the slip: m_t turns away from it where the mass differs
-/// between directions, so the pair is then λ_acc − s·(J_u v, J_v v), with s the smaller eigenvalue of
-/// m_t, scaled back onto the disk.
+/// **L7.7** Solves both friction constraints once, u and v together, and accumulates.
+///
+/// - Sticking: the pair of impulses that stops the slip along u and v is taken if its accumulated
+///   sum lies in the disk ‖λ‖ ≤ μ·λ_n, where λ_n is the *accumulated* normal impulse.
+/// - Sliding: otherwise friction must oppose the slip. tangent_mass would turn it away from that
+///   direction where the effective mass is anisotropic, so the slip is multiplied by the smaller
+///   eigenvalue of tangent_mass instead. The accumulated sum is scaled back onto the disk.
 void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b);
 
-/// **L7.8** One pass over the constraints: forwards the normal and then the friction of each; `backwards`
-/// exactly the reverse, from the last constraint to the first, friction and then the normal, which has its
-/// last word. A pass and its reverse together are a *symmetric* Gauss–Seidel step: its
-/// error only decays. Passes in one direction make slow modes of a warm-started stack swing up
+/// **L7.8** One pass over all constraints. Forwards: from the first to the last, the normal and
+/// then the friction of each. Backwards: in exact reverse order, so that normals are solved last.
+///
+/// A pass and its reverse together form a *symmetric* Gauss–Seidel iteration, whose error decays
+/// without oscillation. Passes in one direction only can amplify slow modes of a warm-started stack
 /// (complex eigenvalues; Saad, *Iterative Methods for Sparse Linear Systems*, §4.1).
 void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
                     const ContactStep& step);
 
-/// **L7.9** Bounces. A constraint bounces if its `impact_handled` is not set and its approach velocity is below
-/// −threshold. If one with λ_n > 0 does, restitution_iterations sweeps drive v_n of every constraint in touch
-/// to its target, accumulated and clamped as in solve_normal(): −e·v_n⁰ if it bounces, else 0, for a
-/// blow is passed on through contacts that rest. In touch is a constraint with λ_n > 0, or whose present
-/// separation is less than −2·v_n⁰·h: the first corners of a body stop it before the others arrive.
-/// Then every constraint with λ_n > 0 is marked as `impact_handled`. Runs after the relax pass of each substep; the
-/// substep in which λ_n first becomes positive is the impact's.
+/// **L7.9** Applies restitution. The world calls it after the relax passes of each substep, in the
+/// soft model only.
+///
+/// - A constraint *bounces* if e > 0, impact_handled is false and v_n⁰ < −restitution_threshold.
+/// - A contact is *touching* if λ_n > 0 or its current separation is less than −2·v_n⁰·h. The
+///   second case covers corners that would arrive within two substeps: other corners may have
+///   stopped the body already.
+///
+/// If at least one constraint with λ_n > 0 bounces, restitution_iterations sweeps visit all
+/// constraints in order. Each touching constraint receives the rigid impulse that brings v_n to its
+/// target, accumulated and clamped as in solve_normal(). The target is −e·v_n⁰ if it bounces and 0
+/// if it does not: a blow is passed on through resting contacts. Touching is decided at each visit.
+///
+/// Finally, whether or not anything bounced, impact_handled is set for every constraint with a
+/// positive λ_n. It is never cleared here. The impact thus belongs to the substep in which λ_n
+/// first becomes positive.
 void apply_restitution(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
                        const ContactStep& step);
 

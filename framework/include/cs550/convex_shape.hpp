@@ -1,6 +1,6 @@
 #pragma once
 /// @file convex_shape.hpp
-/// A shape that bodies share, and a shape placed in the world.
+/// Convex shapes, which bodies share, and shapes placed in the world.
 
 #include <memory>
 #include <span>
@@ -10,57 +10,58 @@
 
 namespace cs550 {
 
-/// The most edges that a shape may have: feature ids keep 14 bits for each element.
+/// The largest number of edges of a shape: feature ids have 14 bits per element.
 inline constexpr Index max_shape_edges = 1 << 14;
-/// The most vertices of one face: clipping works in a polygon of fixed capacity.
+/// The largest number of vertices of a face: clipping uses polygons of fixed capacity.
 inline constexpr Index max_face_vertices = 128;
 
-/// A convex polyhedron, immutable once made, its origin at its centroid.
+/// A convex polyhedron with its origin at its centroid. Immutable once made.
 struct ConvexShape {
   HalfEdgeMesh mesh;                 ///< body frame, coplanar faces merged
   Real volume = 0;                   ///< m³
   Mat3 unit_inertia = Mat3::Zero();  ///< about the origin, for density 1 (m⁵)
-  Vec3 source_origin = {0, 0, 0};    ///< where the frame of the input had its origin (body frame)
+  Vec3 source_origin = {0, 0, 0};    ///< origin of the input's frame, in the body frame (m)
   Bounds bounds;                     ///< body frame
-  Real radius = 0;                   ///< of the smallest sphere about the origin that holds it (m)
-  Real smallest_half_extent = 0;     ///< half the smallest width over the face normals (m)
+  Real radius = 0;                   ///< of the smallest enclosing sphere about the origin (m)
+  Real smallest_half_extent = 0;     ///< half the smallest width along any face normal (m)
 };
 
-/// How shapes are shared: by bodies, worlds and threads, since nobody can change them.
+/// Shapes are immutable, so that bodies, worlds and threads can share them.
 using ShapePtr = std::shared_ptr<const ConvexShape>;
 
-/// A shape, or a sentence that says why there is none and how to mend it.
+/// A shape, or an error message with the reason and the remedy.
 struct ShapeResult {
-  ShapePtr shape;     ///< null if there is an error
-  std::string error;  ///< empty if there is a shape
+  ShapePtr shape;     ///< null on error
+  std::string error;  ///< empty on success
 
   /// Whether there is a shape.
   explicit operator bool() const { return shape != nullptr; }
 };
 
-/// Moves a valid mesh to its centroid and measures it. Calls no lab function, so that recorded
-/// meshes need none; faces are taken as they are. Refuses a mesh that validate() refuses, more than
-/// max_shape_edges edges or a face of more than max_face_vertices vertices.
+/// Moves a mesh to its centroid and computes its mass properties and bounds. Calls no lab function,
+/// so that recorded meshes work without any; coplanar faces are not merged. Rejects a mesh that
+/// validate() rejects, has more than max_shape_edges edges, or has a face with more than
+/// max_face_vertices vertices.
 ShapeResult make_shape(const HalfEdgeMesh& mesh);
 
-/// Builds, merges and measures: build_half_edge_mesh(), merge_coplanar_faces(), make_shape().
+/// Makes a shape from triangles by build_half_edge_mesh(), merge_coplanar_faces() and make_shape().
 /// @param triangles counter-clockwise seen from outside
 ShapeResult make_shape(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 
-/// A shape at a pose, as a view: it does not own the shape.
+/// A shape at a pose. A view: it does not own the shape.
 struct PosedShape {
   const ConvexShape* shape = nullptr;  ///< must outlive this view
   Pose pose;                           ///< body → world
 
-  /// Its mesh, in the body frame.
+  /// The mesh, in the body frame.
   const HalfEdgeMesh& mesh() const { return shape->mesh; }
-  /// A vertex in the world (m).
+  /// A vertex in the world frame (m).
   Vec3 vertex(Index v) const;
-  /// The plane of a face in the world.
+  /// The plane of a face in the world frame.
   Plane plane(Index f) const;
 };
 
-/// Bounds in the world of a posed shape.
+/// The bounds of a posed shape in the world frame.
 Bounds world_bounds(const PosedShape& body);
 
 }  // namespace cs550

@@ -1,6 +1,6 @@
 #pragma once
 /// @file diagnostics.hpp
-/// Sums over a world, in double precision.
+/// Energy and momentum of a world, summed in double precision.
 
 #include "cs550/world.hpp"
 
@@ -10,14 +10,14 @@ namespace cs550 {
 struct Energy {
   double kinetic = 0;    ///< ½·m·v² + ½·ω·L
   double potential = 0;  ///< −m·g·x, zero at the world's origin
-  /// KE + PE + ½·h·m·g·v_up: what the semi-implicit step of length h conserves in free fall.
+  /// KE + PE + ½·h·m·g·v_up, which the semi-implicit step of length h conserves in free fall.
   double invariant = 0;
 
   /// KE + PE.
   double total() const { return kinetic + potential; }
 };
 
-/// @param h the substep (s), for the invariant
+/// The mechanical energy of a world. @param h substep (s), needed for the invariant
 Energy energy(const World& world, Real h);
 
 /// Σ P of the dynamic bodies, world frame (kg·m/s).

@@ -1,7 +1,8 @@
 #pragma once
 /// @file half_edge_mesh.hpp
-/// **Lab 2:** The shape of a body: a closed convex polyhedron whose neighbours can be walked.
-/// Document §2; de Berg et al., *Computational Geometry*, §2.2 (doubly connected edge list).
+/// **Lab 2:** The half-edge mesh: a closed convex polyhedron with links between neighbouring
+/// elements. Document §2; de Berg et al., *Computational Geometry*, §2.2 (doubly connected edge
+/// list).
 
 #include <array>
 #include <cstddef>
@@ -13,15 +14,14 @@
 
 namespace cs550 {
 
-/// One direction of an edge. It belongs to the face on its left, seen from outside.
-/// Twins are adjacent in the array: the twin of half-edge `e` is `e ^ 1`, the edge that both are
-/// halves of has number `e / 2`.
+/// One direction of an edge. It belongs to the face on its left, seen from outside. Twins are
+/// adjacent in the array: the twin of half-edge `e` is `e ^ 1`, and together they are edge `e / 2`.
 struct HalfEdge {
-  Index vertex = no_index;  ///< points to
-  Index next = no_index;    ///< counter-clockwise around the face
-  Index prev = no_index;    ///< the one whose next is this
-  Index twin = no_index;    ///< the other half, in the other direction
-  Index face = no_index;    ///< on its left
+  Index vertex = no_index;  ///< the vertex that it points to
+  Index next = no_index;    ///< the next half-edge of the face, counter-clockwise
+  Index prev = no_index;    ///< the previous half-edge of the face
+  Index twin = no_index;    ///< the half-edge in the opposite direction
+  Index face = no_index;    ///< the face on its left
 };
 
 /// A planar convex polygon.
@@ -30,21 +30,21 @@ struct Face {
   Plane plane;            ///< outward, in the frame of the vertices
 };
 
-/// A closed polyhedron, as indices into four arrays.
+/// A closed polyhedron, stored in four arrays that refer to each other by index.
 struct HalfEdgeMesh {
   std::vector<Vec3> vertices;      ///< body frame (m)
-  std::vector<Index> vertex_edge;  ///< one half-edge that leaves each vertex
+  std::vector<Index> vertex_edge;  ///< for each vertex, one half-edge that leaves it
   std::vector<HalfEdge> edges;     ///< half-edges, twins adjacent
   std::vector<Face> faces;         ///< polygons
 
-  /// An element by its index.
+  /// The element at an index.
   /// @{
   const Vec3& vertex(Index v) const { return vertices[static_cast<std::size_t>(v)]; }
   const HalfEdge& edge(Index e) const { return edges[static_cast<std::size_t>(e)]; }
   const Face& face(Index f) const { return faces[static_cast<std::size_t>(f)]; }
   /// @}
 
-  /// How many there are.
+  /// The number of elements.
   /// @{
   Index vertex_count() const { return static_cast<Index>(vertices.size()); }
   /// Half-edges: twice the number of edges.
@@ -52,24 +52,25 @@ struct HalfEdgeMesh {
   Index face_count() const { return static_cast<Index>(faces.size()); }
   /// @}
 
-  /// The vertex that a half-edge comes from.
+  /// The vertex that a half-edge starts from.
   Index origin(Index e) const { return edge(edge(e).twin).vertex; }
-  /// From origin to end, not normalised.
+  /// The vector from the start to the end of a half-edge, not normalised (m).
   Vec3 edge_vector(Index e) const { return vertex(edge(e).vertex) - vertex(origin(e)); }
 };
 
-/// The half-edges around a face or a vertex, for `for (Index e : face_edges(mesh, f))`.
+/// A range over the half-edges around a face or a vertex, as in `for (Index e : face_edges(mesh,
+/// f))`.
 /// @tparam Advance maps a half-edge to the one after it
 template <class Advance>
 class EdgeLoop {
  public:
-  /// What a range-based for asks of an iterator, and no more.
+  /// The minimum that a range-based for loop needs.
   class Iterator {
    public:
-    /// At a half-edge: before the walk, or back there after it.
+    /// At a half-edge: `at_end` distinguishes the end of the walk from its start.
     Iterator(Index edge, bool at_end, Advance advance)
         : edge_(edge), at_end_(at_end), advance_(advance) {}
-    /// The three steps of a loop.
+    /// The operations of a loop.
     /// @{
     Index operator*() const { return edge_; }
     Iterator& operator++() {
@@ -88,9 +89,9 @@ class EdgeLoop {
     Advance advance_;
   };
 
-  /// The loop through a half-edge.
+  /// The loop that contains a half-edge.
   EdgeLoop(Index first, Advance advance) : first_(first), advance_(advance) {}
-  /// Once around, each half-edge once.
+  /// Visits each half-edge once.
   /// @{
   Iterator begin() const { return {first_, false, advance_}; }
   Iterator end() const { return {first_, true, advance_}; }
@@ -103,24 +104,24 @@ class EdgeLoop {
 
 /// Follows `next`: the half-edges of one face, counter-clockwise.
 struct AroundFace {
-  const HalfEdgeMesh* mesh;  ///< whose links to follow
+  const HalfEdgeMesh* mesh;  ///< the mesh to walk on
   /// The half-edge after `e`.
   Index operator()(Index e) const { return mesh->edge(e).next; }
 };
 
-/// Follows `twin, next`: the half-edges that leave one vertex, clockwise.
+/// Follows `twin`, then `next`: the half-edges that leave one vertex, clockwise.
 struct AroundVertex {
-  const HalfEdgeMesh* mesh;  ///< whose links to follow
+  const HalfEdgeMesh* mesh;  ///< the mesh to walk on
   /// The half-edge after `e`.
   Index operator()(Index e) const { return mesh->edge(e ^ 1).next; }  // the twin is e ^ 1
 };
 
-/// The half-edges of a face, counter-clockwise, from its own `edge`.
+/// The half-edges of a face, counter-clockwise, starting at its `edge`.
 inline EdgeLoop<AroundFace> face_edges(const HalfEdgeMesh& mesh, Index face) {
   return {mesh.face(face).edge, AroundFace{&mesh}};
 }
 
-/// The half-edges that leave a vertex, clockwise, from its `vertex_edge`.
+/// The half-edges that leave a vertex, clockwise, starting at its `vertex_edge`.
 inline EdgeLoop<AroundVertex> vertex_edges(const HalfEdgeMesh& mesh, Index vertex) {
   return {mesh.vertex_edge[static_cast<std::size_t>(vertex)], AroundVertex{&mesh}};
 }
@@ -128,82 +129,93 @@ inline EdgeLoop<AroundVertex> vertex_edges(const HalfEdgeMesh& mesh, Index verte
 /// Three vertices, counter-clockwise seen from outside.
 using Triangle = std::array<Index, 3>;
 
-/// What can be wrong with a list of triangles.
+/// The faults of a list of triangles.
 enum class MeshError : std::uint8_t {
-  None,                 ///< nothing
+  None,                 ///< no fault
   NoTriangles,          ///< the list is empty
-  NonFiniteVertex,      ///< NaN or infinity
-  IndexOutOfRange,      ///< a triangle names a vertex that does not exist
-  DegenerateTriangle,   ///< a triangle names a vertex twice, or has no area
-  DuplicateTriangle,    ///< two triangles have the same three vertices
+  NonFiniteVertex,      ///< a coordinate is NaN or infinite
+  IndexOutOfRange,      ///< a triangle refers to a vertex that does not exist
+  DegenerateTriangle,   ///< a triangle uses a vertex twice, or has no area
+  DuplicateTriangle,    ///< two triangles have the same three vertices, in any order
   IsolatedVertex,       ///< no triangle uses the vertex
   OpenEdge,             ///< an edge with only one triangle: the surface has a hole
   NonManifoldEdge,      ///< an edge with three or more triangles
-  InconsistentWinding,  ///< two triangles run along their common edge in the same direction
+  InconsistentWinding,  ///< two triangles traverse their common edge in the same direction
   InsideOut,            ///< consistently wound, but clockwise: the enclosed volume is negative
 };
 
-/// The first fault of a list of triangles, and the elements that show it.
+/// The first fault of a list of triangles and the elements at fault. An unused field is no_index.
 struct MeshIssue {
-  MeshError error = MeshError::None;                 ///< what is wrong
-  Index triangle = no_index;                         ///< in the input list
-  Index other_triangle = no_index;                   ///< the second one, for pairs
-  Index vertex = no_index;                           ///< for faults of one vertex
-  std::array<Index, 2> edge = {no_index, no_index};  ///< its end points, for faults of an edge
+  MeshError error = MeshError::None;                 ///< the kind of fault
+  Index triangle = no_index;                         ///< index in the input list
+  Index other_triangle = no_index;                   ///< the second triangle of a pair
+  Index vertex = no_index;                           ///< the vertex at fault
+  std::array<Index, 2> edge = {no_index, no_index};  ///< the end points of the edge at fault
 
-  /// Whether anything is wrong.
+  /// Whether there is a fault.
   explicit operator bool() const { return error != MeshError::None; }
 };
 
-/// A sentence for people: "edge 3–7 belongs to triangle 12 only: the surface is open".
+/// An issue in words: "edge 3–7 belongs to triangle 12 only: the surface is open".
 std::string describe(const MeshIssue& issue);
 
-/// A mesh, or why there is none.
+/// A mesh, or the reason why there is none.
 struct MeshBuild {
   HalfEdgeMesh mesh;  ///< empty if there is an issue
-  MeshIssue issue;    ///< false if there is a mesh
+  MeshIssue issue;    ///< converts to false if there is a mesh
 };
 
-/// **L2.1**–**L2.4** Connects triangles into a half-edge mesh.
+/// **L2.1**–**L2.4** Connects triangles into a half-edge mesh. Face `f` of the result is triangle
+/// `f`.
 ///
-/// Checks in this order, each before the next is looked at: L2.1 the triangles themselves
-/// (NoTriangles, NonFiniteVertex, IndexOutOfRange, DegenerateTriangle, DuplicateTriangle,
-/// IsolatedVertex); L2.2 their edges (NonManifoldEdge, InconsistentWinding, OpenEdge), giving twins
-/// neighbouring places; L2.3 links next, prev, face and vertex_edge; L2.4 fills face planes by
-/// face_plane() and refuses InsideOut. A triangle has no area when twice its area is below 1e-7 of
-/// the square of its longest edge. Face `f` of the result is triangle `f`.
-/// O(T log T) for T triangles, or expected O(T) with hashing.
+/// Faults are looked for in the order below, and each check is complete before the next one begins.
+/// - L2.1 checks the triangles: NoTriangles, NonFiniteVertex, IndexOutOfRange, DegenerateTriangle,
+///   DuplicateTriangle, IsolatedVertex. A triangle has no area if twice its area is below 1e-7 of
+///   the square of its longest edge.
+/// - L2.2 checks the edges: NonManifoldEdge, InconsistentWinding, OpenEdge. It stores twins next to
+///   each other.
+/// - L2.3 sets next, prev, face and vertex_edge.
+/// - L2.4 computes the planes with face_plane() and checks for InsideOut.
+///
+/// Runs in O(T log T) for T triangles, or in expected O(T) with hashing.
 /// @param vertices body frame (m)
 /// @param triangles counter-clockwise seen from outside
 MeshBuild build_half_edge_mesh(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 
-/// **L2.5** The plane of a polygon by Newell's method: the normal is the sum over its edges (a, b) of
-/// (a − c) × (b − c), normalised, which no single short edge or reflex corner spoils; the offset is
-/// that of the centroid c of its corners. Newell, Newell & Sancha (1972); Ericson §12.4.1.
-/// @param corners counter-clockwise seen from where the normal points to, any frame (m); three or more
+/// **L2.5** The plane of a polygon by Newell's method, which is robust against short edges,
+/// collinear corners and reflex vertices. The plane contains the mean of the corners. Newell,
+/// Newell & Sancha (1972); Ericson §12.4.1.
+/// @param corners at least three, counter-clockwise seen from the side that the normal points to;
+///   any frame (m)
 Plane polygon_plane(std::span<const Vec3> corners);
 
 /// **L2.5** The plane of a face: polygon_plane() of its corners, in the order of its loop.
 Plane face_plane(const HalfEdgeMesh& mesh, Index face);
 
-/// Given: the mesh without what is marked as removed, which are half-edges whose `face` and faces
-/// whose `edge` is no_index, and the vertices that no half-edge points to any more. An edge goes when
-/// both of its halves are marked. What stays keeps its order and its planes, and gets new numbers;
-/// vertex_edge is made anew. A link to something removed becomes no_index, for validate() to find.
+/// Given: a copy of a mesh without its removed elements. A half-edge is removed if its `face` is
+/// no_index, a face if its `edge` is no_index, a vertex if no remaining half-edge points to it.
+/// Both halves of a removed edge must be marked. The remaining elements keep their order and planes
+/// and are renumbered; vertex_edge is recomputed. A link to a removed element becomes no_index,
+/// which validate() reports.
 HalfEdgeMesh without_removed(const HalfEdgeMesh& mesh);
 
 /// The default tolerance of merge_coplanar_faces(), relative to the size of the mesh.
 inline constexpr Real coplanar_tolerance = Real(1e-5);
 
 /// **L2.6** (one shared edge) and **L2.7** (chains of shared edges) Merges coplanar neighbours into
-/// polygons. Faces are merged only if every vertex of the *merged* face lies within tolerance·size
-/// of that face's Newell plane (nearly coplanar is not transitive), its outline stays convex, and no
-/// other vertex comes out in front of it. Where the union has a reflex vertex, the coplanar
-/// faces behind that vertex join it: a flat face becomes one polygon however it was cut. A chain of shared edges goes
-/// as a whole, with its inner vertices; a vertex that is left with two edges on a straight line goes
-/// too. Unused vertices are removed and the rest keep their order. The result does not depend on
-/// the order of the triangles, and merging it again changes nothing. Matters before lab 5: a
-/// triangular reference face clips away half of a box's contact polygon.
+/// convex polygons. This matters in lab 5: a triangular reference face would clip away half of a
+/// box's contact polygon.
+///
+/// Faces are merged only if the *merged* face is a face: all its vertices lie within tolerance·size
+/// of its Newell plane (nearly coplanar is not transitive), its outline is convex, and no vertex of
+/// the mesh is farther than that in front of it. If the union of two faces has a reflex vertex, the
+/// coplanar faces behind that vertex are included, so that a flat face becomes one polygon however
+/// it was triangulated. A chain of shared edges is removed as a whole, with its inner vertices. A
+/// vertex that is left with only two edges is removed as well, from both of its faces; nothing is
+/// merged if one of them would not be a face without it.
+///
+/// Unused vertices are removed; the rest keep their order. The result does not depend on the order
+/// of the triangles, and merging it again changes nothing.
 /// @param tolerance relative to the largest extent of the mesh's bounds
 HalfEdgeMesh merge_coplanar_faces(const HalfEdgeMesh& mesh, Real tolerance = coplanar_tolerance);
 

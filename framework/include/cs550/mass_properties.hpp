@@ -1,6 +1,6 @@
 #pragma once
 /// @file mass_properties.hpp
-/// Mass, centre and inertia of a convex polyhedron, exactly.
+/// Exact mass properties of a polyhedron: volume, centroid and inertia.
 
 #include "cs550/half_edge_mesh.hpp"
 
@@ -13,10 +13,10 @@ struct MassProperties {
   Mat3 unit_inertia = Mat3::Zero();  ///< about the centroid, for density 1 (m⁵)
 };
 
-/// Integrates 1, x and x·xᵀ over the solid by the divergence theorem, from a fan of triangles of
-/// each face, in double precision. Mirtich, *Fast and Accurate Computation of Polyhedral Mass
-/// Properties* (1996); Eberly, *Polyhedral Mass Properties (Revisited)* (2002).
-/// An inside-out mesh gives a negative volume: nothing is hidden by an absolute value.
+/// Integrates 1, x and x·xᵀ over the solid by the divergence theorem, in double precision, with
+/// each face split into a fan of triangles. Mirtich, *Fast and Accurate Computation of Polyhedral
+/// Mass Properties* (1996); Eberly, *Polyhedral Mass Properties (Revisited)* (2002). An inside-out
+/// mesh has a negative volume.
 MassProperties mass_properties(const HalfEdgeMesh& mesh);
 
 }  // namespace cs550

@@ -1,6 +1,6 @@
 #pragma once
 /// @file mesh_io.hpp
-/// Meshes from and to files.
+/// Reads and writes mesh files.
 
 #include <filesystem>
 
@@ -8,21 +8,21 @@
 
 namespace cs550 {
 
-/// Reads a Wavefront OBJ file (tinyobjloader), polygons split into triangles. Nothing is repaired:
-/// build_half_edge_mesh() says what is wrong with the triangles, if anything. Errors name the file.
+/// Reads a Wavefront OBJ file with tinyobjloader and splits polygons into triangles. Repairs
+/// nothing: faults of the triangles are reported by build_half_edge_mesh(). Errors name the file.
 SoupResult load_obj(const std::filesystem::path& file);
 
-/// A half-edge mesh as JSON (vertices, half-edges, faces): what fixtures are stored as.
-/// Loading checks the result with validate(); errors name the file.
+/// Writes a half-edge mesh as JSON (vertices, half-edges, faces), the format of test fixtures.
 std::string to_json(const HalfEdgeMesh& mesh);
 
-/// A mesh, or a sentence that says why there is none.
+/// A mesh, or an error message.
 struct MeshResult {
-  HalfEdgeMesh mesh;  ///< empty if there is an error
-  std::string error;  ///< empty if there is a mesh
+  HalfEdgeMesh mesh;  ///< empty on error
+  std::string error;  ///< empty on success
 };
 
-/// @param tolerance of validate(); HUGE_VALF takes a mesh that is not convex
+/// Reads a mesh written by to_json() and checks it with validate(). Errors name the file.
+/// @param tolerance passed to validate(); HUGE_VALF accepts a mesh that is not convex
 MeshResult load_mesh_json(const std::filesystem::path& file, Real tolerance = Real(1e-4));
 
 }  // namespace cs550

@@ -1,16 +1,17 @@
 #pragma once
 /// @file not_implemented.hpp
-/// How a function that is still to be written says so.
+/// The exception of functions that are not written yet.
 
 #include <exception>
 #include <string>
 
 namespace cs550 {
 
-/// The only exception that leaves a lab function. Tests report it as "not implemented", never as a
-/// crash; the world skips the stage and says which one is missing.
+/// The only exception that a lab function may throw. Tests report it as "not implemented" rather
+/// than as a crash; the world skips the stage and reports it in World::problems().
 ///
-/// A starter contains `throw NotImplemented("L3.2");`. The defaulted parameters fill in the rest.
+/// A starter contains `throw NotImplemented("L3.2");`. Default arguments supply function, file and
+/// line.
 class NotImplemented : public std::exception {
  public:
   /// @param step the step of the lab, "L3.2"
@@ -26,7 +27,7 @@ class NotImplemented : public std::exception {
   const char* what() const noexcept override { return message_.c_str(); }
   /// The step of the lab, "L3.2".
   const std::string& step() const { return step_; }
-  /// The function that is to be written.
+  /// The name of the missing function.
   const std::string& function() const { return function_; }
   /// The number of the lab, from its step: 3 for "L3.2".
   int lab() const { return std::stoi(step_.substr(1)); }

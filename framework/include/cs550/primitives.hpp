@@ -1,6 +1,6 @@
 #pragma once
 /// @file primitives.hpp
-/// Shapes made from a few numbers, and hulls of point clouds.
+/// Generators of simple shapes, and convex hulls of point clouds.
 
 #include <span>
 #include <string>
@@ -10,37 +10,39 @@
 
 namespace cs550 {
 
-/// Vertices and triangles, counter-clockwise seen from outside: what files, generators and hulls
-/// hand to build_half_edge_mesh().
+/// Vertices and triangles, counter-clockwise seen from outside: the input of
+/// build_half_edge_mesh(), as files, generators and hulls produce it.
 struct TriangleSoup {
   std::vector<Vec3> vertices;       ///< any frame (m)
-  std::vector<Triangle> triangles;  ///< of indices of vertices
+  std::vector<Triangle> triangles;  ///< indices into vertices
 };
 
-/// A box about the origin. @param half_extents m, positive
+/// A box centred at the origin. @param half_extents m, positive
 TriangleSoup box_soup(const Vec3& half_extents);
-/// The corner tetrahedron (0,0,0), (s,0,0), (0,s,0), (0,0,s).
+/// The tetrahedron with corners (0,0,0), (s,0,0), (0,s,0) and (0,0,s). @param side s (m)
 TriangleSoup tetrahedron_soup(Real side);
-/// A right prism over a regular n-gon about the origin, its axis along z. @param sides ≥ 3
+/// A right prism over a regular polygon, centred at the origin, with its axis along z.
+/// @param sides ≥ 3 @param radius of the corners about the axis (m) @param half_height m
 TriangleSoup prism_soup(int sides, Real radius, Real half_height);
-/// A pyramid over a regular n-gon in the plane z = 0, its apex on the z axis. @param sides ≥ 3
+/// A pyramid over a regular polygon in the plane z = 0, with its apex on the z axis.
+/// @param sides ≥ 3 @param radius of the base's corners about the axis (m) @param height m
 TriangleSoup pyramid_soup(int sides, Real radius, Real height);
-/// An icosahedron whose triangles are split into four `subdivisions` times, on a sphere about the
-/// origin: 10·4^subdivisions + 2 vertices.
+/// An approximation of a sphere about the origin: an icosahedron with each triangle split into four
+/// `subdivisions` times. It has 10·4^subdivisions + 2 vertices.
 TriangleSoup icosphere_soup(int subdivisions, Real radius);
 
-/// A triangle soup, or a sentence that says why there is none.
+/// A triangle soup, or an error message.
 struct SoupResult {
-  TriangleSoup soup;  ///< empty if there is an error
-  std::string error;  ///< empty if there is a soup
+  TriangleSoup soup;  ///< empty on error
+  std::string error;  ///< empty on success
 };
 
-/// The convex hull of a point cloud by qhull (Barber, Dobkin & Huhdanpaa 1996). Refuses fewer than
+/// The convex hull of a point cloud, by qhull (Barber, Dobkin & Huhdanpaa 1996). Rejects fewer than
 /// four points, coplanar points and points that are not finite.
 SoupResult convex_hull(std::span<const Vec3> points);
 
-/// `count` points on the unit sphere from a seeded generator, the same on every platform; their hull
-/// has them all as vertices.
+/// `count` points on the unit sphere from a seeded generator, equal on every platform. All of them
+/// are vertices of their convex hull.
 std::vector<Vec3> random_sphere_points(int count, std::uint32_t seed);
 
 }  // namespace cs550

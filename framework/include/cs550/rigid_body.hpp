@@ -1,27 +1,28 @@
 #pragma once
 /// @file rigid_body.hpp
-/// The container of the engine: what a body is between two steps.
+/// The rigid body: its state between two steps.
 
 #include "cs550/math.hpp"
 
 namespace cs550 {
 
-/// What makes a body move.
+/// How a body moves.
 enum class BodyKind : std::uint8_t {
   Static,     ///< never moves: no velocity, infinite mass
-  Kinematic,  ///< moves by the velocities that its owner sets, is pushed by nothing: infinite mass
-  Dynamic,    ///< moves by its momenta
+  Kinematic,  ///< moves at the velocity that its owner sets, unaffected by forces: infinite mass
+  Dynamic,    ///< moves according to its momenta
 };
 
 /// A rigid body (Baraff 1997, §2–4). Its origin is its centre of mass.
 ///
-/// For a dynamic body the **state** is {pose, linear_momentum, angular_momentum}. Velocities and
-/// world_inverse_inertia are **derived** from it by refresh_velocity() and by nothing else, so that
-/// momentum is conserved by construction. For a kinematic body the velocities are the state.
+/// The **state** of a dynamic body is {pose, linear_momentum, angular_momentum}. Velocities and
+/// world_inverse_inertia are **derived** from the state, by refresh_velocity() and nothing else, so
+/// that momentum is conserved by construction. The state of a kinematic body is its pose and its
+/// velocities.
 struct RigidBody {
-  BodyKind kind = BodyKind::Dynamic;  ///< what makes it move
+  BodyKind kind = BodyKind::Dynamic;  ///< how it moves
 
-  Real mass = 1;                            ///< kg; 0 stands for infinite
+  Real mass = 1;                            ///< kg; 0 means infinite
   Real inverse_mass = 1;                    ///< 1/kg; 0 unless dynamic
   Mat3 inertia = Mat3::Identity();          ///< body frame, about the centre of mass (kg·m²)
   Mat3 inverse_inertia = Mat3::Identity();  ///< body frame; 0 unless dynamic
@@ -29,12 +30,12 @@ struct RigidBody {
   Pose pose;                          ///< body → world
   Vec3 linear_momentum = {0, 0, 0};   ///< P, world (kg·m/s)
   Vec3 angular_momentum = {0, 0, 0};  ///< L about the centre of mass, world (kg·m²/s)
-  Vec3 force = {0, 0, 0};             ///< gathered since the last step, world (N)
-  Vec3 torque = {0, 0, 0};            ///< about the centre of mass, world (N·m)
+  Vec3 force = {0, 0, 0};             ///< accumulated since the last step, world (N)
+  Vec3 torque = {0, 0, 0};            ///< accumulated, about the centre of mass, world (N·m)
 
-  Vec3 linear_velocity = {0, 0, 0};           ///< v = P/m, world (m/s)
-  Vec3 angular_velocity = {0, 0, 0};          ///< ω = R·I⁻¹·Rᵀ·L, world (rad/s)
-  Mat3 world_inverse_inertia = Mat3::Zero();  ///< R·I⁻¹·Rᵀ
+  Vec3 linear_velocity = {0, 0, 0};           ///< v, of the centre of mass, world (m/s)
+  Vec3 angular_velocity = {0, 0, 0};          ///< ω, world (rad/s)
+  Mat3 world_inverse_inertia = Mat3::Zero();  ///< about the centre of mass, world (1/(kg·m²))
 };
 
 /// A dynamic body at rest.
@@ -45,12 +46,13 @@ RigidBody make_dynamic_body(Real mass, const Mat3& inertia, const Pose& pose);
 /// A static or kinematic body at rest.
 RigidBody make_immovable_body(BodyKind kind, const Pose& pose);
 
-/// Gives a body velocities (world frame; m/s, rad/s): sets P = m·v and L = R·I·Rᵀ·ω of a dynamic
-/// body, whose velocities follow at the next refresh_velocity(); the velocities themselves of a
-/// kinematic one; does nothing to a static one. Calls no lab function.
+/// Sets the velocities of a body (world frame; m/s, rad/s). For a dynamic body it sets P = m·v and
+/// L = R·I·Rᵀ·ω, and the velocities follow at the next refresh_velocity(). For a kinematic body it
+/// sets the velocities themselves. A static body is unchanged. Calls no lab function.
 void set_velocity(RigidBody& body, const Vec3& linear, const Vec3& angular);
 
-/// ½·m·v² + ½·ω·L of a dynamic body, 0 for the others (J). ω is computed afresh from L and the pose.
+/// The kinetic energy ½·m·v² + ½·ω·L of a dynamic body, 0 for others (J). v and ω are recomputed
+/// from the momenta and the pose.
 Real kinetic_energy(const RigidBody& body);
 
 }  // namespace cs550

@@ -10,40 +10,40 @@
 
 namespace cs550 {
 
-/// A scene file, read: everything that is needed to build its world, any number of times.
+/// The contents of a scene file. Any number of worlds can be made from it.
 struct Scene {
-  std::string name;                     ///< of the file, without its ending
-  std::string title;                    ///< one line for people
-  std::string description;              ///< some sentences for people
-  WorldSettings settings;               ///< of its world
-  std::vector<BodyDef> bodies;          ///< in the order of the file, generators run
-  std::vector<std::string> body_names;  ///< parallel to bodies; may be empty strings
+  std::string name;                     ///< file name without extension
+  std::string title;                    ///< one line, for display
+  std::string description;              ///< a few sentences, for display
+  WorldSettings settings;               ///< of the world
+  std::vector<BodyDef> bodies;          ///< in file order, with generators expanded
+  std::vector<std::string> body_names;  ///< parallel to bodies; unnamed bodies have an empty string
   Real h = Real(1) / 60;                ///< step (s)
-  int steps = 600;                      ///< how long a demo runs
-  Real max_penetration = 0;             ///< stated bound on penetration, tested (m)
+  int steps = 600;                      ///< length of a demo
+  Real max_penetration = 0;             ///< bound on penetration, checked by tests (m)
 };
 
-/// A scene, or a sentence: file, JSON path, what was expected, an example.
+/// A scene, or an error message with file, JSON path, expected value and an example.
 struct SceneResult {
-  Scene scene;        ///< empty if there is an error
-  std::string error;  ///< empty if there is a scene
+  Scene scene;        ///< empty on error
+  std::string error;  ///< empty on success
 
   /// Whether there is a scene.
   explicit operator bool() const { return error.empty(); }
 };
 
-/// Reads a scene file (schema version 1, framework/assets/scenes/README.md). Meshes are looked for
-/// beside the scene and in the assets' meshes/ folder.
+/// Reads a scene file (schema version 1, framework/assets/scenes/README.md). Meshes are looked up
+/// beside the scene and in the folder meshes/ of the assets.
 SceneResult load_scene(const std::filesystem::path& file);
 
-/// The shipped scene of that name ("wall"), or a sentence that lists the names there are; also takes
-/// a path.
+/// Loads a shipped scene by its name ("wall") or any scene by its path. The error for an unknown
+/// name lists the shipped scenes.
 SceneResult find_scene(const std::string& name_or_path);
 
 /// The names of the shipped scenes, sorted.
 std::vector<std::string> shipped_scenes();
 
-/// A world with the bodies of a scene, at its time 0.
+/// A world with the bodies of a scene, at time 0.
 World make_world(const Scene& scene);
 
 }  // namespace cs550

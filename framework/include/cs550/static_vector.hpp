@@ -1,6 +1,6 @@
 #pragma once
 /// @file static_vector.hpp
-/// A small list that lives inside its owner.
+/// A vector of fixed capacity with inline storage.
 
 #include <cassert>
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace cs550 {
 
-/// A vector of at most `Capacity` elements that never allocates: steps of the simulation that are
-/// warm must not touch the heap. Making one costs nothing and copies cost what they hold, not what
-/// they could hold.
+/// A vector of at most `Capacity` elements that never allocates, because a steady-state step must
+/// not allocate. Construction is free, and copying costs as much as the elements present, not the
+/// capacity.
 template <class T, int Capacity>
 class StaticVector {
   static_assert(std::is_trivially_destructible_v<T>, "elements are dropped without a destructor");
@@ -19,7 +19,7 @@ class StaticVector {
  public:
   using value_type = T;  ///< of the elements
 
-  /// Empty, or a copy of the elements that there are.
+  /// An empty vector, or a copy of the elements of another.
   /// @{
   StaticVector() {}  // NOLINT(modernize-use-equals-default): a union member has no default
   StaticVector(const StaticVector& other) { *this = other; }
@@ -30,7 +30,7 @@ class StaticVector {
   }
   /// @}
 
-  /// How many elements fit, and how many there are.
+  /// The capacity and the number of elements.
   /// @{
   static constexpr int capacity() { return Capacity; }
   int size() const { return size_; }
@@ -38,14 +38,14 @@ class StaticVector {
   bool full() const { return size_ == Capacity; }
   /// @}
 
-  /// Drops all elements.
+  /// Removes all elements.
   void clear() { size_ = 0; }
-  /// Precondition: not full.
+  /// Appends an element. Precondition: not full.
   void push_back(const T& item) {
     assert(!full());
     std::construct_at(items_ + size_++, item);
   }
-  /// Precondition: 0 ≤ size ≤ size(). Drops the elements at the end.
+  /// Removes elements from the end. Precondition: 0 ≤ size ≤ size().
   void shrink(int size) {
     assert(size >= 0 && size <= size_);
     size_ = size;
@@ -67,8 +67,8 @@ class StaticVector {
 
  private:
   int size_ = 0;
-  // In a union the elements beyond size() are not made: a polygon of large capacity is free until
-  // it has corners.
+  // A union does not construct the elements beyond size(): an empty polygon of large capacity costs
+  // nothing.
   union {
     T items_[static_cast<std::size_t>(Capacity)];  // NOLINT(readability-identifier-naming)
   };
