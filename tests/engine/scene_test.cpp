@@ -6,6 +6,8 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 namespace cs550 {
@@ -239,7 +241,7 @@ TEST(Scene, RefusesWithPlaceExpectationAndExample) {
                  {"/bodies/1/friction", "0 or more", "-1", "for example \"friction\": 0.6"});
   expect_refused(with_body("{" + shape + R"(, "restitution": 1.5})"),
                  {"/bodies/0/restitution", "0 to 1"});
-  expect_refused(with_body("{" + shape + R"(, "mass": 0})"), {"/bodies/0/mass", "positive"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 0})"), {"/bodies/0/mass", "from 1e-09 to 1e+12"});
   expect_refused(with_body("{" + shape + R"(, "mass": 1, "density": 1})"), {"/bodies/0/density"});
   expect_refused(with_body("{" + shape + R"(, "position": [1, 2]})"),
                  {"/bodies/0/position", "three", "[1,2]", "[0.0, 0.0, 0.0]"});
@@ -262,6 +264,141 @@ TEST(Scene, RefusesWithPlaceExpectationAndExample) {
   expect_refused(R"({"schema": 1, "bodies": {}})", {"/bodies", "list"});
   expect_refused(R"({"schema": 1, "generators": [{"kind": "wall", "rows": 3}]})",
                  {"/generators/0", "\"body\" is missing"});
+}
+
+TEST(Scene, RefusesWhatAParserWouldMisreadWithoutAWord) {
+  const std::string shape = box;
+  expect_refused(R"({"schema": 1, "h": 0.01, "h": 0.02})", {"/h", "each key once", "\"h\""});
+  expect_refused(with_body("{" + shape + R"(, "position": [0, 0, 1], "position": [0, 0, 2]})"),
+                 {"/bodies/0/position", "a second time"});
+  expect_refused(R"({"schema": 1, "h": 1e30})", {"/h", "from 1e-06 to 1", "1e+30"});
+  expect_refused(R"({"schema": 1, "h": 1e999})", {"/h", "1e308"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 3e38})"),
+                 {"/bodies/0/mass", "1e+12"});
+  expect_refused(with_body("{" + shape + R"(, "position": [0, 1e39, 0]})"),
+                 {"/bodies/0/position", "from -1e6 to 1e6", "1e+39"});
+  expect_refused(
+      with_body("{" + shape + R"(, "orientation": {"axis": [0, 0, 1e30], "degrees": 9}})"),
+      {"/bodies/0/orientation/axis", "1e+30"});
+  expect_refused(
+      with_body("{" + shape + R"(, "orientation": {"axis": [0, 0, 1e-30], "degrees": 9}})"),
+      {"/bodies/0/orientation/axis", "a direction of length"});
+  expect_refused(R"({"schema": 1, "title": "\u001b[2J"})", {"/title", "control characters"});
+  expect_refused(
+      with_body(R"({"shape": {"kind": "hull", "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1e39]]}})"),
+      {"/bodies/0/shape/points/3", "three numbers", "[0,0,1e+39]"});
+}
+
+TEST(Scene, RefusesNestingThatNoSceneNeeds) {
+  for (const int levels : {33, 100000, 1000000}) {
+    const std::string open(static_cast<std::size_t>(levels), '[');
+    expect_refused(R"({"schema": 1, "title": )" + open, {"/title/0/0", "at most 32 levels"});
+  }
+  const std::string closed = std::string(31, '[') + std::string(31, ']');
+  expect_refused(R"({"schema": 1, "title": )" + closed + "}", {"/title", "a text in quotes"});
+}
+
+TEST(Scene, RefusesTooMuchBeforeItIsMade) {
+  const std::string body = std::string(unit_box) + "}";
+  const auto generator = [](const std::string& keys) {
+    return R"({"schema": 1, "generators": [{)" + keys + "]}";
+  };
+  // 10¹² boxes would fill any memory; 10¹² + 1 = 1 + 10⁶·10⁶.
+  expect_refused(
+      generator(R"("kind": "grid", "count": [10000, 10000, 10000], "spacing": [1, 1, 1], )" + body),
+      {"/generators/0/count", "50000 bodies", "found 1000000000000", "CS550_MAX_BODIES"});
+  expect_refused(generator(R"("kind": "wall", "columns": 1000000, "rows": 1000000, )" + body),
+                 {"/generators/0/rows", "found 1000000000000"});
+  expect_refused(generator(R"("kind": "pyramid", "rows": 1000000, )" + body),
+                 {"found 500000500000"});
+  expect_refused(generator(R"("kind": "stack", "count": 50000, )" + body +
+                           R"(, {"kind": "stack", "count": 1, )" + body),
+                 {"/generators/1/count", "found 50001"});
+  expect_refused(
+      generator(R"("kind": "drop", "count": 50000, "columns": [9, 9], "spacing": [1, 1, 1],
+                             "seed": 1, "vertices": [4, 1000], "body": {}})"),
+      {"/generators/0/count", "500000 vertices", "found 50000000"});
+  // All in one place: every two of them would be a pair.
+  expect_refused(
+      generator(R"("kind": "grid", "count": [100, 100, 2], "spacing": [1e-6, 1e-6, 1e-6], )" +
+                body),
+      {"1000000 pairs", "CS550_MAX_PAIRS"});
+}
+
+TEST(Scene, LimitsCanBeRaisedByTheEnvironment) {
+  const std::string text = R"({"schema": 1, "generators": [{"kind": "stack", "count": 12, )" +
+                           std::string(unit_box) + "}]}";
+  setenv("CS550_MAX_BODIES", "11", 1);
+  expect_refused(text, {"at most 11 bodies", "found 12"});
+  setenv("CS550_MAX_BODIES", "12", 1);
+  EXPECT_TRUE(load_text(text));
+  setenv("CS550_MAX_BODIES", "many", 1);
+  EXPECT_TRUE(load_text(text)) << "what is no number changes nothing";
+  unsetenv("CS550_MAX_BODIES");
+}
+
+/// Replaces the refused value by the example of the message, as its reader would.
+std::string with_example_pasted(const std::string& text, const std::string& error) {
+  static const std::regex form(R"re(: (/[^:]*): .*; for example "([^"]*)": (.*)$)re");
+  std::smatch match;
+  if (!std::regex_search(error, match, form)) return {};
+  nlohmann::json document = nlohmann::json::parse(text);
+  const std::string key = match[2];
+  std::string path = match[1];
+  // A missing key is added to the object at the path, any other value is replaced.
+  if (path.size() < key.size() || path.substr(path.size() - key.size()) != key) {
+    path += (path == "/" ? "" : "/") + key;
+  }
+  document[nlohmann::json::json_pointer(path)] = nlohmann::json::parse(match[3].str());
+  return document.dump();
+}
+
+TEST(Scene, ExamplesInMessagesWorkWhenPasted) {
+  const std::string shape = box;
+  const std::string wrong[] = {
+      with_body("{" + shape + R"(, "friction": -1})"),
+      with_body("{" + shape + R"(, "restitution": 2})"),
+      with_body("{" + shape + R"(, "position": [1, 2]})"),
+      with_body("{" + shape + R"(, "mass": 0})"),
+      with_body("{" + shape + R"(, "kind": "statik"})"),
+      with_body("{" + shape + R"(, "orientation": {"quaternion": [1, 1, 1, 1]}})"),
+      with_body("{" + shape + R"(, "orientation": {"quaternion": 1}})"),
+      with_body("{" + shape + R"(, "orientation": {"axis": [0, 0, 0], "degrees": 1}})"),
+      with_body("{" + shape + R"(, "filter": {"category": -1}})"),
+      with_body(R"({"position": [0, 0, 0]})"),
+      with_body(R"({"shape": "brick"})"),
+      with_body(R"({"shape": {"kind": "bax", "half_extents": [1, 1, 1]}})"),
+      with_body(R"({"shape": {"kind": "box"}})"),
+      with_body(R"({"shape": {"kind": "hull"}})"),
+      with_body(R"({"shape": {"kind": "hull", "points": 3}})"),
+      with_body(R"({"shape": {"kind": "mesh", "file": "hare.obj"}})"),
+      R"({"schema": 1})",
+      R"({"schema": 1, "bodies": {}})",
+      R"({"schema": 1, "generators": {}})",
+      R"({"schema": 1, "generators": [{"kind": "stack", "count": 3}]})",
+      R"({"schema": 1, "h": 0, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 1, "steps": 0, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 1, "title": 5, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 1, "world": {"substeps": 0}, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 2, "bodies": [{)" + shape + "}]}",
+      R"({"bodies": [{)" + shape + "}]}",
+  };
+  for (const std::string& text : wrong) {
+    const SceneResult refused = load_text(text);
+    ASSERT_FALSE(refused) << text;
+    const std::string pasted = with_example_pasted(text, refused.error);
+    ASSERT_NE(pasted, "") << "no example in: " << refused.error;
+    EXPECT_TRUE(load_text(pasted)) << refused.error << "\nthen: " << load_text(pasted).error;
+  }
+}
+
+TEST(Scene, NamesThatNoFileCanHaveAreRefused) {
+  for (const std::string& name :
+       {std::string(), std::string(100000, 'x'), std::string("a/b\0c", 5)}) {
+    EXPECT_FALSE(find_scene(name));
+    EXPECT_FALSE(load_scene(name));
+    EXPECT_NE(load_scene(name).error, "");
+  }
 }
 
 TEST(Scene, RefusesUnknownKeysAndNamesTheNearest) {

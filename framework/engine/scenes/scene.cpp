@@ -7,7 +7,9 @@
 #include "cs550/not_implemented.hpp"
 #include "engine/scenes/nearest_word.hpp"
 #include "engine/scenes/scene_bodies.hpp"
+#include "engine/scenes/scene_document.hpp"
 #include "engine/scenes/scene_generators.hpp"
+#include "engine/scenes/scene_limits.hpp"
 #include "engine/scenes/scene_settings.hpp"
 
 namespace cs550 {
@@ -24,7 +26,12 @@ void add_bodies(Scene& scene, std::vector<NamedBody> bodies) {
   }
 }
 
-Scene read_scene(const nlohmann::json& document, const fs::path& file) {
+const char* bodies_example =
+    R"([{"shape": {"kind": "box", "half_extents": [0.5, 0.5, 0.5]}, "position": [0, 0, 1]}])";
+const char* generators_example =
+    R"([{"kind": "stack", "count": 3, "body": {"shape": {"kind": "box", "half_extents": [1, 1, 1]}}}])";
+
+Scene read_scene(const nlohmann::json& document, const fs::path& file, const SceneLimits& limits) {
   SceneReader root(document, "");
   int schema = schema_version;
   root.need("schema", schema, schema_version, schema_version);
@@ -34,23 +41,34 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file) {
   scene.title = scene.name;
   root.read("title", scene.title);
   root.read("description", scene.description);
-  root.read("h", scene.h, Range::Positive);
+  root.read("h", scene.h, 1e-6, 1.0);
   root.read("steps", scene.steps, 1, 1000000);
   root.read("max_penetration", scene.max_penetration, Range::NotNegative);
   if (root.has("world")) scene.settings = read_settings(root.object("world"));
 
-  SceneShapes shapes(file.parent_path());
+  SceneShapes shapes(file.parent_path(), limits);
   if (root.has("shapes")) shapes.define(root.object("shapes"));
-  for (const auto& [body, path] : root.list("bodies")) {
+  const auto bodies = root.list("bodies", bodies_example);
+  if (bodies.size() > static_cast<std::size_t>(limits.bodies)) {
+    throw SceneFault("/bodies",
+                     beyond_limit(static_cast<std::int64_t>(bodies.size()), limits.bodies,
+                                  "bodies in a scene", "CS550_MAX_BODIES"));
+  }
+  for (const auto& [body, path] : bodies) {
     add_bodies(scene, {read_body({*body, path}, shapes)});
   }
-  for (const auto& [generator, path] : root.list("generators")) {
-    add_bodies(scene, generate_bodies({*generator, path}, shapes));
+  for (const auto& [generator, path] : root.list("generators", generators_example)) {
+    const auto bodies_before = static_cast<int>(scene.bodies.size());
+    add_bodies(scene, generate_bodies({*generator, path}, shapes, limits, bodies_before));
   }
   root.refuse_other_keys();
   if (scene.bodies.empty()) {
-    throw SceneFault("", "expected at least one body in \"bodies\" or \"generators\"");
+    throw SceneFault("",
+                     "expected at least one body in \"bodies\" or \"generators\"; for example "
+                     "\"bodies\": " +
+                         std::string(bodies_example));
   }
+  refuse_many_pairs(scene, limits);
   return scene;
 }
 
@@ -64,12 +82,15 @@ std::string list_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
-SceneResult load_scene(const fs::path& file) {
-  const std::string where = file.string() + ": ";
+SceneResult load_scene(const fs::path& file, const SceneLimits& limits) {
+  const std::string where = (file.empty() ? "\"\"" : file.string()) + ": ";
+  std::error_code unreadable;
   std::ifstream stream(file);
-  if (!stream || fs::is_directory(file)) return {{}, where + "cannot be read"};
+  if (!stream || fs::is_directory(file, unreadable)) {
+    return {{}, where + "cannot be read; expected a scene file"};
+  }
   try {
-    return {read_scene(nlohmann::json::parse(stream), file), ""};
+    return {read_scene(parse_scene_document(stream), file, limits), ""};
   } catch (const SceneFault& fault) {
     return {{}, where + fault.what()};
   } catch (const nlohmann::json::exception& error) {
@@ -81,8 +102,9 @@ SceneResult load_scene(const fs::path& file) {
 
 SceneResult find_scene(const std::string& name_or_path) {
   const fs::path shipped = scenes_folder() / (name_or_path + ".json");
-  if (fs::exists(shipped)) return load_scene(shipped);
-  if (fs::is_regular_file(name_or_path)) return load_scene(name_or_path);
+  std::error_code no_such_file;
+  if (fs::exists(shipped, no_such_file)) return load_scene(shipped);
+  if (fs::is_regular_file(name_or_path, no_such_file)) return load_scene(name_or_path);
 
   const std::vector<std::string> names = shipped_scenes();
   const std::string nearest = nearest_word(name_or_path, names);

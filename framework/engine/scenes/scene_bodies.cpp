@@ -14,8 +14,8 @@ Quat about(const Vec3& axis, Real degrees) {
 const char* orientation_example = R"({"axis": [0, 0, 1], "degrees": 45})";
 
 Quat read_quaternion(SceneReader& orientation) {
-  const auto items = orientation.list("quaternion");
-  const auto number = [](const auto& item) { return item.first->is_number(); };
+  const auto items = orientation.list("quaternion", "[1, 0, 0, 0]");
+  const auto number = [](const auto& item) { return SceneReader::is_number(*item.first); };
   Quat q = Quat::Identity();
   const bool four = items.size() == 4 && std::all_of(items.begin(), items.end(), number);
   if (four) {
@@ -38,7 +38,9 @@ Quat read_orientation(SceneReader orientation) {
     Vec3 axis = Vec3::UnitZ();
     Real degrees = 45;
     orientation.read("axis", axis);
-    if (!(axis.norm() > 0)) orientation.refuse("axis", "a direction", "[0, 0, 1]");
+    if (!(axis.norm() >= Real(1e-6))) {
+      orientation.refuse("axis", "a direction of length 1e-6 or more", "[0, 0, 1]");
+    }
     orientation.need("degrees", degrees);
     q = about(axis, degrees);
   } else if (orientation.has("euler_degrees")) {
@@ -75,9 +77,10 @@ NamedBody read_body_without_shape(SceneReader& body) {
                             {"kinematic", BodyKind::Kinematic}});
   if (body.has("mass")) {
     Real mass = 1;
-    body.read("mass", mass, Range::Positive);
+    body.read("mass", mass, 1e-9, 1e12);
     def.mass = mass;
-    if (body.has("density")) body.refuse("density", "no density beside a mass", "1000");
+    if (body.has("density"))
+      body.refuse("density", "no density beside a mass; remove one of the two", "1000");
   }
   body.read("density", def.density, Range::Positive);
 

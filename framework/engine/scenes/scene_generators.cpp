@@ -1,11 +1,28 @@
 #include "engine/scenes/scene_generators.hpp"
 
+#include "engine/scenes/scene_limits.hpp"
 #include "engine/scenes/scene_random.hpp"
 
 namespace cs550 {
 namespace {
 
-constexpr int most_bodies = 10000;
+/// What a generator may use of its scene.
+struct Context {
+  const SceneShapes& shapes;
+  const SceneLimits& limits;
+  int bodies_before;  ///< in the scene already
+
+  /// Throws before any body is made if there would be too many.
+  void refuse_many_bodies(const SceneReader& generator, const std::string& key,
+                          std::int64_t count) const {
+    if (bodies_before + count <= limits.bodies) return;
+    throw SceneFault(generator.path_of(key), beyond_limit(bodies_before + count, limits.bodies,
+                                                          "bodies in a scene", "CS550_MAX_BODIES"));
+  }
+};
+
+/// The most in one direction; the product is checked by refuse_many_bodies().
+constexpr int most_in_a_row = 1000000;
 
 /// Copies of one body, each at its own place.
 class Copies {
@@ -33,9 +50,9 @@ class Copies {
   std::vector<NamedBody> bodies_;
 };
 
-Copies copies_of_body(SceneReader& generator, const SceneShapes& shapes) {
+Copies copies_of_body(SceneReader& generator, const Context& context) {
   generator.require("body", R"({"shape": {"kind": "box", "half_extents": [0.5, 0.5, 0.5]}})");
-  return Copies(read_body(generator.object("body"), shapes));
+  return Copies(read_body(generator.object("body"), context.shapes));
 }
 
 /// How far the i-th of `count` places is from their middle, in places.
@@ -44,12 +61,13 @@ Real from_middle(int i, int count) {
 }
 
 /// Layers of rows of columns; the body's position is the middle of the lowest layer.
-std::vector<NamedBody> grid(SceneReader& generator, const SceneShapes& shapes) {
-  Copies copies = copies_of_body(generator, shapes);
+std::vector<NamedBody> grid(SceneReader& generator, const Context& context) {
+  Copies copies = copies_of_body(generator, context);
   std::vector<int> count = {8, 8, 1};
   Vec3 spacing = Vec3::Constant(2);
-  generator.need("count", count, 1, most_bodies);
+  generator.need("count", count, 1, most_in_a_row);
   generator.need("spacing", spacing, Range::Positive);
+  context.refuse_many_bodies(generator, "count", std::int64_t{count[0]} * count[1] * count[2]);
   for (int z = 0; z < count[2]; ++z) {
     for (int y = 0; y < count[1]; ++y) {
       for (int x = 0; x < count[0]; ++x) {
@@ -62,12 +80,13 @@ std::vector<NamedBody> grid(SceneReader& generator, const SceneShapes& shapes) {
 }
 
 /// One on top of the other; the body's position is that of the lowest.
-std::vector<NamedBody> stack(SceneReader& generator, const SceneShapes& shapes) {
-  Copies copies = copies_of_body(generator, shapes);
+std::vector<NamedBody> stack(SceneReader& generator, const Context& context) {
+  Copies copies = copies_of_body(generator, context);
   int count = 10;
   Real gap = 0;
-  generator.need("count", count, 1, most_bodies);
+  generator.need("count", count, 1, most_in_a_row);
   generator.read("gap", gap);
+  context.refuse_many_bodies(generator, "count", count);
   const Real step = copies.size().z() + gap;
   for (int i = 0; i < count; ++i) copies.add(static_cast<Real>(i) * step * Vec3::UnitZ());
   return copies.take();
@@ -83,14 +102,15 @@ void add_row(Copies& copies, int row, int columns, Real shift, Real gap) {
 }
 
 /// Rows along x in running bond; the body's position is the middle of the lowest row.
-std::vector<NamedBody> wall(SceneReader& generator, const SceneShapes& shapes) {
-  Copies copies = copies_of_body(generator, shapes);
+std::vector<NamedBody> wall(SceneReader& generator, const Context& context) {
+  Copies copies = copies_of_body(generator, context);
   int columns = 15;
   int rows = 14;
   Real gap = 0;
-  generator.need("columns", columns, 1, most_bodies);
-  generator.need("rows", rows, 1, most_bodies);
+  generator.need("columns", columns, 1, most_in_a_row);
+  generator.need("rows", rows, 1, most_in_a_row);
   generator.read("gap", gap);
+  context.refuse_many_bodies(generator, "rows", std::int64_t{rows} * columns);
   for (int row = 0; row < rows; ++row) {
     const Real quarter_brick = Real(row % 2 == 0 ? 0.25 : -0.25);
     add_row(copies, row, columns, quarter_brick, gap);
@@ -99,26 +119,28 @@ std::vector<NamedBody> wall(SceneReader& generator, const SceneShapes& shapes) {
 }
 
 /// Rows along x, each one body shorter; the body's position is the middle of the lowest row.
-std::vector<NamedBody> pyramid(SceneReader& generator, const SceneShapes& shapes) {
-  Copies copies = copies_of_body(generator, shapes);
+std::vector<NamedBody> pyramid(SceneReader& generator, const Context& context) {
+  Copies copies = copies_of_body(generator, context);
   int rows = 20;
   Real gap = 0;
-  generator.need("rows", rows, 1, 200);
+  generator.need("rows", rows, 1, most_in_a_row);
   generator.read("gap", gap);
+  context.refuse_many_bodies(generator, "rows", std::int64_t{rows} * (rows + 1) / 2);
   for (int row = 0; row < rows; ++row) add_row(copies, row, rows - row, 0, gap);
   return copies.take();
 }
 
 /// One after the other from the body's position, along the world's x axis at first; the heading of
 /// each is turned a little further about z.
-std::vector<NamedBody> line(SceneReader& generator, const SceneShapes& shapes) {
-  Copies copies = copies_of_body(generator, shapes);
+std::vector<NamedBody> line(SceneReader& generator, const Context& context) {
+  Copies copies = copies_of_body(generator, context);
   int count = 40;
   Real spacing = Real(0.5);
   Real turn_degrees = 0;
-  generator.need("count", count, 1, most_bodies);
+  generator.need("count", count, 1, most_in_a_row);
   generator.need("spacing", spacing, Range::Positive);
   generator.read("turn_degrees", turn_degrees);
+  context.refuse_many_bodies(generator, "count", count);
 
   Vec3 displacement = Vec3::Zero();
   for (int i = 0; i < count; ++i) {
@@ -149,15 +171,25 @@ ShapePtr random_shape(const SceneReader& generator, const DropShapes& range, Sce
   return SceneShapes::random_hull(generator, vertices, random.bits(), size);
 }
 
+void refuse_large_drop(const SceneReader& generator, const Context& context, int count,
+                       const DropShapes& shapes) {
+  context.refuse_many_bodies(generator, "count", count);
+  const std::int64_t points = shapes.boxes ? 0 : std::int64_t{count} * shapes.vertices[1];
+  if (points <= context.limits.total_points) return;
+  throw SceneFault(generator.path_of("count"),
+                   beyond_limit(points, context.limits.total_points, "vertices in a drop of hulls",
+                                "CS550_MAX_TOTAL_POINTS"));
+}
+
 /// Random bodies, randomly turned, in layers that fall one after the other; the body's position is
 /// the middle of the lowest layer.
-std::vector<NamedBody> drop(SceneReader& generator, const SceneShapes&) {
+std::vector<NamedBody> drop(SceneReader& generator, const Context& context) {
   int count = 100;
   std::vector<int> columns = {8, 8};
   Vec3 spacing = Vec3::Constant(Real(1.2));
   std::uint32_t seed = 1;
   DropShapes shapes;
-  generator.need("count", count, 1, most_bodies);
+  generator.need("count", count, 1, most_in_a_row);
   generator.need("columns", columns, 1, 1000);
   generator.need("spacing", spacing, Range::Positive);
   generator.need("seed", seed);
@@ -174,6 +206,7 @@ std::vector<NamedBody> drop(SceneReader& generator, const SceneShapes&) {
   SceneReader body = generator.object("body");
   Copies copies(read_body_without_shape(body));
   body.refuse_other_keys();
+  refuse_large_drop(generator, context, count, shapes);
 
   SceneRandom random(seed);
   const int layer_size = columns[0] * columns[1];
@@ -189,7 +222,7 @@ std::vector<NamedBody> drop(SceneReader& generator, const SceneShapes&) {
   return copies.take();
 }
 
-using Generate = std::vector<NamedBody> (*)(SceneReader& generator, const SceneShapes& shapes);
+using Generate = std::vector<NamedBody> (*)(SceneReader& generator, const Context& context);
 const Names<Generate> generator_kinds = {
     {"grid", grid},       {"stack", stack}, {"wall", wall},
     {"pyramid", pyramid}, {"line", line},   {"drop", drop},
@@ -197,10 +230,11 @@ const Names<Generate> generator_kinds = {
 
 }  // namespace
 
-std::vector<NamedBody> generate_bodies(SceneReader generator, const SceneShapes& shapes) {
+std::vector<NamedBody> generate_bodies(SceneReader generator, const SceneShapes& shapes,
+                                       const SceneLimits& limits, int bodies_before) {
   Generate generate = grid;
   generator.need("kind", generate, generator_kinds);
-  std::vector<NamedBody> bodies = generate(generator, shapes);
+  std::vector<NamedBody> bodies = generate(generator, {shapes, limits, bodies_before});
   generator.refuse_other_keys();
   return bodies;
 }

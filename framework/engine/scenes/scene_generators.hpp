@@ -8,7 +8,9 @@
 
 namespace cs550 {
 
-/// The bodies that one entry of "generators" stands for.
-std::vector<NamedBody> generate_bodies(SceneReader generator, const SceneShapes& shapes);
+/// The bodies of one entry of "generators". Refuses too many before it makes any.
+/// @param bodies_before how many bodies the scene has already
+std::vector<NamedBody> generate_bodies(SceneReader generator, const SceneShapes& shapes,
+                                       const SceneLimits& limits, int bodies_before);
 
 }  // namespace cs550

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "engine/scenes/nearest_word.hpp"
 
@@ -10,43 +11,50 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The value as it stands in the file, cut short.
-std::string excerpt(const Json& value) {
-  constexpr std::size_t longest = 60;
-  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() <= longest ? text : text.substr(0, longest - 3) + "...";
+/// Between these bounds, squares and products of what a scene holds (an inertia is density × length⁵)
+/// stay within the range of a float.
+constexpr double largest = 1e6;
+constexpr double smallest = 1e-6;
+
+bool fits(const Json& value, double least, double most) {
+  if (!value.is_number()) return false;
+  const double number = value.get<double>();
+  return number >= least && number <= most;
 }
 
-/// Whether a number is finite as a Real and in its range.
 bool fits(const Json& value, Range range) {
-  if (!value.is_number()) return false;
-  const Real number = value.get<Real>();
-  if (!std::isfinite(number)) return false;
   switch (range) {
     case Range::Any:
-      return true;
+      return fits(value, -largest, largest);
     case Range::NotNegative:
-      return number >= 0;
+      return fits(value, 0.0, largest);
     case Range::Positive:
-      return number > 0;
+      return fits(value, smallest, largest);
     case Range::ZeroToOne:
-      return number >= 0 && number <= 1;
+      return fits(value, 0.0, 1.0);
   }
   return false;
 }
 
-bool fits(const Json& value, std::int64_t least, std::int64_t most) {
+bool fits_whole(const Json& value, std::int64_t least, std::int64_t most) {
   return value.is_number_integer() && value >= least && value <= most;
+}
+
+/// Escape sequences in a title would reach the reader's terminal.
+bool contains_control(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char letter) {
+    return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
+  });
 }
 
 const char* in_words(Range range) {
   switch (range) {
     case Range::Any:
-      return "a number";
+      return "a number from -1e6 to 1e6";
     case Range::NotNegative:
-      return "a number that is 0 or more";
+      return "a number that is 0 or more, at most 1e6";
     case Range::Positive:
-      return "a positive number";
+      return "a positive number from 1e-6 to 1e6";
     case Range::ZeroToOne:
       return "a number from 0 to 1";
   }
@@ -88,15 +96,25 @@ void SceneReader::read(const std::string& key, Real& value, Range range) {
   value = json(key).get<Real>();
 }
 
+void SceneReader::read(const std::string& key, Real& value, double least, double most) {
+  if (!has(key)) return;
+  if (!fits(json(key), least, most)) {
+    std::ostringstream expected;
+    expected << "a number from " << least << " to " << most;
+    refuse(key, expected.str(), show(value));
+  }
+  value = json(key).get<Real>();
+}
+
 void SceneReader::read(const std::string& key, int& value, int least, int most) {
   if (!has(key)) return;
-  if (!fits(json(key), least, most)) refuse(key, whole_number(least, most), show(value));
+  if (!fits_whole(json(key), least, most)) refuse(key, whole_number(least, most), show(value));
   value = json(key).get<int>();
 }
 
 void SceneReader::read(const std::string& key, std::uint32_t& value) {
   if (!has(key)) return;
-  if (!fits(json(key), 0, UINT32_MAX)) refuse(key, whole_number(0, UINT32_MAX), show(value));
+  if (!fits_whole(json(key), 0, UINT32_MAX)) refuse(key, whole_number(0, UINT32_MAX), show(value));
   value = json(key).get<std::uint32_t>();
 }
 
@@ -108,8 +126,11 @@ void SceneReader::read(const std::string& key, bool& value) {
 
 void SceneReader::read(const std::string& key, std::string& value) {
   if (!has(key)) return;
-  if (!json(key).is_string()) refuse(key, "a text in quotes", show(value));
-  value = json(key).get<std::string>();
+  const Json& text = json(key);
+  if (!text.is_string() || contains_control(text.get_ref<const std::string&>())) {
+    refuse(key, "a text in quotes without control characters", show(value));
+  }
+  value = text.get<std::string>();
 }
 
 void SceneReader::read(const std::string& key, Vec3& value, Range range) {
@@ -125,7 +146,7 @@ void SceneReader::read(const std::string& key, Vec3& value, Range range) {
 void SceneReader::read(const std::string& key, std::vector<int>& values, int least, int most) {
   if (!has(key)) return;
   const Json& list = json(key);
-  const auto good = [least, most](const Json& item) { return fits(item, least, most); };
+  const auto good = [least, most](const Json& item) { return fits_whole(item, least, most); };
   if (!list.is_array() || list.size() != values.size() ||
       !std::all_of(list.begin(), list.end(), good)) {
     refuse(
@@ -155,10 +176,19 @@ std::size_t SceneReader::read_word(const std::string& key, const std::vector<std
 
 SceneReader SceneReader::object(const std::string& key) { return {json(key), path_of(key)}; }
 
-std::vector<std::pair<const Json*, std::string>> SceneReader::list(const std::string& key) {
+std::string SceneReader::excerpt(const Json& value) {
+  constexpr std::size_t longest = 60;
+  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() <= longest ? text : text.substr(0, longest - 3) + "...";
+}
+
+bool SceneReader::is_number(const Json& value) { return fits(value, Range::Any); }
+
+std::vector<std::pair<const Json*, std::string>> SceneReader::list(const std::string& key,
+                                                                   const std::string& example) {
   std::vector<std::pair<const Json*, std::string>> items;
   if (!has(key)) return items;
-  if (!json(key).is_array()) refuse(key, "a list in brackets", "[ { ... }, { ... } ]");
+  if (!json(key).is_array()) refuse(key, "a list in brackets", example);
   for (const Json& item : json(key)) {
     items.emplace_back(&item, path_of(key) + "/" + std::to_string(items.size()));
   }

@@ -45,6 +45,7 @@ class SceneReader {
   void require(const std::string& key, const std::string& example);
 
   void read(const std::string& key, Real& value, Range range = Range::Any);
+  void read(const std::string& key, Real& value, double least, double most);
   void read(const std::string& key, int& value, int least, int most);
   void read(const std::string& key, std::uint32_t& value);
   void read(const std::string& key, bool& value);
@@ -74,7 +75,12 @@ class SceneReader {
   /// The object under a key. @pre has(key)
   SceneReader object(const std::string& key);
   /// The values of the list under a key with their paths; none if there is no such key.
-  std::vector<std::pair<const Json*, std::string>> list(const std::string& key);
+  std::vector<std::pair<const Json*, std::string>> list(const std::string& key,
+                                                        const std::string& example);
+  /// A value as it is written in the file, cut short.
+  static std::string excerpt(const Json& value);
+  /// Whether a value is a number within the bounds of Range::Any.
+  static bool is_number(const Json& value);
   /// Whether a string stands under a key. @pre has(key)
   bool is_string(const std::string& key) const { return value_.at(key).is_string(); }
   std::vector<std::string> keys() const;

@@ -5,6 +5,7 @@
 #include "cs550/assets.hpp"
 #include "cs550/mesh_io.hpp"
 #include "engine/scenes/nearest_word.hpp"
+#include "engine/scenes/scene_limits.hpp"
 
 namespace cs550 {
 namespace {
@@ -22,6 +23,12 @@ const Names<ShapeKind> shape_kinds = {
     {"mesh", ShapeKind::Mesh},
 };
 
+/// False also for a name that no file can have (empty, too long).
+bool is_file(const std::filesystem::path& path) {
+  std::error_code none;
+  return std::filesystem::is_regular_file(path, none);
+}
+
 ShapePtr shape_or_fault(const ShapeResult& result, const std::string& path) {
   if (!result) throw SceneFault(path, "no shape can be made of this: " + result.error);
   return result.shape;
@@ -35,6 +42,12 @@ ShapePtr hull_of(const std::vector<Vec3>& points, const std::string& path) {
   const SoupResult hull = convex_hull(points);
   if (!hull.error.empty()) throw SceneFault(path, "these points have no hull: " + hull.error);
   return shape_of(hull.soup, path);
+}
+
+void refuse_many_points(std::size_t count, const SceneLimits& limits, const std::string& path) {
+  if (count <= static_cast<std::size_t>(limits.hull_points)) return;
+  throw SceneFault(path, beyond_limit(static_cast<std::int64_t>(count), limits.hull_points,
+                                      "points", "CS550_MAX_HULL_POINTS"));
 }
 
 std::vector<Vec3> stretched(std::vector<Vec3> points, const Vec3& factors) {
@@ -52,17 +65,18 @@ HalfEdgeMesh stretched(HalfEdgeMesh mesh, const Vec3& factors) {
   return mesh;
 }
 
-std::vector<Vec3> read_points(SceneReader& description) {
+std::vector<Vec3> read_points(SceneReader& description, const SceneLimits& limits) {
   const char* example = "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]";
   description.require("points", example);
+  const auto list = description.list("points", example);
+  refuse_many_points(list.size(), limits, description.path_of("points"));
   std::vector<Vec3> points;
-  for (const auto& [point, path] : description.list("points")) {
+  for (const auto& [point, path] : list) {
     const bool good = point->is_array() && point->size() == 3 &&
-                      std::all_of(point->begin(), point->end(),
-                                  [](const auto& item) { return item.is_number(); });
+                      std::all_of(point->begin(), point->end(), SceneReader::is_number);
     if (!good) {
-      throw SceneFault(path, "expected a point of three numbers; for example \"points\": " +
-                                 std::string(example));
+      throw SceneFault(path, "expected a point of three numbers from -1e6 to 1e6, found " +
+                                 SceneReader::excerpt(*point) + "; for example [0, 0, 1]");
     }
     points.emplace_back((*point)[0].get<Real>(), (*point)[1].get<Real>(), (*point)[2].get<Real>());
   }
@@ -141,7 +155,7 @@ ShapePtr SceneShapes::make(SceneReader description) const {
       description.refuse_other_keys();
       return shape_of(icosphere_soup(subdivisions, radius), path);
     case ShapeKind::Hull: {
-      const std::vector<Vec3> points = read_points(description);
+      const std::vector<Vec3> points = read_points(description, limits_);
       description.refuse_other_keys();
       return hull_of(points, path);
     }
@@ -165,12 +179,13 @@ ShapePtr SceneShapes::from_mesh_file(SceneReader& description) const {
   description.refuse_other_keys();
 
   std::filesystem::path file = folder_ / name;
-  if (!std::filesystem::is_regular_file(file)) file = assets_folder() / "meshes" / name;
-  if (!std::filesystem::is_regular_file(file)) {
-    description.refuse("file",
-                       "an .obj or .json file in " + folder_.string() + " or " +
-                           (assets_folder() / "meshes").string(),
-                       "\"bunny.obj\"");
+  if (!is_file(file)) file = assets_folder() / "meshes" / name;
+  if (!is_file(file)) {
+    const std::string beside = folder_.empty() ? "." : folder_.string();
+    description.refuse(
+        "file",
+        "an .obj or .json file in " + beside + " or " + (assets_folder() / "meshes").string(),
+        "\"bunny.obj\"");
   }
   const std::string path = description.path_of("file");
   if (file.extension() == ".json") {
@@ -180,6 +195,7 @@ ShapePtr SceneShapes::from_mesh_file(SceneReader& description) const {
   }
   const SoupResult triangles = load_obj(file);
   if (!triangles.error.empty()) throw SceneFault(path, triangles.error);
+  refuse_many_points(triangles.soup.vertices.size(), limits_, path);
   return hull_of(stretched(triangles.soup.vertices, scale), path);
 }
 

@@ -8,6 +8,7 @@
 
 #include "cs550/convex_shape.hpp"
 #include "cs550/primitives.hpp"
+#include "cs550/scene.hpp"
 #include "engine/scenes/scene_reader.hpp"
 
 namespace cs550 {
@@ -16,7 +17,8 @@ namespace cs550 {
 class SceneShapes {
  public:
   /// @param scene_folder where mesh files are looked for first
-  explicit SceneShapes(std::filesystem::path scene_folder) : folder_(std::move(scene_folder)) {}
+  SceneShapes(std::filesystem::path scene_folder, const SceneLimits& limits)
+      : folder_(std::move(scene_folder)), limits_(limits) {}
 
   /// Reads the named shapes of the scene: {"brick": {...}, ...}.
   void define(SceneReader named);
@@ -34,6 +36,7 @@ class SceneShapes {
   ShapePtr from_mesh_file(SceneReader& description) const;
 
   std::filesystem::path folder_;
+  SceneLimits limits_;
   std::map<std::string, ShapePtr> named_;
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <sstream>
 
 #include "cs550/primitives.hpp"
 
@@ -25,6 +27,23 @@ std::string first_fault(std::span<const Vec3> points) {
     }
   }
   return {};
+}
+
+/// What to do about points that are so far from the origin that a float no longer resolves their hull;
+/// empty for others.
+std::string advice_if_far(std::span<const Vec3> points) {
+  Bounds bounds;
+  for (const Vec3& point : points) bounds.include(point);
+  const Real distance =
+      std::max(bounds.lower.cwiseAbs().maxCoeff(), bounds.upper.cwiseAbs().maxCoeff());
+  const Real resolution = distance * std::numeric_limits<Real>::epsilon();
+  const Real size = bounds.extent().maxCoeff();
+  if (resolution < coplanar_tolerance * size) return {};
+  std::ostringstream text;
+  text << "; the points span " << size << " m at " << distance
+       << " m from the origin, where floats are " << resolution
+       << " m apart: move them to the origin and give the body a position";
+  return text.str();
 }
 
 /// The point that is farthest by some measure.
@@ -163,7 +182,9 @@ bool drop_slivers(TriangleSoup& soup) {
 SoupResult convex_hull(std::span<const Vec3> points) {
   if (const std::string fault = first_fault(points); !fault.empty()) return {{}, fault};
   if (are_coplanar(points)) {
-    return {{}, "the points lie in one plane: a hull needs one that stands out of it"};
+    return {
+        {},
+        "the points lie in one plane: a hull needs a point outside of it" + advice_if_far(points)};
   }
   TriangleSoup soup{{points.begin(), points.end()}, {}};
   for (;;) {
@@ -171,7 +192,7 @@ SoupResult convex_hull(std::span<const Vec3> points) {
     if (run.exit_code() != 0) {
       return {{},
               "qhull gives up on these points (error " + std::to_string(run.exit_code()) +
-                  "): spread them, or remove those that nearly coincide"};
+                  "): spread them, or remove those that nearly coincide" + advice_if_far(points)};
     }
     soup = without_unused_points(soup.vertices, run.triangles());
     if (!drop_slivers(soup)) return {std::move(soup), {}};

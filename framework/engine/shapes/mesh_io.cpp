@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cs550/mesh_validation.hpp"
+#include "engine/shapes/obj_check.hpp"
 
 namespace cs550 {
 namespace {
@@ -33,6 +34,14 @@ HalfEdgeMesh mesh_from(const Json& json) {
 }  // namespace
 
 SoupResult load_obj(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::error_code unreadable;
+  if (!stream || std::filesystem::is_directory(file, unreadable)) {
+    return {{}, file.string() + ": cannot be opened; expected an OBJ file"};
+  }
+  if (const std::string fault = first_obj_fault(stream); !fault.empty()) {
+    return {{}, file.string() + ": " + fault};
+  }
   tinyobj::ObjReader reader;
   if (!reader.ParseFromFile(file.string())) {
     std::string reason = reader.Error();
@@ -51,7 +60,10 @@ SoupResult load_obj(const std::filesystem::path& file) {
           {corners[i].vertex_index, corners[i + 1].vertex_index, corners[i + 2].vertex_index});
     }
   }
-  if (soup.triangles.empty()) return {{}, file.string() + ": there are no faces in this file"};
+  if (soup.triangles.empty())
+    return {
+        {},
+        file.string() + ": there are no faces in this file; expected lines such as \"f 1 2 3\""};
   return {std::move(soup), {}};
 }
 

@@ -9,7 +9,8 @@
 namespace cs550 {
 
 /// Reads a Wavefront OBJ file with tinyobjloader and splits polygons into triangles. Repairs
-/// nothing: faults of the triangles are reported by build_half_edge_mesh(). Errors name the file.
+/// nothing: faults of the triangles are reported by build_half_edge_mesh(). Errors name the file and
+/// the line: a coordinate that is not a finite number, a vertex number that no vertex has.
 SoupResult load_obj(const std::filesystem::path& file);
 
 /// Writes a half-edge mesh as JSON (vertices, half-edges, faces), the format of test fixtures.

@@ -23,6 +23,19 @@ struct Scene {
   Real max_penetration = 0;             ///< bound on penetration, checked by tests (m)
 };
 
+/// How large a scene may be. The limits are checked before the work that they bound, so that a typing
+/// error in a generator is refused at once.
+struct SceneLimits {
+  int bodies = 50000;         ///< of the whole scene
+  int hull_points = 20000;    ///< of one point cloud or mesh file
+  int total_points = 500000;  ///< vertices of all random hulls of one generator
+  int pairs = 1000000;        ///< of bodies with overlapping bounds at time 0
+
+  /// The defaults, each replaced by an environment variable if it is set to a positive whole number:
+  /// CS550_MAX_BODIES, CS550_MAX_HULL_POINTS, CS550_MAX_TOTAL_POINTS, CS550_MAX_PAIRS.
+  static SceneLimits from_environment();
+};
+
 /// A scene, or an error message with file, JSON path, expected value and an example.
 struct SceneResult {
   Scene scene;        ///< empty on error
@@ -34,7 +47,8 @@ struct SceneResult {
 
 /// Reads a scene file (schema version 1, framework/assets/scenes/README.md). Meshes are looked up
 /// beside the scene and in the folder meshes/ of the assets.
-SceneResult load_scene(const std::filesystem::path& file);
+SceneResult load_scene(const std::filesystem::path& file,
+                       const SceneLimits& limits = SceneLimits::from_environment());
 
 /// Loads a shipped scene by its name ("wall") or any scene by its path. The error for an unknown
 /// name lists the shipped scenes.

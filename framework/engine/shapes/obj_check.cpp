@@ -1,0 +1,102 @@
+#include "engine/shapes/obj_check.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "cs550/math.hpp"
+
+namespace cs550 {
+namespace {
+
+/// What a line says that can only be judged at the end of the file: the largest vertex number so far.
+struct LargestNumber {
+  long long number = 0;
+  int line = 0;
+};
+
+template <class Number>
+bool parse_all(std::string_view word, Number& value) {
+  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && rest == word.data() + word.size();
+}
+
+std::string at_line(int line, const std::string& sentence) {
+  return "line " + std::to_string(line) + ": " + sentence;
+}
+
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::string vertex_fault(const std::vector<std::string>& words, int line) {
+  if (words.size() < 4) {
+    return at_line(
+        line, "expected three coordinates after \"v\", found " + std::to_string(words.size() - 1));
+  }
+  for (std::size_t i = 1; i < 4; ++i) {
+    Real coordinate = 0;
+    if (!parse_all(words[i], coordinate) || !std::isfinite(coordinate)) {
+      return at_line(line,
+                     "expected a coordinate such as 1.5, found \"" + words[i].substr(0, 40) + "\"");
+    }
+  }
+  return {};
+}
+
+std::string face_fault(const std::vector<std::string>& words, int line, long long vertices,
+                       LargestNumber& largest) {
+  const std::size_t corners = words.size() - 1;
+  if (corners < 3 || corners > max_obj_face_corners) {
+    return at_line(line, "expected a face of 3 to " + std::to_string(max_obj_face_corners) +
+                             " corners, found " + std::to_string(corners) +
+                             (corners < 3 ? "" : "; split it into triangles"));
+  }
+  for (std::size_t i = 1; i <= corners; ++i) {
+    const std::string word = words[i].substr(0, words[i].find('/'));
+    long long number = 0;
+    const bool is_number = parse_all(std::string_view(word), number);
+    if (!is_number || number == 0 || number < -vertices) {
+      return at_line(line,
+                     "expected the number of a vertex, counted from 1 (or from -1 backwards), "
+                     "found \"" +
+                         words[i].substr(0, 40) + "\"");
+    }
+    if (number > largest.number) largest = {number, line};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string first_obj_fault(std::istream& text) {
+  LargestNumber largest;
+  long long vertices = 0;
+  std::string content;
+  for (int line = 1; std::getline(text, content); ++line) {
+    const std::vector<std::string> words = words_of(content.substr(0, content.find('#')));
+    if (words.empty()) continue;
+    std::string fault;
+    if (words[0] == "v") {
+      fault = vertex_fault(words, line);
+      ++vertices;
+    } else if (words[0] == "f") {
+      fault = face_fault(words, line, vertices, largest);
+    }
+    if (!fault.empty()) return fault;
+  }
+  if (largest.number > vertices) {
+    return at_line(largest.line, "a face names vertex " + std::to_string(largest.number) +
+                                     ", but the file has " + std::to_string(vertices) +
+                                     (vertices == 1 ? " vertex" : " vertices"));
+  }
+  return {};
+}
+
+}  // namespace cs550
