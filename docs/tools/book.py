@@ -41,6 +41,7 @@ class Book:
         self.tests = visible_tests()
         self.mutants = known_mistakes()
         self.sources = given_sources(self.tests)
+        self.settings = world_settings()
         self.figure_number = {}
         self.citations = {}
         self.number_pages()
@@ -126,9 +127,29 @@ def known_mistakes():
 
 def given_sources(tests):
     """Listings: the engine, and the files of the visible graded tests. Never a solution."""
-    engine = {f"engine/{file.name}": file for file in sorted((ROOT / "framework" / "engine").glob("*.?pp"))}
+    framework = ROOT / "framework"
+    engine = {str(file.relative_to(framework)): file for file in sorted((framework / "engine").rglob("*.?pp"))}
     tested = {file: ROOT / file for file, _ in sorted(set(tests.values()))}
     return engine | tested
+
+
+class Setting:
+    """A member of WorldSettings: its name, its default as the header writes it, and its comment."""
+
+    def __init__(self, name, default, comment):
+        self.name, self.comment = name, comment
+        self.default = re.sub(r"Real\(([^)]*)\)|\w+::(\w+)", lambda m: m[1] or m[2], default)
+
+    @property
+    def number(self):
+        """The default as a number, or None."""
+        return float(self.default) if re.fullmatch(r"-?[\d.]+(e-?\d+)?", self.default) else None
+
+
+def world_settings():
+    header = (ROOT / "framework/include/cs550/world.hpp").read_text()
+    members = re.search(r"struct WorldSettings \{(.*?)\n\};", header, re.S).group(1)
+    return [Setting(*match) for match in re.findall(r"^  [\w:]+ (\w+) = (.*?);\s*///< (.*)$", members, re.M)]
 
 
 def listing_name(name):

@@ -9,8 +9,12 @@ must exist: a figure, a test, a known mistake, a source file, a citation. What d
   {src:engine/world/step.cpp}            the listing of a given file
   {test:Name}                      the listing of a visible graded test, at its first line
   {mutant:name}                    a known mistake of tests/mutants
+  {default:substeps}               the default of a member of WorldSettings, read from its header; an expression
+                                   of them and a format work too: {default:1/(60*substeps)|.1e}
+  {defaults}                       a table of all of them
   [@Key], [@Key, §2]               a citation; {ref:Key|label} defines it in the bibliography
 """
+import math
 import re
 from html import escape
 from pathlib import Path
@@ -34,6 +38,7 @@ class Markup:
 
     def convert(self, text):
         text = FIGURE.sub(lambda m: self.figure(*m.groups()), text)
+        text = text.replace("{defaults}", self.defaults())
         text = re.sub(r"^## (L(\d+)\.(\d+) .*)$", r"## \1 {#L\2_\3}", text, flags=re.M)
         text = re.sub(r"<details><summary>(.*?)</summary>",
                       lambda m: raw(f"<details><summary>{self.inline_html(m[1])}</summary>"), text, flags=re.S)
@@ -101,7 +106,7 @@ class Markup:
                 self.error(f"{{{kind}:{value}}} names nothing that exists")
                 return value
 
-        text = re.sub(r"\{(fig|api|src|test|mutant|ref):([^}]+)\}", role, text)
+        text = re.sub(r"\{(fig|api|src|test|mutant|default|ref):([^}]+)\}", role, text)
         return re.sub(r"\[@(\w+)(,[^\]]*)?\]", lambda m: self.citation(*m.groups(), link), text)
 
     def citation(self, key, place, link):
@@ -131,6 +136,20 @@ class Markup:
         if self.book.mutants and name not in self.book.mutants:
             raise KeyError(name)
         return f"<code>{name}</code>"
+
+    def role_default(self, value, _):
+        expression, _, form = value.partition("|")
+        names = {setting.name: setting.number for setting in self.book.settings if setting.number is not None}
+        try:
+            number = eval(expression, {"__builtins__": {}, "pi": math.pi}, names)
+        except NameError as unknown:
+            raise KeyError(value) from unknown
+        text = format(number, form or "g")
+        return re.sub(r"e([+-]\d+)", lambda m: rf"\cdot10^{{{int(m[1])}}}", text)
+
+    def defaults(self):
+        rows = [f"| `{setting.name}` | {setting.default} | {setting.comment} |" for setting in self.book.settings]
+        return "\n".join(["| Setting | Default | Meaning |", "|---|---|---|"] + rows)
 
     def role_ref(self, value, _):
         key, label = value.split("|")
