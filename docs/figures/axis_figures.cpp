@@ -55,6 +55,14 @@ ShapePtr sliver(std::uint32_t seed) {
   return shape_of(convex_hull(points).soup);
 }
 
+/// How much of an axis a body's shadow covers (m).
+Real length_along(const PosedShape& body, const Vec3& axis) {
+  std::vector<Vec3> corners;
+  for (Index i = 0; i < body.mesh().vertex_count(); ++i) corners.push_back(body.vertex(i));
+  const Shadow shadow = shadow_of(corners, axis);
+  return shadow.high - shadow.low;
+}
+
 /// Two slivers in random places, until the axis of their edges points against the line of centroids.
 Page centroid() {
   Sequence random(5);
@@ -66,14 +74,18 @@ Page centroid() {
     const PosedShape b{shape_b.get(), {place, turn_b}};
     SeparatingAxis axis = find_separating_axis(a, b, {}, HUGE_VALF);
     if (axis.feature != AxisFeature::Edges || axis.separation > 0) continue;
-    if (axis.axis.dot(place) > Real(-0.06) || place.norm() < Real(0.2)) continue;
+    if (axis.axis.dot(place) > Real(-0.06) || place.norm() < Real(0.4)) continue;
+    const Vec3 across = (place - place.dot(axis.axis) * axis.axis).normalized();
+    if (length_along(a, across) < 1 || length_along(b, across) < 1) continue;
     Drawing sketch = drawing::draw_axis(a, b, axis);
     sketch.title.clear();
     sketch.notes.clear();
-    drawing::add_arrow(sketch, a.pose.position, place, {Role::Got, 3}, "centroid to centroid");
     View view;
     view.toward_eye = axis.axis.cross(place).normalized() + Real(0.25) * axis.axis;
     view.up = axis.axis;
+    // In front of the bodies, in which it would be hidden.
+    drawing::add_arrow(sketch, 4 * view.toward_eye, place, {Role::Got, 3});
+    sketch.legend = {{"centroid to centroid", {Role::Got, 3}}};
     return page_of(sketch, view, {620, 380});
   }
   return {};

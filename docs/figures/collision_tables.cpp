@@ -175,48 +175,69 @@ void tolerance(std::ostream& out) {
   }
 }
 
+/// The separation along the chord of the arc of one edge of A.
+struct ArcProfile {
+  static constexpr int samples = 2000;
+  std::vector<double> s;     ///< s(n(t)) at t = i/samples
+  std::vector<double> unit;  ///< s(n(t))/|n(t)|
+  std::vector<int> kinks;    ///< samples at which B's support vertex changes
+};
+
+ArcProfile profile_of(const HalfEdgeMesh& a, Index e, const PosedShape& b) {
+  const Vec3& from = a.face(a.edge(e).face).plane.normal;
+  const Vec3& to = a.face(a.edge(e ^ 1).face).plane.normal;
+  ArcProfile profile;
+  Index before = no_index;
+  for (int i = 0; i <= ArcProfile::samples; ++i) {
+    const Real t = static_cast<Real>(i) / ArcProfile::samples;
+    const Vec3 n = (1 - t) * from + t * to;
+    const Index vertex = support_brute_force(b.mesh().vertices, -n).vertex;
+    const Real s = n.dot(b.vertex(vertex) - a.vertex(a.origin(e)));
+    profile.s.push_back(static_cast<double>(s));
+    profile.unit.push_back(static_cast<double>(s / n.norm()));
+    if (i > 0 && vertex != before) profile.kinks.push_back(i);
+    before = vertex;
+  }
+  return profile;
+}
+
+int peak_of(const std::vector<double>& values) {
+  return static_cast<int>(std::max_element(values.begin(), values.end()) - values.begin());
+}
+
+/// Whether a profile shows what there is to see: kinks far enough from each other, and two curves
+/// whose peaks lie at different ones.
+bool shows_kinks(const ArcProfile& profile) {
+  if (profile.kinks.size() < 4) return false;
+  int before = 0;
+  for (const int kink : profile.kinks) {
+    if (kink - before < ArcProfile::samples / 12) return false;
+    before = kink;
+  }
+  const int first = peak_of(profile.s), second = peak_of(profile.unit);
+  return first > profile.kinks[0] && first < profile.kinks.back() && second != first &&
+         std::abs(second - first) > ArcProfile::samples / 12 && second < profile.kinks.back();
+}
+
 /// t, s(n(t)), s(n(t))/|n(t)|, and in a second block the breakpoints: along the arc of one edge of A
 void concave(std::ostream& out) {
-  const ShapePtr a = random_hull(10, 4), b = random_hull(40, 9);
-  const PosedShape body_b{b.get(), {Vec3(Real(1.1), Real(0.7), Real(0.9)), Quat::Identity()}};
-  const HalfEdgeMesh& mesh = a->mesh;
-  // The edge with the most breakpoints says most.
-  std::vector<Vec2> kinks;
-  Index shown = 0;
-  const auto chord = [&](Index e, double t) {
-    const Vec3& from = mesh.face(mesh.edge(e).face).plane.normal;
-    const Vec3& to = mesh.face(mesh.edge(e ^ 1).face).plane.normal;
-    return Vec3(static_cast<Real>(1 - t) * from + static_cast<Real>(t) * to);
-  };
-  const auto separation = [&](Index e, double t, Index& vertex) {
-    const Vec3 n = chord(e, t);
-    vertex = support_brute_force(b->mesh.vertices, -n).vertex;
-    return static_cast<double>(n.dot(body_b.vertex(vertex) - mesh.vertex(mesh.origin(e))));
-  };
-  constexpr int samples = 2000;
-  for (Index e = 0; e < mesh.edge_count(); e += 2) {
-    std::vector<Vec2> found;
-    Index before = no_index;
-    for (int i = 0; i <= samples; ++i) {
-      Index vertex = no_index;
-      const double t = static_cast<double>(i) / samples;
-      const double s = separation(e, t, vertex);
-      if (i > 0 && vertex != before) found.emplace_back(static_cast<Real>(t), static_cast<Real>(s));
-      before = vertex;
-    }
-    if (found.size() > kinks.size()) {
-      kinks = found;
-      shown = e;
+  constexpr std::uint32_t tries = 400;
+  for (std::uint32_t seed = 1; seed < tries; ++seed) {
+    const ShapePtr a = random_hull(6, 2 * seed), b = random_hull(16, 2 * seed + 1);
+    const PosedShape body_b{b.get(), {Vec3(Real(1.6), Real(0.9), Real(1.1)), Quat::Identity()}};
+    for (Index e = 0; e < a->mesh.edge_count(); e += 2) {
+      const ArcProfile profile = profile_of(a->mesh, e, body_b);
+      if (!shows_kinks(profile)) continue;
+      const auto line = [&](std::size_t i) {
+        out << static_cast<double>(i) / ArcProfile::samples << ' ' << profile.s[i] << ' '
+            << profile.unit[i] << '\n';
+      };
+      for (std::size_t i = 0; i < profile.s.size(); i += 10) line(i);
+      out << "\n\n";
+      for (const int kink : profile.kinks) line(static_cast<std::size_t>(kink));
+      return;
     }
   }
-  for (int i = 0; i <= 200; ++i) {
-    Index vertex = no_index;
-    const double t = i / 200.0;
-    const double s = separation(shown, t, vertex);
-    out << t << ' ' << s << ' ' << s / static_cast<double>(chord(shown, t).norm()) << '\n';
-  }
-  out << "\n\n";
-  for (const Vec2& kink : kinks) out << kink.x() << ' ' << kink.y() << '\n';
 }
 
 }  // namespace

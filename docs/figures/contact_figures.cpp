@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "cs550/clipping.hpp"
 #include "drawing/mesh_drawing.hpp"
 #include "figure.hpp"
@@ -54,12 +56,18 @@ Page clip_steps() {
   const std::vector<Vec3> incident = regular_polygon(5, at(0.35, 0.25), 1.45, 0.3);
   ClipPolygon polygon = polygon_of(incident);
   std::vector<Drawing> sketches;
+  std::vector<Vec3> before = incident;
   const auto show = [&](const std::string& title) {
     Drawing sketch;
     add_outline(sketch, incident, {Role::Faint, 1, true});
     add_outline(sketch, reference, {Role::BodyA, 2});
-    add_area(sketch, corners_of(polygon), Role::Incident, 0.5);
-    for (const Vec3& corner : corners_of(polygon)) add_dot(sketch, corner, Role::Got, "", 3.5);
+    const std::vector<Vec3> corners = corners_of(polygon);
+    add_area(sketch, corners, Role::Incident, 0.5);
+    for (const Vec3& corner : corners) {
+      const bool is_new = std::find(before.begin(), before.end(), corner) == before.end();
+      if (is_new) add_dot(sketch, corner, Role::Got, "", 4);
+    }
+    before = corners;
     sketch.title = title;
     sketches.push_back(sketch);
   };

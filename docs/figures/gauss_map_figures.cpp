@@ -38,9 +38,9 @@ Page minkowski() {
 }
 
 Page gauss_map() {
-  const ShapePtr shape = shape_of(prism_soup(6, 1, Real(0.7)));
+  const ShapePtr shape = box({Real(0.9), Real(0.7), Real(0.6)});
   const PosedShape body{shape.get(),
-                        {Vec3::Zero(), rotation_exp(Vec3(Real(0.3), Real(0.2), Real(0.4)))}};
+                        {Vec3::Zero(), rotation_exp(Vec3(Real(0.1), Real(0.1), Real(-0.15)))}};
   Drawing solid = drawing::draw_body(body);
   Drawing map = drawing::draw_unit_sphere();
   drawing::append(map, drawing::draw_gauss_map(body, Role::BodyA));

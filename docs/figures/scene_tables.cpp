@@ -50,13 +50,15 @@ World one_box(const Pose& pose, Real friction, Real restitution) {
   return world;
 }
 
-/// time, height of a box above the floor that begins 5 cm inside: Baumgarte, soft
+/// time, height above the floor (mm) of a box that begins 5 cm inside: Baumgarte, soft, soft with
+/// more relax passes
 void recovery(std::ostream& out) {
-  World worlds[] = {one_box({Vec3(0, 0, Real(0.45)), Quat::Identity()}, Real(0.6), 0),
-                    one_box({Vec3(0, 0, Real(0.45)), Quat::Identity()}, Real(0.6), 0)};
+  const World box = one_box({Vec3(0, 0, Real(0.45)), Quat::Identity()}, Real(0.6), 0);
+  World worlds[] = {box, box, box};
   worlds[0].settings().contact_model = ContactModel::Baumgarte;
   worlds[0].settings().substeps = 1;
   worlds[0].settings().iterations = 8;
+  worlds[2].settings().relax_iterations = 16;
   for (int i = 0; i <= 60; ++i) {
     out << i / 60.0;
     for (World& world : worlds) {
@@ -135,7 +137,7 @@ void stages(std::ostream& out) {
   for (int stage = 0; stage < stage_count; ++stage)
     out << " \"" << to_string(static_cast<Stage>(stage)) << '"';
   out << '\n';
-  for (const char* name : {"pyramid20", "wall", "box_pile", "hull_pile", "bunny_and_teapot"}) {
+  for (const char* name : {"pyramid20", "wall", "box_pile", "hull_pile"}) {
     World world = make_world(find_scene(name).scene);
     std::array<double, stage_count> sum{};
     for (int i = 0; i < steps; ++i) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "cs550/constraint_solver.hpp"
+#include "cs550/integration.hpp"
 #include "cs550/naive_solver.hpp"
 #include "figure.hpp"
 
@@ -193,23 +194,56 @@ void friction_directions(std::ostream& out) {
   }
 }
 
-/// time, height of a cube that falls from 5 m: smaller of push and bounce, their sum, exact
+/// What a bouncing contact asks for: the engine's bias, or the document's sum of push and bounce.
+Real bias_of(ContactConstraint contact, const ContactStep& step, bool as_sum) {
+  if (!as_sum) return contact_bias(contact, contact.separation, step).velocity;
+  const Real bounce = contact.approach_velocity < -step.restitution_threshold
+                          ? contact.restitution * contact.approach_velocity
+                          : 0;
+  contact.restitution = 0;
+  return contact_bias(contact, contact.separation, step).velocity + bounce;
+}
+
+/// One step of a cube of 1 m above a floor at z = 0. Like the document's, its contact begins with the
+/// overlap.
+void fall_and_bounce(RigidBody& cube, const ContactStep& step, bool as_sum) {
+  const Real approach = cube.linear_velocity.z();
+  integrate_momentum(cube, step.h);
+  refresh_velocity(cube);
+  const Real gap = cube.pose.position.z() - Real(0.5);
+  if (gap <= 0) {
+    ContactConstraint contact =
+        constraint_between(0, 1, Vec3::UnitZ(), Vec3::Zero(), {0, 0, Real(-0.5)});
+    contact.separation = gap;
+    contact.restitution = Real(0.8);
+    contact.approach_velocity = approach;
+    std::vector<SolverBody> bodies = {immovable(), free_body(Vec3::Constant(Real(0.5)))};
+    prepare_contacts({&contact, 1}, bodies, step);
+    const Real wanted = -bias_of(contact, step, as_sum);
+    const Real impulse = contact.normal_mass * (wanted - cube.linear_velocity.z());
+    apply_impulse(cube, {0, 0, std::max(impulse, Real(0))}, cube.pose.position);
+  }
+  integrate_pose(cube, step.h, RotationMethod::Explicit);
+}
+
+/// time, height of a cube that falls from 5 m: smaller of push and bounce, their sum
 void bounce_sum(std::ostream& out) {
-  constexpr double h = 1.0 / 60, beta = 0.2, slop = 0.001, e = 0.8, g = 9.81;
-  double height[2] = {5, 5}, velocity[2] = {0, 0};
-  for (int i = 0; i <= 420; ++i) {
-    out << i * h << ' ' << height[0] << ' ' << height[1] << '\n';
-    for (int k = 0; k < 2; ++k) {
-      const double approach = velocity[k];
-      velocity[k] -= g * h;
-      const double d = height[k];
-      const double push = d > 0 ? d / h : beta / h * std::min(0.0, d + slop);
-      const double bounce = d <= 0 && approach < -0.5 ? e * approach : 0;
-      const double bias = k == 0 ? (bounce < 0 ? std::min(push, bounce) : push) : push + bounce;
-      // A gap is left alone here, so that both begin their bounce alike.
-      if (d <= 0) velocity[k] += std::max(0.0, -velocity[k] - bias);
-      height[k] += velocity[k] * h;
-    }
+  constexpr int steps_per_second = 240;
+  ContactStep step;
+  step.h = Real(1) / steps_per_second;
+  step.model = ContactModel::Baumgarte;
+  step.slop = Real(1e-3);
+  step.restitution_threshold = Real(0.5);
+  const Mat3 inertia = Mat3::Identity() / 6;
+  RigidBody cube = make_dynamic_body(1, inertia, {Vec3(0, 0, Real(5.5)), Quat::Identity()});
+  add_force(cube, {0, 0, Real(-9.81)}, cube.pose.position);
+  RigidBody cubes[] = {cube, cube};
+  for (int i = 0; i <= 7 * steps_per_second; ++i) {
+    out << static_cast<double>(i) / steps_per_second;
+    for (const RigidBody& each : cubes) out << ' ' << each.pose.position.z() - Real(0.5);
+    out << '\n';
+    fall_and_bounce(cubes[0], step, false);
+    fall_and_bounce(cubes[1], step, true);
   }
 }
 

@@ -23,6 +23,7 @@ from book import FIGURE, figure_key, listing_name
 
 CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
 BOLD = re.compile(r"\*\*(.+?)\*\*", re.S)
+DEFAULT = re.compile(r"\{default:([^}|]+)(?:\|([^}]*))?\}")
 MATH = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.S)
 
 
@@ -39,6 +40,7 @@ class Markup:
     def convert(self, text):
         text = FIGURE.sub(lambda m: self.figure(*m.groups()), text)
         text = text.replace("{defaults}", self.defaults())
+        text = DEFAULT.sub(lambda m: self.default(*m.groups()), text)
         text = re.sub(r"^## (L(\d+)\.(\d+) .*)$", r"## \1 {#L\2_\3}", text, flags=re.M)
         text = re.sub(r"<details><summary>(.*?)</summary>",
                       lambda m: raw(f"<details><summary>{self.inline_html(m[1])}</summary>"), text, flags=re.S)
@@ -106,7 +108,7 @@ class Markup:
                 self.error(f"{{{kind}:{value}}} names nothing that exists")
                 return value
 
-        text = re.sub(r"\{(fig|api|src|test|mutant|default|ref):([^}]+)\}", role, text)
+        text = re.sub(r"\{(fig|api|src|test|mutant|ref):([^}]+)\}", role, text)
         return re.sub(r"\[@(\w+)(,[^\]]*)?\]", lambda m: self.citation(*m.groups(), link), text)
 
     def citation(self, key, place, link):
@@ -137,13 +139,13 @@ class Markup:
             raise KeyError(name)
         return f"<code>{name}</code>"
 
-    def role_default(self, value, _):
-        expression, _, form = value.partition("|")
+    def default(self, expression, form):
         names = {setting.name: setting.number for setting in self.book.settings if setting.number is not None}
         try:
             number = eval(expression, {"__builtins__": {}, "pi": math.pi}, names)
-        except NameError as unknown:
-            raise KeyError(value) from unknown
+        except (NameError, SyntaxError) as reason:
+            self.error(f"{{default:{expression}}}: {reason}")
+            return expression
         text = format(number, form or "g")
         return re.sub(r"e([+-]\d+)", lambda m: rf"\cdot10^{{{int(m[1])}}}", text)
 

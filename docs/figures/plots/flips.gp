@@ -1,5 +1,5 @@
 set xlabel "time (s)"
-set ylabel "ω_y in the body (rad/s)"
+set ylabel "y component of ω, body frame (rad/s)"
 set yrange [-6:6]
 $zeros << END
 0.8526 0

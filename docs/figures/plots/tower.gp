@@ -1,5 +1,6 @@
 set xlabel "time (s)"
 set ylabel "height lost by the top box (mm)"
-set key center right
+set yrange [-30:40]
+set key top right
 plot file using 1:2 with lines linewidth 2 linecolor rgb wrong title "without warm starting", \
      file using 1:3 with lines linewidth 2.5 linecolor rgb right title "with warm starting"
