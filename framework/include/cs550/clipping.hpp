@@ -58,8 +58,8 @@ ClipPolygon clip_polygon(const ClipPolygon& polygon, const Plane& plane, ClipEdg
 Index find_incident_face(const PosedShape& body, const Vec3& reference_normal);
 
 /// The distance by which side planes are moved outward before clipping, relative to the smaller
-/// radius of the two shapes. Boxes stacked edge to edge then keep their features even though their
-/// edges differ by rounding.
+/// radius of the two shapes. Boxes that are stacked flush then keep their feature ids even though
+/// their edges differ by rounding.
 inline constexpr Real side_plane_tolerance = Real(1e-4);
 
 /// **L5.3** The manifold of two faces. The incident face is clipped by the side planes of the

@@ -111,7 +111,7 @@ void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b)
 /// **L7.8** One pass over all constraints. Forwards: from the first to the last, the normal and
 /// then the friction of each. Backwards: in exact reverse order, so that normals are solved last.
 ///
-/// A pass and its reverse together form a *symmetric* Gauss–Seidel iteration, whose error decays
+/// A pass and its reverse together form a *symmetric* Gauss–Seidel iteration. Its error decays
 /// without oscillation. Passes in one direction only can amplify slow modes of a warm-started stack
 /// (complex eigenvalues; Saad, *Iterative Methods for Sparse Linear Systems*, §4.1).
 void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
@@ -128,7 +128,7 @@ void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBo
 /// If at least one constraint with λ_n > 0 bounces, restitution_iterations sweeps visit all
 /// constraints in order. Each touching constraint receives the rigid impulse that brings v_n to its
 /// target, accumulated and clamped as in solve_normal(). The target is −e·v_n⁰ if it bounces and 0
-/// if it does not: a blow is passed on through resting contacts. Touching is decided at each visit.
+/// if it does not: an impact passes through resting contacts. Touching is decided at each visit.
 ///
 /// Finally, whether or not anything bounced, impact_handled is set for every constraint with a
 /// positive λ_n. It is never cleared here. The impact thus belongs to the substep in which λ_n

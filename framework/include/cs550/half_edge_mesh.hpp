@@ -206,13 +206,13 @@ inline constexpr Real coplanar_tolerance = Real(1e-5);
 /// convex polygons. This matters in lab 5: a triangular reference face would clip away half of a
 /// box's contact polygon.
 ///
-/// Faces are merged only if the *merged* face is a face: all its vertices lie within tolerance·size
+/// Faces are merged only if the *merged* face is valid: all its vertices lie within tolerance·size
 /// of its Newell plane (nearly coplanar is not transitive), its outline is convex, and no vertex of
 /// the mesh is farther than that in front of it. If the union of two faces has a reflex vertex, the
 /// coplanar faces behind that vertex are included, so that a flat face becomes one polygon however
 /// it was triangulated. A chain of shared edges is removed as a whole, with its inner vertices. A
 /// vertex that is left with only two edges is removed as well, from both of its faces; nothing is
-/// merged if one of them would not be a face without it.
+/// merged if one of them would not be valid without it.
 ///
 /// Unused vertices are removed; the rest keep their order. The result does not depend on the order
 /// of the triangles, and merging it again changes nothing.

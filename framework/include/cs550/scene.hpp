@@ -23,8 +23,8 @@ struct Scene {
   Real max_penetration = 0;             ///< bound on penetration, checked by tests (m)
 };
 
-/// How large a scene may be. The limits are checked before the work that they bound, so that a typing
-/// error in a generator is refused at once.
+/// Limits on the size of a scene. They are checked before the work that they bound, so that a typing
+/// error in a generator is rejected at once.
 struct SceneLimits {
   int bodies = 50000;         ///< of the whole scene
   int hull_points = 20000;    ///< of one point cloud or mesh file
