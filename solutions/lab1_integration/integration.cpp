@@ -3,8 +3,8 @@
 namespace cs550 {
 namespace {
 
-/// The fixed point contracts by about ½·h·|ω| a time: three iterations are exact to rounding for
-/// turns that a frame rate can show.
+/// An iteration contracts the error by at most about ½·h·|ω|·I_max/I_min. For a box of 1 : 2.5 : 5 at
+/// 60 Hz three leave 4e-6 of w at 5 rad/s and 1e-3 at 20 rad/s.
 constexpr int midpoint_iterations = 3;
 
 /// ω that the body would have, were it turned to q: R(q)·I⁻¹·R(q)ᵀ·L.

@@ -10,7 +10,7 @@ Energy energy(const World& world, Real h) {
     const double m = static_cast<double>(body.mass);
     sum.kinetic += static_cast<double>(kinetic_energy(body));
     sum.potential -= m * g.dot(body.pose.position.cast<double>());
-    sum.invariant -= 0.5 * static_cast<double>(h) * m * g.dot(body.linear_velocity.cast<double>());
+    sum.invariant += 0.5 * static_cast<double>(h) * g.dot(body.linear_momentum.cast<double>());
   }
   sum.invariant += sum.total();
   return sum;

@@ -4,8 +4,9 @@
 
 /// @file turn_guard.cpp
 /// The implicit midpoint is solved by fixed-point iteration, which contracts only while
-/// ½·h·|ω|·I_max/I_min < 1. A needle of 1 : 50 breaks that at half a radian per second, and its lost
-/// solution can have any energy up to L²/(2·I_min). A free turn cannot gain energy: that is the guard.
+/// ½·h·|ω|·I_max/I_min < 1. In substeps of 1/480 s a needle of 1 : 50 breaks that at 0.8 rad/s, and the
+/// lost solution can have any energy up to L²/(2·I_min). A free turn cannot gain energy: that is the
+/// guard.
 
 namespace cs550 {
 

@@ -10,7 +10,8 @@ namespace cs550 {
 struct Energy {
   double kinetic = 0;    ///< ½·m·v² + ½·ω·L
   double potential = 0;  ///< −m·g·x, zero at the world's origin
-  /// KE + PE + ½·h·m·g·v_up, which the semi-implicit step of length h conserves in free fall.
+  /// KE + PE − ½·h·m·g·v_up, which the semi-implicit step of length h conserves in free fall: each step
+  /// loses ½·m·g²·h² of KE + PE, and v_up falls by g·h.
   double invariant = 0;
 
   /// KE + PE.

@@ -208,7 +208,8 @@ class World {
   /// The tree of the broad phase, for drawing.
   const AabbTree& broad_phase() const;
 
-  /// A hash of all poses and momenta, bit for bit (FNV-1a). Equal states have equal hashes.
+  /// A hash of all poses and momenta, bit for bit (FNV-1a). Equal states have equal hashes. Impulses,
+  /// hints and settings are not hashed: worlds with equal hashes can continue differently.
   std::uint64_t state_hash() const;
 
   /// The momentum error |ΔP − J| over the run, relative to Σ|P| plus the weight that acts in one
