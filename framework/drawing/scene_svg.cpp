@@ -40,13 +40,34 @@ Colour label_colour(Role role) {
   return needs_outline(role) ? colour(Role::Text) : mix(colour(role), colour(Role::Text), 0.35);
 }
 
-/// Labels are placed one after another, each where it covers least of the others.
+/// How much of a segment lies within a box (pixels; Liang & Barsky 1984).
+double length_inside(PagePoint a, PagePoint b, const Rectangle& box) {
+  double enter = 0, leave = 1;
+  const auto clip = [&](double from, double to, double low, double high) {
+    if (from == to) {
+      if (from < low || from > high) leave = -1;
+      return;
+    }
+    const auto [first, last] =
+        std::minmax({(low - from) / (to - from), (high - from) / (to - from)});
+    enter = std::max(enter, first);
+    leave = std::min(leave, last);
+  };
+  clip(a.x, b.x, box.left, box.left + box.width);
+  clip(a.y, b.y, box.top, box.top + box.height);
+  return std::max(0.0, leave - enter) * distance(a, b);
+}
+
+/// Labels are placed one after another, each where it covers least of lines and of other labels.
 class LabelPlacer {
  public:
   explicit LabelPlacer(const Rectangle& area) : area_(area) {}
 
   /// What a label should not cover.
+  /// @{
   void avoid(const Rectangle& box) { taken_.push_back(box); }
+  void avoid(PagePoint from, PagePoint to) { lines_.emplace_back(from, to); }
+  /// @}
 
   /// The best box around a point.
   /// @param outward the side on which the label stands best, any length
@@ -81,11 +102,15 @@ class LabelPlacer {
   double overlap_with_others(const Rectangle& box) const {
     double cost = 20 * (box.width * box.height - common_area(box, area_));
     for (const Rectangle& other : taken_) cost += common_area(box, other);
+    for (const auto& [from, to] : lines_) cost += line_cost * length_inside(from, to, box);
     return cost;
   }
 
+  static constexpr double line_cost = 3;  // as much as an overlap of so many pixels beside the line
+
   Rectangle area_;
   std::vector<Rectangle> taken_;
+  std::vector<std::pair<PagePoint, PagePoint>> lines_;
 };
 
 class ScenePainter {
@@ -114,6 +139,7 @@ class ScenePainter {
       const double r = static_cast<double>(point.radius);
       placer.avoid({at.x - r, at.y - r, 2 * r, 2 * r});
     }
+    for (const Line& line : drawing_.lines) placer.avoid(place(line.from), place(line.to));
     const PagePoint middle = {area.left + 0.5 * area.width, area.top + 0.5 * area.height};
     for (const Label& label : drawing_.labels) {
       const PagePoint at = place(label.position);
