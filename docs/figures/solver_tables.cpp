@@ -94,16 +94,7 @@ void accumulate(std::ostream& out) {
   for (int pass = 1; pass <= 20; ++pass) {
     for (ContactConstraint& constraint : sum.constraints)
       solve_normal(constraint, sum.bodies[0], sum.bodies[1], rigid_step());
-    for (ContactConstraint& constraint : increment.constraints) {
-      SolverBody& a = increment.bodies[0];
-      SolverBody& b = increment.bodies[1];
-      const Real push = std::max(
-          Real(0), -constraint.normal_mass *
-                       normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n));
-      a.apply(-push * constraint.n, constraint.r_a);
-      b.apply(push * constraint.n, constraint.r_b);
-      constraint.normal_impulse += push;
-    }
+    resolve_contacts_naive(increment.constraints, increment.bodies);
     out << pass;
     for (const Plank* plank : {&sum, &increment}) {
       for (const ContactConstraint& constraint : plank->constraints)

@@ -1,6 +1,12 @@
-# cs550_viewer: the program behind ./cs550 view, on the best code that was given.
-# cs550_viewer_student: the same on the student's labs. Without their packages neither exists, and
-# everything else builds.
+# What the viewer shows is built without OpenGL and Dear ImGui, so that other programs can show it too.
+cs550_given_library(cs550_isolation isolation cereal::cereal)
+target_include_directories(cs550_isolation PUBLIC "${PROJECT_SOURCE_DIR}/framework")
+cs550_given_library(cs550_pages "pages;pages/*" cs550_engine cs550_drawing cs550_isolation)
+set_target_properties(cs550_isolation cs550_pages PROPERTIES EXCLUDE_FROM_ALL TRUE)
+
+# cs550_viewer is the program behind ./cs550 view, linked with the fastest given code.
+# cs550_viewer_student is the same with the student's labs. If a package is missing, building either of
+# them fails with its name, and everything else still builds.
 set(CS550_HAS_VIEWER FALSE)
 set(viewer_absence "")
 if(NOT CS550_VIEWER)
@@ -42,9 +48,8 @@ file(GLOB_RECURSE viewer_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framew
 set(viewer_main "${PROJECT_SOURCE_DIR}/framework/viewer/main.cpp")
 list(REMOVE_ITEM viewer_sources "${viewer_main}")
 add_library(cs550_viewer_parts STATIC EXCLUDE_FROM_ALL ${viewer_sources})
-target_include_directories(cs550_viewer_parts PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 target_link_libraries(cs550_viewer_parts
-  PUBLIC cs550_engine cs550_drawing cereal::cereal ${CMAKE_DL_LIBS}
+  PUBLIC cs550_pages ${CMAKE_DL_LIBS}
     PkgConfig::viewer_imgui PkgConfig::viewer_glfw3 PkgConfig::viewer_epoxy PkgConfig::viewer_stb
   PRIVATE CLI11::CLI11 cs550_warnings)
 

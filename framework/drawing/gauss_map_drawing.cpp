@@ -225,28 +225,4 @@ Drawing draw_axis(const PosedShape& a, const PosedShape& b, const SeparatingAxis
   return drawing;
 }
 
-Plot plot_candidates(const AxisCandidates& candidates) {
-  Plot plot;
-  plot.title = "Separation of every candidate";
-  plot.alt_text =
-      "The separation along each face normal of A and B and each crossing pair of edges.";
-  plot.x_label = "candidate";
-  plot.y_label = "separation (m)";
-  Real largest = -HUGE_VALF;
-  std::size_t next = 0;
-  const auto add = [&](const std::string& name, const std::vector<Real>& separations, Role role) {
-    std::vector<Vec2> values;
-    for (const Real separation : separations) {
-      values.emplace_back(static_cast<Real>(next++), separation);
-      largest = std::max(largest, separation);
-    }
-    add_series(plot, name, values, SeriesStyle::Dots).role = role;
-  };
-  add("faces of A", candidates.faces_a, Role::BodyA);
-  add("faces of B", candidates.faces_b, Role::BodyB);
-  add("pairs of edges", candidates.edges, Role::Incident);
-  if (std::isfinite(largest)) plot.marks.push_back({largest, false, "largest", Role::Axis});
-  return plot;
-}
-
 }  // namespace cs550::drawing

@@ -1,10 +1,10 @@
 #pragma once
 /// @file gauss_map_drawing.hpp
-/// **Lab 4:** Gauss maps, and the axis between two bodies. Document §3.2–3.5; Gregorius, *The Separating Axis Test between Convex Polyhedra* (GDC 2013).
+/// **Lab 4:** Gauss maps, and the axis between two bodies. Document §3.2–3.5; Gregorius, *The
+/// Separating Axis Test between Convex Polyhedra* (GDC 2013).
 
 #include "cs550/separating_axis.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/plot.hpp"
 
 namespace cs550::drawing {
 
@@ -51,15 +51,5 @@ std::string feature_text(const SeparatingAxis& axis);
 /// @param role of the axis and its features: Highlight, or Expected beside Got
 Drawing draw_axis(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
                   Role role = Role::Highlight);
-
-/// The separations of all axes that were tried.
-struct AxisCandidates {
-  std::vector<Real> faces_a;  ///< one for each face of A (m)
-  std::vector<Real> faces_b;  ///< one for each face of B (m)
-  std::vector<Real> edges;    ///< one for each pair of edges whose arcs cross (m)
-};
-
-/// A dot for each candidate; the largest separation wins.
-Plot plot_candidates(const AxisCandidates& candidates);
 
 }  // namespace cs550::drawing

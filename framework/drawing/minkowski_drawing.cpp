@@ -1,22 +1,27 @@
 #include "drawing/minkowski_drawing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
+
+#include "cs550/primitives.hpp"
 
 namespace cs550::drawing {
 namespace {
 
-/// Vertices this close to a supporting plane lie on it, relative to the sizes of the bodies.
+/// Points this close to a plane lie on it, relative to the sizes of the bodies.
 constexpr Real relative_tolerance = Real(1e-4);
-/// Normals whose cosine is above this are the same face.
-constexpr Real same_normal = Real(1) - Real(1e-6);
 
-std::vector<Vec3> world_vertices(const PosedShape& body) {
-  std::vector<Vec3> vertices;
-  vertices.reserve(body.mesh().vertices.size());
-  for (Index v = 0; v < body.mesh().vertex_count(); ++v) vertices.push_back(body.vertex(v));
-  return vertices;
+/// All differences of a vertex of A and a vertex of B, in the world.
+std::vector<Vec3> vertex_differences(const PosedShape& a, const PosedShape& b) {
+  std::vector<Vec3> differences;
+  for (Index i = 0; i < a.mesh().vertex_count(); ++i) {
+    for (Index k = 0; k < b.mesh().vertex_count(); ++k) {
+      differences.emplace_back(a.vertex(i) - b.vertex(k));
+    }
+  }
+  return differences;
 }
 
 Real highest(const std::vector<Vec3>& points, const Vec3& direction) {
@@ -64,43 +69,51 @@ std::vector<Vec3> planar_hull(const std::vector<Vec3>& points, const Vec3& norma
   return corners;
 }
 
-struct FaceNormal {
-  Vec3 normal;
-  Role role;
-};
-
-/// The face normals of A − B: those of A and −B, and of pairs of edges that a plane can touch at
-/// once.
-std::vector<FaceNormal> face_normals(const PosedShape& a, const PosedShape& b,
-                                     const std::vector<Vec3>& vertices_a,
-                                     const std::vector<Vec3>& negated_b, Real tolerance) {
-  std::vector<FaceNormal> normals;
-  const auto add = [&](const Vec3& normal, Role role) {
-    const bool is_new = std::none_of(normals.begin(), normals.end(), [&](const FaceNormal& other) {
-      return other.normal.dot(normal) > same_normal;
-    });
-    if (is_new) normals.push_back({normal, role});
+/// The planes of a hull's faces, each once although a face may have many triangles. Large triangles
+/// come first, because a sliver has no reliable normal.
+std::vector<Plane> face_planes(const TriangleSoup& hull, Real tolerance) {
+  struct HullTriangle {
+    std::array<Vec3, 3> corners;
+    Vec3 twice_area;
   };
-  for (Index f = 0; f < a.mesh().face_count(); ++f) add(a.plane(f).normal, Role::BodyA);
-  for (Index f = 0; f < b.mesh().face_count(); ++f) add(-b.plane(f).normal, Role::BodyB);
-  for (Index e = 0; e < a.mesh().edge_count(); e += 2) {
-    const Vec3 along_a = a.pose.rotate(a.mesh().edge_vector(e));
-    const Vec3 on_a = a.vertex(a.mesh().edge(e).vertex);
-    for (Index k = 0; k < b.mesh().edge_count(); k += 2) {
-      const Vec3 cross = along_a.cross(b.pose.rotate(b.mesh().edge_vector(k)));
-      if (!(cross.norm() > relative_tolerance * along_a.norm() * b.mesh().edge_vector(k).norm())) {
-        continue;
-      }
-      const Vec3 on_b = b.vertex(b.mesh().edge(k).vertex);
-      for (const Real sign : {Real(-1), Real(1)}) {
-        const Vec3 normal = sign * cross.normalized();
-        const bool supports = on_a.dot(normal) >= highest(vertices_a, normal) - tolerance &&
-                              -on_b.dot(normal) >= highest(negated_b, normal) - tolerance;
-        if (supports) add(normal, Role::Incident);
-      }
-    }
+  std::vector<HullTriangle> triangles;
+  for (const Triangle& triangle : hull.triangles) {
+    const Vec3& p = hull.vertices[triangle[0]];
+    const Vec3& q = hull.vertices[triangle[1]];
+    const Vec3& r = hull.vertices[triangle[2]];
+    triangles.push_back({{p, q, r}, (q - p).cross(r - p)});
   }
-  return normals;
+  std::stable_sort(triangles.begin(), triangles.end(), [](const auto& a, const auto& b) {
+    return a.twice_area.squaredNorm() > b.twice_area.squaredNorm();
+  });
+  std::vector<Plane> planes;
+  for (const HullTriangle& triangle : triangles) {
+    const bool is_known = std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+      return std::all_of(triangle.corners.begin(), triangle.corners.end(), [&](const Vec3& corner) {
+        return std::abs(plane.distance(corner)) < tolerance;
+      });
+    });
+    if (is_known || triangle.twice_area.norm() == 0) continue;
+    const Vec3 normal = triangle.twice_area.normalized();
+    planes.push_back({normal, normal.dot(triangle.corners[0])});
+  }
+  return planes;
+}
+
+/// Whether a body has a face with this normal, up to the rounding of a hull's normals.
+bool has_normal(const PosedShape& body, const Vec3& normal) {
+  constexpr Real same_direction = Real(1) - Real(1e-6);
+  for (Index f = 0; f < body.mesh().face_count(); ++f) {
+    if (body.plane(f).normal.dot(normal) > same_direction) return true;
+  }
+  return false;
+}
+
+/// Whose face a normal of A − B is.
+Role owner_of(const Vec3& normal, const PosedShape& a, const PosedShape& b) {
+  if (has_normal(a, normal)) return Role::BodyA;
+  if (has_normal(b, -normal)) return Role::BodyB;
+  return Role::Incident;
 }
 
 }  // namespace
@@ -108,27 +121,23 @@ std::vector<FaceNormal> face_normals(const PosedShape& a, const PosedShape& b,
 Drawing draw_minkowski_difference(const PosedShape& a, const PosedShape& b) {
   Drawing drawing;
   drawing.title = "Minkowski difference A − B";
-  const std::vector<Vec3> vertices_a = world_vertices(a);
-  std::vector<Vec3> negated_b = world_vertices(b);
-  for (Vec3& vertex : negated_b) vertex = -vertex;
   const Real tolerance = relative_tolerance * (a.shape->radius + b.shape->radius);
+  const TriangleSoup hull = convex_hull(vertex_differences(a, b)).soup;
 
   bool holds_origin = true;
-  for (const FaceNormal& face : face_normals(a, b, vertices_a, negated_b, tolerance)) {
-    std::vector<Vec3> sums;
-    for (const Vec3& p : extreme(vertices_a, face.normal, tolerance)) {
-      for (const Vec3& q : extreme(negated_b, face.normal, tolerance)) sums.emplace_back(p + q);
-    }
-    Polygon polygon{planar_hull(sums, face.normal, tolerance), face.role, Real(0.6)};
+  for (const Plane& plane : face_planes(hull, tolerance)) {
+    const std::vector<Vec3> points = extreme(hull.vertices, plane.normal, tolerance);
+    Polygon polygon{planar_hull(points, plane.normal, tolerance), owner_of(plane.normal, a, b),
+                    Real(0.6)};
     if (polygon.corners.size() < 3) continue;
-    holds_origin = holds_origin && polygon.corners.front().dot(face.normal) >= 0;
+    holds_origin = holds_origin && plane.offset >= 0;
     add_closed_curve(drawing, polygon.corners, {Role::Axis, Real(1.1)});
     drawing.polygons.push_back(std::move(polygon));
   }
   drawing.points.push_back({Vec3::Zero(), Role::Highlight, 6});
   drawing.labels.push_back({Vec3::Zero(), "origin", Role::Text});
   drawing.alt_text = "The Minkowski difference of A and B has " +
-                     std::to_string(drawing.polygons.size()) + " faces; the origin lies " +
+                     std::to_string(drawing.polygons.size()) + " faces; the origin is " +
                      (holds_origin ? "inside: the bodies overlap." : "outside: they are apart.");
   drawing.legend = {{"face of A", {Role::BodyA, 2}, LegendMark::Patch},
                     {"face of −B", {Role::BodyB, 2}, LegendMark::Patch},

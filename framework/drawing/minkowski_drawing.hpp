@@ -8,9 +8,10 @@
 namespace cs550::drawing {
 
 /// A − B: the polyhedron of all differences a − b, and the origin. The bodies overlap if and only if
-/// it holds the origin; then the distance to its nearest face is the depth. Faces of A, faces of −B
-/// and those of pairs of edges have different colours: they are the points and the crossings of the
-/// two Gauss maps. O(pairs of edges · vertices): meant for shapes of up to about 100 vertices.
+/// the polyhedron contains the origin; the depth is then the distance to the nearest face. Faces of
+/// A, faces of −B and faces of edge pairs have different colours: they correspond to the points and
+/// the crossings of the two Gauss maps. The convex hull of all pairs of vertices, so meant for shapes
+/// of up to about 100 vertices.
 Drawing draw_minkowski_difference(const PosedShape& a, const PosedShape& b);
 
 }  // namespace cs550::drawing

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/painter.hpp"
+#include "drawing/painting_order.hpp"
 #include "drawing/svg_parts.hpp"
 
 namespace cs550::drawing {
@@ -20,16 +20,16 @@ PagePoint between(PagePoint a, PagePoint b, double share) {
 double distance(PagePoint a, PagePoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 /// A face is lighter the more it looks up and to the left.
-Colour lit(Colour base, const std::vector<Vec3>& corners, const Camera& camera) {
+Colour lit(Colour base, const std::vector<Vec3>& corners, const FittedView& view) {
   Vec3 normal = Vec3::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     normal += (corners[i] - corners[0]).cross(corners[(i + 1) % corners.size()] - corners[0]);
   }
   if (normal.norm() == 0) return base;
   normal.normalize();
-  if (normal.dot(camera.toward_eye()) < 0) normal = -normal;
+  if (normal.dot(view.toward_eye()) < 0) normal = -normal;
   const Vec3 light =
-      (Real(0.9) * camera.up() - Real(0.45) * camera.right() + Real(0.7) * camera.toward_eye())
+      (Real(0.9) * view.up() - Real(0.45) * view.right() + Real(0.7) * view.toward_eye())
           .normalized();
   const double brightness = std::max(0.0, static_cast<double>(normal.dot(light)));
   return mix(base, paper, 0.28 + 0.5 * brightness);
@@ -115,8 +115,8 @@ class LabelPlacer {
 
 class ScenePainter {
  public:
-  ScenePainter(SvgWriter& svg, const Drawing& drawing, const Camera& camera)
-      : svg_(svg), drawing_(drawing), camera_(camera) {}
+  ScenePainter(SvgWriter& svg, const Drawing& drawing, const FittedView& view)
+      : svg_(svg), drawing_(drawing), view_(view) {}
 
   /// Between two faces lines come first, and of them all outlines: those of a curve in pieces must
   /// not show within it.
@@ -169,17 +169,17 @@ class ScenePainter {
     }
   }
 
-  PagePoint place(const Vec3& position) const { return on_page(camera_.project(position)); }
+  PagePoint place(const Vec3& position) const { return on_page(view_.project(position)); }
 
   void paint(const Polygon& polygon) {
     std::vector<PagePoint> corners;
     for (const Vec3& corner : polygon.corners) corners.push_back(place(corner));
-    svg_.polygon(corners, lit(colour(polygon.role), polygon.corners, camera_),
+    svg_.polygon(corners, lit(colour(polygon.role), polygon.corners, view_),
                  static_cast<double>(polygon.opacity));
   }
 
   void paint(const Ball& ball) {
-    svg_.ball(place(ball.center), camera_.pixels(ball.center, static_cast<double>(ball.radius)),
+    svg_.ball(place(ball.center), view_.pixels(ball.center, static_cast<double>(ball.radius)),
               colour(ball.role), static_cast<double>(ball.opacity));
   }
 
@@ -237,7 +237,7 @@ class ScenePainter {
 
   SvgWriter& svg_;
   const Drawing& drawing_;
-  const Camera& camera_;
+  const FittedView& view_;
 };
 
 }  // namespace
@@ -248,10 +248,10 @@ void draw_scene(SvgWriter& svg, const Drawing& drawing, const View& view,
   const double margin = std::min(34.0, 0.12 * std::min(area.width, area.height));
   const Rectangle inner = {area.left + margin, area.top + margin, area.width - 2 * margin,
                            area.height - 2 * margin};
-  const Camera camera(view, keep_in_view, inner);
+  const FittedView fitted(view, keep_in_view, inner);
   svg.begin_clipped(area);
-  ScenePainter painter(svg, drawing, camera);
-  painter.paint(painting_order(drawing, camera));
+  ScenePainter painter(svg, drawing, fitted);
+  painter.paint(painting_order(drawing, fitted));
   painter.paint_labels(area);
   svg.end_group();
   svg.frame(area, mix(colour(Role::Faint), paper, 0.5));

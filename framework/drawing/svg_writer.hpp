@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/camera.hpp"
+#include "drawing/fitted_view.hpp"
 #include "drawing/palette.hpp"
 
 namespace cs550::drawing {

@@ -35,24 +35,6 @@ Drawing draw_trail(std::span<const Pose> poses, const Vec3& body_point, const St
   return drawing;
 }
 
-Drawing draw_frames(std::span<const Pose> poses, int every, Real length) {
-  Drawing drawing;
-  drawing.title = "Orientation";
-  drawing.alt_text = "The axes of the body along its way.";
-  // Red, green and blue for x, y and z, as everywhere.
-  const std::array<Role, 3> roles = {Role::Got, Role::Expected, Role::BodyA};
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const bool shown =
-        i % static_cast<std::size_t>(std::max(every, 1)) == 0 || i + 1 == poses.size();
-    if (!shown) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      add_arrow(drawing, poses[i].position, length * poses[i].rotate(Vec3::Unit(axis)),
-                {roles.at(static_cast<std::size_t>(axis)), Real(1.6)});
-    }
-  }
-  return drawing;
-}
-
 Drawing draw_box(const Pose& pose, const Vec3& half_extents, Role role, Real opacity) {
   Drawing drawing;
   for (int axis = 0; axis < 3; ++axis) {

@@ -14,10 +14,6 @@ namespace cs550::drawing {
 Drawing draw_trail(std::span<const Pose> poses, const Vec3& body_point, const Stroke& stroke,
                    const std::string& name);
 
-/// The axes of the body at every so many poses, the first and the last included.
-/// @param length of the axes (m)
-Drawing draw_frames(std::span<const Pose> poses, int every, Real length);
-
 /// A box at a pose, as its edges and translucent faces. @param half_extents (m)
 Drawing draw_box(const Pose& pose, const Vec3& half_extents, Role role, Real opacity = Real(0.4));
 

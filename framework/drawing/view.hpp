@@ -14,11 +14,10 @@ struct View {
   Bounds frame;            ///< what must be visible (m); empty: all of the drawing
 };
 
-/// Straight down a coordinate axis: a plan, a front and a side view.
+/// Along a coordinate axis: a plan and a front view.
 /// @{
 inline View view_from_above() { return {{0, 0, 1}, {0, 1, 0}, 0, {}}; }
 inline View view_from_front() { return {{0, -1, 0}, {0, 0, 1}, 0, {}}; }
-inline View view_from_side() { return {{1, 0, 0}, {0, 0, 1}, 0, {}}; }
 /// @}
 
 /// A size on the page.

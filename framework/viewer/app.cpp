@@ -79,7 +79,7 @@ void App::draw(Canvas& canvas) {
       static_cast<float>(canvas.size().width) / ImGui::GetIO().DisplaySize.x;
   const Projection seen = projection();
   const Content& content = page_->content();
-  painter_.paint(content, seen, canvas, interface_.scale() * pixels_per_unit);
+  renderer_.paint(content, seen, canvas, interface_.scale() * pixels_per_unit);
   const int missing = show_labels(content.drawing, seen, picture_area(), interface_.fonts());
   show_legend(content.drawing, picture_area(), interface_.fonts(), missing);
   if (!content.problem.empty()) {
@@ -90,7 +90,7 @@ void App::draw(Canvas& canvas) {
 
 bool App::is_still() const {
   constexpr int a_while = 8;  // frames
-  return painter_.still_frames() >= a_while;
+  return renderer_.still_frames() >= a_while;
 }
 
 void App::pass_time() {

@@ -5,14 +5,16 @@
 #include <memory>
 #include <optional>
 
+#include "pages/make_page.hpp"
+#include "pages/world/world_page.hpp"
 #include "viewer/options.hpp"
-#include "viewer/pages/page.hpp"
-#include "viewer/painter.hpp"
+#include "viewer/render/content_renderer.hpp"
 #include "viewer/ui/interface.hpp"
 #include "viewer/ui/layout.hpp"
-#include "viewer/world/world_page.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 
 /// All that the viewer remembers from frame to frame.
 class App {
@@ -70,7 +72,7 @@ class App {
 
   Options options_;
   Interface& interface_;
-  Painter painter_;
+  ContentRenderer renderer_;
   std::unique_ptr<Page> page_;
   WorldPage* world_ = nullptr;
   Camera camera_;

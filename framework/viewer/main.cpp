@@ -3,8 +3,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "pages/make_page.hpp"
 #include "viewer/options.hpp"
-#include "viewer/pages/page.hpp"
 #include "viewer/snapshot.hpp"
 #include "viewer/window.hpp"
 

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "viewer/camera.hpp"
-#include "viewer/pages/page.hpp"
+#include "pages/base/camera.hpp"
+#include "pages/make_page.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 namespace {
 
 constexpr int good = 0;

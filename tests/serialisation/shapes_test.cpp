@@ -9,6 +9,8 @@
 namespace cs550::test {
 namespace {
 
+using namespace serialisation;
+
 TEST(Serialisation, AShapeIsNamedByItsContent) {
   const ShapePtr cube = fixture_shape("cube");
   const ShapePtr twin = make_shape(fixture_mesh("cube")).shape;

@@ -20,6 +20,8 @@
 
 namespace cs550::test {
 
+using namespace serialisation;
+
 /// What a parameter becomes while it waits to be passed: a value that owns all that it says.
 template <class P>
 struct Parameter {

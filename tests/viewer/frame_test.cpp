@@ -7,10 +7,10 @@
 #include <iostream>
 
 #include "cs550/primitives.hpp"
+#include "pages/base/colours.hpp"
 #include "pictures.hpp"
 #include "viewer/app.hpp"
 #include "viewer/gl/headless_context.hpp"
-#include "viewer/palette.hpp"
 
 namespace cs550::test {
 namespace {
@@ -115,23 +115,23 @@ Projection view_of(const Content& content, Size size, Real turn = 0) {
 }
 
 /// What is skipped because it was drawn before must be what would be drawn now.
-TEST_F(Frames, AnOldPainterPaintsWhatANewOneDoes) {
+TEST_F(Frames, AnOldContentRendererPaintsWhatANewOneDoes) {
   const Size size{320, 180};
   Content content = boxes(3);
   Canvas canvas(size);
-  Painter painter;
+  ContentRenderer renderer;
   const auto expect_fresh = [&](const char* change, Real turn, float scale) {
     const Projection projection = view_of(content, size, turn);
-    painter.paint(content, projection, canvas, scale);
+    renderer.paint(content, projection, canvas, scale);
     Canvas fresh(size);
-    Painter().paint(content, projection, fresh, scale);
+    ContentRenderer().paint(content, projection, fresh, scale);
     EXPECT_TRUE(viewer::read_picture(canvas).pixels == viewer::read_picture(fresh).pixels)
         << change;
-    EXPECT_EQ(painter.still_frames(), 0) << change;
-    painter.paint(content, projection, canvas, scale);
+    EXPECT_EQ(renderer.still_frames(), 0) << change;
+    renderer.paint(content, projection, canvas, scale);
     EXPECT_TRUE(viewer::read_picture(canvas).pixels == viewer::read_picture(fresh).pixels)
         << change << ", a second time";
-    EXPECT_EQ(painter.still_frames(), 1) << change;
+    EXPECT_EQ(renderer.still_frames(), 1) << change;
   };
   expect_fresh("nothing", 0, 1);
   content.solids[26].pose.position.z() += Real(0.5);
@@ -157,7 +157,7 @@ TEST_F(Frames, AQuickOneLooksLikeAFineOne) {
   std::vector<Picture> pictures;
   for (const Quality quality : {Quality::Fine, Quality::Quick}) {
     Canvas canvas(size, quality);
-    Painter().paint(content, view_of(content, size), canvas, 1);
+    ContentRenderer().paint(content, view_of(content, size), canvas, 1);
     pictures.push_back(halved(halved(viewer::read_picture(canvas))));
   }
   EXPECT_GT(colour_count(pictures[0]), 40);
@@ -170,10 +170,10 @@ TEST_F(Frames, ReportsTheTimeOfAThousandBodies) {
   const Content content = boxes(10);
   for (const Quality quality : {Quality::Quick, Quality::Fine}) {
     Canvas canvas(size, quality);
-    Painter painter;
+    ContentRenderer renderer;
     const auto paint = [&](int frame) {
-      painter.paint(content, view_of(content, size, Real(0.01) * static_cast<Real>(frame)), canvas,
-                    1);
+      renderer.paint(content, view_of(content, size, Real(0.01) * static_cast<Real>(frame)), canvas,
+                     1);
       glFinish();
     };
     paint(0);

@@ -5,16 +5,16 @@
 #include <stdexcept>
 
 #include "cs550/not_implemented.hpp"
-#include "viewer/isolation/content_wire.hpp"
-#include "viewer/isolation/service.hpp"
+#include "isolation/service.hpp"
+#include "pages/base/content_archive.hpp"
 
 namespace cs550::test {
 namespace {
 
 using namespace std::chrono_literals;
-using viewer::Answer;
-using viewer::Isolation;
-using IntService = viewer::Service<int, int>;
+using isolation::Answer;
+using isolation::Isolation;
+using IntService = isolation::Service<int, int>;
 
 TEST(Isolation, AnswersComeBackAndStateIsKept) {
   for (const Isolation isolation : {Isolation::Here, Isolation::Child}) {
@@ -57,7 +57,7 @@ TEST(Isolation, AnEndlessLoopIsStopped) {
       },
       Isolation::Child, 1000ms);
   EXPECT_EQ(service.ask(5).value, 5);
-  EXPECT_EQ(service.ask(0).failure, "no answer in 1 s: stopped (an endless loop?)");
+  EXPECT_EQ(service.ask(0).failure, "stopped after 1 s without an answer (an endless loop?)");
 }
 
 TEST(Isolation, EndingTheProgramIsSaid) {
@@ -66,7 +66,7 @@ TEST(Isolation, EndingTheProgramIsSaid) {
 }
 
 TEST(Isolation, AContentSurvivesTheWire) {
-  viewer::Content content;
+  pages::Content content;
   content.drawing.labels.push_back({Vec3(1, 2, 3), "λ", drawing::Role::Axis});
   content.drawing.polygons.push_back({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {}, 1});
   content.plots.emplace_back().series.push_back({"energy", {Vec2(1, 2)}, {}, {}, true});
@@ -74,8 +74,8 @@ TEST(Isolation, AContentSurvivesTheWire) {
   content.step_count = 7;
   content.focus = {Vec3(4, 5, 6), 2};
   content.solids.emplace_back().mesh = std::make_shared<const HalfEdgeMesh>();
-  const auto copy = viewer::from_bytes<viewer::Content>(viewer::to_bytes(content));
-  EXPECT_EQ(viewer::to_bytes(copy), viewer::to_bytes(content));
+  const auto copy = serialisation::from_bytes<pages::Content>(serialisation::to_bytes(content));
+  EXPECT_EQ(serialisation::to_bytes(copy), serialisation::to_bytes(content));
   EXPECT_EQ(copy.drawing.labels[0].text, "λ");
   EXPECT_EQ(copy.focus.center, Vec3(4, 5, 6));
   EXPECT_TRUE(copy.plots[0].series[0].dashed);

@@ -1,12 +1,12 @@
 // What is drawn over a world.
-#include "viewer/world/overlays.hpp"
+#include "pages/world/overlays.hpp"
 
 #include <gtest/gtest.h>
 
 namespace cs550::test {
 namespace {
 
-using namespace viewer;
+using namespace pages;
 
 constexpr Real length = 1;  // of a contact normal (m)
 

@@ -36,7 +36,7 @@ Options page(int lab, bool ui) {
   options.lab = lab;
   options.ui = ui;
   if (lab == 0) options.steps = 55;
-  options.size = ui ? viewer::Size{1280, 720} : viewer::Size{640, 360};
+  options.size = ui ? pages::Size{1280, 720} : pages::Size{640, 360};
   return options;
 }
 

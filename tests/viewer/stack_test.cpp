@@ -1,12 +1,12 @@
 // The problem that the pages of labs 6 and 7 solve, and how its error is measured.
-#include "viewer/pages/stack_runs.hpp"
+#include "pages/labs/stack_runs.hpp"
 
 #include <gtest/gtest.h>
 
 namespace cs550::test {
 namespace {
 
-using namespace viewer;
+using namespace pages;
 
 const StackSettings stacks[] = {{1, 1, 0, 0, 0},
                                 {3, 1, Real(0.2), Real(0.5), 0},

@@ -4,19 +4,12 @@
 
 #include <cstdint>
 
+#include "pages/base/area.hpp"
 #include "viewer/gl/handle.hpp"
 
 namespace cs550::viewer {
 
-/// In pixels.
-struct Size {
-  int width = 0;   ///< pixels
-  int height = 0;  ///< pixels
-
-  bool operator==(const Size& other) const {
-    return width == other.width && height == other.height;
-  }
-};
+using namespace pages;
 
 /// How much work a frame may be.
 enum class Quality : std::uint8_t {

@@ -4,14 +4,12 @@
 
 #include <epoxy/gl.h>
 
-#include "cs550/math.hpp"
+#include "pages/base/camera.hpp"
+#include "pages/base/colours.hpp"
 
 namespace cs550::viewer {
 
-/// 4 × 4, column-major, as OpenGL takes it.
-using Matrix4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;
-/// Red, green, blue, opacity; each 0–1, as a screen shows them (sRGB).
-using Rgba = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
+using namespace pages;
 
 /// A vertex and a fragment shader, linked.
 class Shader {

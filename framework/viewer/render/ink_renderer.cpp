@@ -35,9 +35,9 @@ std::vector<float> line_records(const Drawing& drawing, float scale) {
   std::vector<float> floats;
   for (const drawing::Line& line : drawing.lines) {
     if (drawing::needs_outline(line.stroke.role)) {
-      append_line(floats, line, role_colour(Role::Text), scale, outline * scale);
+      append_line(floats, line, role_rgba(Role::Text), scale, outline * scale);
     }
-    append_line(floats, line, role_colour(line.stroke.role), scale, 0);
+    append_line(floats, line, role_rgba(line.stroke.role), scale, 0);
   }
   return floats;
 }
@@ -47,11 +47,11 @@ std::vector<float> dot_records(const Drawing& drawing, float scale) {
   for (const drawing::Point& point : drawing.points) {
     if (drawing::needs_outline(point.role)) {
       append(floats, point.position);
-      append(floats, role_colour(Role::Text));
+      append(floats, role_rgba(Role::Text));
       floats.push_back((point.radius + outline) * scale);
     }
     append(floats, point.position);
-    append(floats, role_colour(point.role));
+    append(floats, role_rgba(point.role));
     floats.push_back(point.radius * scale);
   }
   return floats;
@@ -79,7 +79,7 @@ std::vector<const drawing::Polygon*> in_order(const Drawing& drawing, const Vec3
 std::vector<float> triangle_records(std::span<const drawing::Polygon* const> polygons) {
   std::vector<float> floats;
   for (const drawing::Polygon* polygon : polygons) {
-    const Rgba colour = role_colour(polygon->role, polygon->opacity);
+    const Rgba colour = role_rgba(polygon->role, polygon->opacity);
     for (std::size_t i = 2; i < polygon->corners.size(); ++i) {
       for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
         append(floats, polygon->corners[corner]);
@@ -103,7 +103,7 @@ std::vector<float> ball_records(const Drawing& drawing) {
   for (const drawing::Ball& ball : drawing.balls) {
     append(floats, ball.center);
     floats.push_back(ball.radius);
-    append(floats, role_colour(ball.role, ball.opacity));
+    append(floats, role_rgba(ball.role, ball.opacity));
   }
   return floats;
 }
@@ -127,14 +127,6 @@ void end_blending() {
 }
 
 }  // namespace
-
-Rgba as_colour(drawing::Colour colour, float opacity) {
-  constexpr float most = 255;
-  return {static_cast<float>(colour.red) / most, static_cast<float>(colour.green) / most,
-          static_cast<float>(colour.blue) / most, opacity};
-}
-
-Rgba role_colour(Role role, float opacity) { return as_colour(drawing::colour(role), opacity); }
 
 InkRenderer::InkRenderer()
     : line_shader_("line", ink::line_vertex, ink::line_fragment),

@@ -6,15 +6,13 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
-#include "viewer/camera.hpp"
+#include "pages/base/camera.hpp"
 #include "viewer/gl/handle.hpp"
+#include "viewer/gl/shader.hpp"
 
 namespace cs550::viewer {
 
-/// A palette's colour for the graphics card.
-Rgba as_colour(drawing::Colour colour, float opacity = 1);
-/// The colour of a role.
-Rgba role_colour(drawing::Role role, float opacity = 1);
+using namespace pages;
 
 /// Draws what a Drawing holds, save its labels, which are text.
 class InkRenderer {

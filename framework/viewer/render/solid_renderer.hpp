@@ -5,14 +5,17 @@
 #include <map>
 #include <span>
 
-#include "viewer/camera.hpp"
+#include "pages/base/camera.hpp"
+#include "pages/base/focus.hpp"
+#include "pages/base/solid.hpp"
+#include "viewer/gl/canvas.hpp"
 #include "viewer/render/backdrop.hpp"
-#include "viewer/render/focus.hpp"
 #include "viewer/render/shadow_map.hpp"
-#include "viewer/render/solid.hpp"
 #include "viewer/render/solid_mesh.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 
 /// Draws solids; keeps their meshes on the graphics card as long as they are drawn.
 class SolidRenderer {

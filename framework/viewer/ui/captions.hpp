@@ -3,10 +3,12 @@
 /// Text in and below the picture: labels, legend, notes.
 
 #include "drawing/drawing.hpp"
-#include "viewer/camera.hpp"
+#include "pages/base/camera.hpp"
 #include "viewer/ui/theme.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 
 /// Writes the labels of a drawing beside what they name, with a light rim; those for which there is
 /// no room are left out. @return how many

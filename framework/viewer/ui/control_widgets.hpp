@@ -2,9 +2,11 @@
 /// @file control_widgets.hpp
 /// Controls as widgets.
 
-#include "viewer/controls.hpp"
+#include "pages/base/controls.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 
 /// Shows every setting that it visits, in the present window; the user turns them.
 class ControlWidgets final : public ControlVisitor {

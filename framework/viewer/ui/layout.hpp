@@ -2,9 +2,11 @@
 /// @file layout.hpp
 /// Where panels and picture are, so that the picture always has at least half of the room.
 
-#include "viewer/camera.hpp"
+#include "pages/base/camera.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 
 /// Parts of a window; an area without width is not shown.
 struct Layout {

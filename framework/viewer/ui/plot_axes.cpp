@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdio>
 
-#include "viewer/controls.hpp"
+#include "pages/base/controls.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 
 using drawing::Plot;
 using drawing::Series;

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "drawing/plot.hpp"
-#include "viewer/camera.hpp"
+#include "pages/base/camera.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 
 /// What one axis shows, and where.
 struct Axis {

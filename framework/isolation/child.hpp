@@ -1,0 +1,54 @@
+#pragma once
+/// @file child.hpp
+/// A process of its own for code that may crash or never end.
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace cs550::isolation {
+
+/// One end of a pair of sockets that carries messages.
+class Channel {
+ public:
+  explicit Channel(int socket) : socket_(socket) {}
+  ~Channel();
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+
+  /// @return whether the other end is still there
+  bool send(const std::string& message) const;
+
+  /// How waiting for a message ended.
+  enum class Wait { Received, Closed, TooLate };
+  /// @param limit no limit if empty
+  Wait receive(std::string& message, std::optional<std::chrono::milliseconds> limit) const;
+
+ private:
+  int socket_;
+};
+
+/// A copy of this process that does some work and answers. It ends when this object does, and takes
+/// no more than `memory_limit`.
+class Child {
+ public:
+  /// @param work runs in the copy; its process ends when it returns
+  explicit Child(const std::function<void(const Channel&)>& work);
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// The messages to and from it.
+  const Channel& channel() const { return *channel_; }
+  /// Ends it. @return how it had ended by itself, for people: "crashed: Segmentation fault"
+  std::string end();
+
+ private:
+  pid_t process_ = -1;
+  std::optional<Channel> channel_;
+};
+
+}  // namespace cs550::isolation

@@ -1,0 +1,169 @@
+#include "pages/base/controls.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+namespace cs550::pages {
+namespace {
+
+std::string range_text(double least, double most, const Control& control) {
+  const std::string unit = *control.unit == '\0' ? "" : std::string(" ") + control.unit;
+  return short_number(least) + " to " + short_number(most) + unit;
+}
+
+std::string alternatives(std::span<const char* const> names) {
+  std::string text;
+  for (const char* name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+}  // namespace
+
+std::string short_number(double value, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value == 0 ? 0.0 : value);
+  return text.data();
+}
+
+// --- setting ---------------------------------------------------------------------------------
+
+ControlSetter::ControlSetter(const std::string& assignment) {
+  const std::size_t sign = assignment.find('=');
+  if (sign == std::string::npos) {
+    throw std::invalid_argument("--set takes name=value, not '" + assignment +
+                                "'; --list shows the names");
+  }
+  name_ = assignment.substr(0, sign);
+  text_ = assignment.substr(sign + 1);
+}
+
+bool ControlSetter::is_meant(const Control& control) {
+  names_.emplace_back(control.name);
+  const bool meant = name_ == control.name;
+  found_ = found_ || meant;
+  return meant;
+}
+
+void ControlSetter::refuse(const std::string& expected) const {
+  throw std::invalid_argument("--set " + name_ + "=" + text_ + ": expected " + expected);
+}
+
+Real ControlSetter::to_number(const std::string& word, const std::string& expected) const {
+  std::size_t used = 0;
+  Real value = 0;
+  try {
+    value = std::stof(word, &used);
+  } catch (const std::exception&) {
+    refuse(expected);
+  }
+  if (used != word.size() || !std::isfinite(value)) refuse(expected);
+  return value;
+}
+
+void ControlSetter::whole(const Control& control, int& value, int least, int most) {
+  if (!is_meant(control)) return;
+  const std::string expected = "a whole number, " + range_text(least, most, control);
+  const Real given = to_number(text_, expected);
+  if (given != std::floor(given)) refuse(expected);
+  if (given < static_cast<Real>(least) || given > static_cast<Real>(most)) refuse(expected);
+  value = static_cast<int>(given);
+}
+
+void ControlSetter::number(const Control& control, Real& value, Real least, Real most) {
+  if (!is_meant(control)) return;
+  const std::string expected = "a number, " + range_text(least, most, control);
+  const Real given = to_number(text_, expected);
+  if (given < least || given > most) refuse(expected);
+  value = given;
+}
+
+void ControlSetter::vector(const Control& control, Vec3& value, Real most) {
+  if (!is_meant(control)) return;
+  const std::string expected = "x,y,z, each " + range_text(-most, most, control);
+  std::vector<Real> given;
+  std::istringstream words(text_);
+  for (std::string word; std::getline(words, word, ',');) {
+    given.push_back(to_number(word, expected));
+    if (std::abs(given.back()) > most) refuse(expected);
+  }
+  if (given.size() != 3) refuse(expected);
+  value = {given[0], given[1], given[2]};
+}
+
+void ControlSetter::toggle(const Control& control, bool& value) {
+  if (!is_meant(control)) return;
+  if (text_ != "on" && text_ != "off") refuse("on or off");
+  value = text_ == "on";
+}
+
+void ControlSetter::choice(const Control& control, int& value, std::span<const char* const> names) {
+  if (!is_meant(control)) return;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (text_ == names[i]) {
+      value = static_cast<int>(i);
+      return;
+    }
+  }
+  refuse("one of " + alternatives(names));
+}
+
+void ControlSetter::moves(const Control& control, std::vector<int>& value,
+                          std::span<const char* const> names) {
+  if (!is_meant(control)) return;
+  value.clear();
+  std::istringstream words(text_);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto name = std::find(names.begin(), names.end(), word);
+    if (name == names.end()) refuse("a list of " + alternatives(names) + ", as in next,twin,next");
+    value.push_back(static_cast<int>(name - names.begin()));
+  }
+}
+
+void ControlSetter::expect_found() const {
+  if (found_) return;
+  std::string list;
+  for (const std::string& name : names_) list += (list.empty() ? "" : ", ") + name;
+  throw std::invalid_argument("--set " + name_ +
+                              ": this page has no such setting. It has: " + list);
+}
+
+// --- listing ---------------------------------------------------------------------------------
+
+void ControlLister::add(const Control& control, const std::string& value,
+                        const std::string& range) {
+  std::string line = std::string(control.name) + "=" + value;
+  constexpr std::size_t column = 34;
+  line.resize(std::max(line.size() + 2, column), ' ');
+  text_ += line + range + "\n";
+}
+
+void ControlLister::whole(const Control& control, int& value, int least, int most) {
+  add(control, std::to_string(value), range_text(least, most, control));
+}
+void ControlLister::number(const Control& control, Real& value, Real least, Real most) {
+  add(control, short_number(value), range_text(least, most, control));
+}
+void ControlLister::vector(const Control& control, Vec3& value, Real most) {
+  add(control,
+      short_number(value.x()) + "," + short_number(value.y()) + "," + short_number(value.z()),
+      "each " + range_text(-most, most, control));
+}
+void ControlLister::toggle(const Control& control, bool& value) {
+  add(control, value ? "on" : "off", "on, off");
+}
+void ControlLister::choice(const Control& control, int& value, std::span<const char* const> names) {
+  add(control, names[static_cast<std::size_t>(value)], alternatives(names));
+}
+void ControlLister::moves(const Control& control, std::vector<int>& value,
+                          std::span<const char* const> names) {
+  std::string list;
+  for (const int move : value) {
+    list += (list.empty() ? "" : ",") + std::string(names[static_cast<std::size_t>(move)]);
+  }
+  add(control, list, "a list of " + alternatives(names));
+}
+
+}  // namespace cs550::pages

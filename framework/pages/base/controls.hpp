@@ -1,0 +1,98 @@
+#pragma once
+/// @file controls.hpp
+/// Settings that a person can turn: one description serves the panel, the command line and --help.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cs550/math.hpp"
+
+namespace cs550::pages {
+
+/// What a setting is called.
+struct Control {
+  const char* name;   ///< on the command line: "substeps"
+  const char* label;  ///< on the panel: "substeps"
+  const char* unit;   ///< "m", "1/s", or empty
+};
+
+/// Meets every setting of something, one after the other. describe() functions call it:
+/// `void describe(Settings& settings, ControlVisitor& visit)`.
+class ControlVisitor {
+ public:
+  ControlVisitor() = default;
+  ControlVisitor(const ControlVisitor&) = delete;
+  ControlVisitor& operator=(const ControlVisitor&) = delete;
+  virtual ~ControlVisitor() = default;
+
+  /// What follows belongs together.
+  virtual void section(const char* /*title*/) {}
+  /// A setting and the values that it may have, both ends included.
+  /// @{
+  virtual void whole(const Control& control, int& value, int least, int most) = 0;
+  virtual void number(const Control& control, Real& value, Real least, Real most) = 0;
+  /// Each component between −most and most.
+  virtual void vector(const Control& control, Vec3& value, Real most) = 0;
+  virtual void toggle(const Control& control, bool& value) = 0;
+  /// @param value place in the list of names
+  virtual void choice(const Control& control, int& value, std::span<const char* const> names) = 0;
+  /// A list of moves, each a place in the list of names.
+  virtual void moves(const Control& control, std::vector<int>& value,
+                     std::span<const char* const> names) = 0;
+  /// @}
+};
+
+/// Sets the one setting that `name=value` names.
+class ControlSetter final : public ControlVisitor {
+ public:
+  /// @throws std::invalid_argument unless there is a `=`
+  explicit ControlSetter(const std::string& assignment);
+
+  void whole(const Control& control, int& value, int least, int most) override;
+  void number(const Control& control, Real& value, Real least, Real most) override;
+  void vector(const Control& control, Vec3& value, Real most) override;
+  void toggle(const Control& control, bool& value) override;
+  void choice(const Control& control, int& value, std::span<const char* const> names) override;
+  void moves(const Control& control, std::vector<int>& value,
+             std::span<const char* const> names) override;
+
+  /// Call after the visit. @throws std::invalid_argument that lists the names there are, unless one
+  /// of them was meant
+  void expect_found() const;
+
+ private:
+  bool is_meant(const Control& control);
+  [[noreturn]] void refuse(const std::string& expected) const;
+  Real to_number(const std::string& word, const std::string& expected) const;
+
+  std::string name_;
+  std::string text_;
+  bool found_ = false;
+  std::vector<std::string> names_;
+};
+
+/// Writes every setting with its value as `name=value`, one a line, with what else it may be.
+class ControlLister final : public ControlVisitor {
+ public:
+  void whole(const Control& control, int& value, int least, int most) override;
+  void number(const Control& control, Real& value, Real least, Real most) override;
+  void vector(const Control& control, Vec3& value, Real most) override;
+  void toggle(const Control& control, bool& value) override;
+  void choice(const Control& control, int& value, std::span<const char* const> names) override;
+  void moves(const Control& control, std::vector<int>& value,
+             std::span<const char* const> names) override;
+
+  /// All lines.
+  const std::string& text() const { return text_; }
+
+ private:
+  void add(const Control& control, const std::string& value, const std::string& range);
+
+  std::string text_;
+};
+
+/// A number without trailing zeros: "0.25", "3".
+std::string short_number(double value, int digits = 4);
+
+}  // namespace cs550::pages

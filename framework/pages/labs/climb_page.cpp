@@ -1,0 +1,82 @@
+// Lab 3: a walk over the vertices, uphill.
+#include "cs550/hill_climbing.hpp"
+#include "drawing/climb_drawing.hpp"
+#include "pages/labs/lab_page.hpp"
+#include "pages/labs/shapes.hpp"
+
+namespace cs550::pages {
+namespace {
+
+using drawing::Role;
+
+constexpr Real handle_distance = Real(1.45);  ///< m, from the middle of the shape
+
+struct ClimbSettings {
+  int shape = Icosphere;
+  Vec3 direction = {Real(0.45), Real(-0.75), Real(0.55)};
+  int start = 20;
+  int step = -1;
+
+  bool operator==(const ClimbSettings&) const = default;
+};
+
+void describe(ClimbSettings& settings, ControlVisitor& visit) {
+  visit.section("Climb");
+  visit.choice({"shape", "shape", ""}, settings.shape, shape_names);
+  visit.vector({"direction", "direction", ""}, settings.direction, 2);
+  visit.whole({"start", "start at vertex", ""}, settings.start, 0, 161);
+  visit.whole({"step", "shown step", ""}, settings.step, -1, 60);
+}
+
+Content show(const ClimbSettings& settings) {
+  const ShapePtr shape = recorded_shape(settings.shape);
+  const HalfEdgeMesh& mesh = shape->mesh;
+  const Index start = std::min<Index>(settings.start, mesh.vertex_count() - 1);
+  std::vector<Index> path;
+  const Support climbed = hill_climb(mesh, settings.direction, start, &path);
+  const Support searched = support_brute_force(mesh.vertices, settings.direction);
+
+  Content content;
+  content.step_count = static_cast<int>(path.size());
+  const int step = shown_step(settings.step, content.step_count);
+  const std::span<const Index> walked(path.data(),
+                                      static_cast<std::size_t>(path.empty() ? 0 : step + 1));
+  content.drawing =
+      without_faces(drawing::draw_climb(mesh, settings.direction, walked), Role::BodyA);
+  content.solids.push_back(light_solid(mesh));
+  content.plots.push_back(drawing::plot_climb(mesh, settings.direction, path));
+  content.facts = {{"vertices", std::to_string(mesh.vertex_count())},
+                   {"steps", std::to_string(content.step_count - 1)},
+                   {"climb", "vertex " + std::to_string(climbed.vertex) + ", " +
+                                 std::to_string(climbed.visited) + " dot products"},
+                   {"brute force", "vertex " + std::to_string(searched.vertex) + ", " +
+                                       std::to_string(searched.visited) + " dot products"}};
+  content.focus = {Vec3::Zero(), Real(1.35)};
+  return content;
+}
+
+Vec3 handle(const ClimbSettings& settings) {
+  return handle_distance * settings.direction.normalized();
+}
+
+void move_handle(ClimbSettings& settings, const Vec3& point) {
+  if (point.norm() > Real(0.1)) settings.direction = point.normalized();
+}
+
+}  // namespace
+
+std::unique_ptr<Page> make_climb_page(Isolation isolation) {
+  LabPageParts<ClimbSettings> parts;
+  parts.lab = 3;
+  parts.story =
+      "The support vertex is found by walking uphill from vertex to vertex. Drag the tip of the "
+      "arrow: the walk looks at far fewer vertices than brute force.";
+  parts.first_view = seen_from(Real(-1.25), Real(0.3));
+  parts.describe = describe;
+  parts.show = show;
+  parts.handle = handle;
+  parts.move_handle = move_handle;
+  return std::make_unique<LabPage<ClimbSettings>>(parts, isolation);
+}
+
+}  // namespace cs550::pages

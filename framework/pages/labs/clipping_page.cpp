@@ -1,0 +1,128 @@
+// Lab 5: the incident face after each clip, then the manifold.
+#include "cs550/clipping.hpp"
+#include "drawing/clip_drawing.hpp"
+#include "drawing/manifold_drawing.hpp"
+#include "pages/base/units.hpp"
+#include "pages/labs/body_pair.hpp"
+#include "pages/labs/lab_page.hpp"
+
+namespace cs550::pages {
+namespace {
+
+using drawing::Drawing;
+using drawing::Role;
+
+struct ClippingSettings {
+  PairSettings pair = {Box, Prism, {Real(0.3), Real(-0.2), Real(1.05)}, {4, 3, 20}};
+  int step = -1;
+  bool bodies = true;
+
+  bool operator==(const ClippingSettings&) const = default;
+};
+
+void describe(ClippingSettings& settings, ControlVisitor& visit) {
+  visit.section("Walk");
+  visit.whole({"step", "shown step", ""}, settings.step, -1, 40);
+  visit.toggle({"bodies", "bodies", ""}, settings.bodies);
+  pages::describe(settings.pair, visit);
+}
+
+/// The corners of a face, in the world.
+std::vector<Vec3> corners_of(const PosedShape& body, Index face) {
+  std::vector<Vec3> corners;
+  for (const Index edge : face_edges(body.mesh(), face)) {
+    corners.push_back(body.vertex(body.mesh().origin(edge)));
+  }
+  return corners;
+}
+
+/// The planes of the faces around a face, in the world.
+std::vector<Plane> planes_around(const PosedShape& body, Index face) {
+  std::vector<Plane> planes;
+  for (const Index edge : face_edges(body.mesh(), face)) {
+    planes.push_back(body.plane(body.mesh().edge(edge ^ 1).face));
+  }
+  return planes;
+}
+
+/// A polygon before any plane and after each of them.
+std::vector<ClipPolygon> clipped_by_each(const std::vector<Vec3>& corners,
+                                         const std::vector<Plane>& planes) {
+  ClipPolygon polygon;
+  for (const Vec3& corner : corners) polygon.push_back({corner, {}, {}});
+  std::vector<ClipPolygon> polygons{polygon};
+  for (const Plane& plane : planes) polygons.push_back(clip_polygon(polygons.back(), plane));
+  return polygons;
+}
+
+std::string step_text(int step, int planes) {
+  if (step == 0) return "the incident face";
+  if (step > planes) return "the manifold";
+  return "after plane " + std::to_string(step) + " of " + std::to_string(planes);
+}
+
+Content show(const ClippingSettings& settings) {
+  const BodyPair bodies(settings.pair);
+  const SeparatingAxis axis = find_separating_axis(bodies.a, bodies.b, {}, HUGE_VALF);
+  const bool on_b = axis.feature == AxisFeature::FaceB;
+  const PosedShape& reference_body = on_b ? bodies.b : bodies.a;
+  const PosedShape& incident_body = on_b ? bodies.a : bodies.b;
+  const Index reference_face = on_b ? axis.face_b.face : axis.face_a.face;
+  const Index incident_face =
+      find_incident_face(incident_body, reference_body.plane(reference_face).normal);
+
+  const std::vector<Vec3> reference = corners_of(reference_body, reference_face);
+  const std::vector<Plane> planes = planes_around(reference_body, reference_face);
+  const std::vector<ClipPolygon> polygons =
+      clipped_by_each(corners_of(incident_body, incident_face), planes);
+  const int plane_count = static_cast<int>(planes.size());
+
+  Content content;
+  content.step_count = plane_count + 2;
+  const int step = shown_step(settings.step, content.step_count);
+  const int clips = std::min(step, plane_count);
+  content.drawing = drawing::draw_clipping(reference, planes, polygons, clips);
+  content.facts = {
+      {"shown", step_text(step, plane_count)},
+      {"reference", std::string(on_b ? "B" : "A") + ", face " + std::to_string(reference_face)},
+      {"incident face", std::to_string(incident_face)},
+      {"corners", std::to_string(polygons[clips].size())}};
+  if (step > plane_count) {
+    const Manifold manifold = build_manifold(bodies.a, bodies.b, axis, HUGE_VALF);
+    content.drawing =
+        drawing::draw_manifold(bodies.a.pose, bodies.b.pose, manifold, Role::Highlight, Real(0.35));
+    content.facts.push_back({"points kept", std::to_string(manifold.points.size())});
+    for (const ContactPoint& point : manifold.points) {
+      content.facts.push_back({"separation", quantity(static_cast<double>(point.separation), "m")});
+    }
+  }
+  if (settings.bodies) {
+    content.solids.push_back(solid_of(bodies.a, Role::BodyA, 0.28F));
+    content.solids.push_back(solid_of(bodies.b, Role::BodyB, 0.28F));
+  }
+  const std::array<PosedShape, 2> both{bodies.a, bodies.b};
+  content.focus = focus_on({}, both);
+  content.focus.radius *= Real(0.85);
+  return content;
+}
+
+Vec3 handle(const ClippingSettings& settings) { return settings.pair.position; }
+void move_handle(ClippingSettings& settings, const Vec3& point) { settings.pair.position = point; }
+
+}  // namespace
+
+std::unique_ptr<Page> make_clipping_page(Isolation isolation) {
+  LabPageParts<ClippingSettings> parts;
+  parts.lab = 5;
+  parts.story =
+      "The incident face is clipped by the planes beside the reference face, one after the other. "
+      "On a box these are its side planes. The last step shows the manifold: at most four points.";
+  parts.first_view = seen_from(Real(-1.2), Real(0.62));
+  parts.describe = describe;
+  parts.show = show;
+  parts.handle = handle;
+  parts.move_handle = move_handle;
+  return std::make_unique<LabPage<ClippingSettings>>(parts, isolation);
+}
+
+}  // namespace cs550::pages

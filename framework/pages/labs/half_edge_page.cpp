@@ -1,0 +1,176 @@
+// Lab 2: a walk over half-edges, before and after merging; faults of triangles and of meshes.
+#include "cs550/half_edge_mesh.hpp"
+#include "cs550/mesh_validation.hpp"
+#include "cs550/primitives.hpp"
+#include "drawing/mesh_drawing.hpp"
+#include "pages/labs/lab_page.hpp"
+#include "pages/labs/shapes.hpp"
+
+namespace cs550::pages {
+namespace {
+
+using drawing::Drawing;
+
+constexpr std::array<const char*, 4> solid_names{"box", "prism", "tetrahedron", "icosahedron"};
+constexpr std::array<const char*, 4> fault_names{"none", "hole", "flipped", "inside_out"};
+enum Fault { None, Hole, Flipped, InsideOut };
+
+constexpr std::array<const char*, 4> move_names{"next", "prev", "twin", "face"};
+enum Move { Next, Prev, Twin, FaceEdge };
+
+struct HalfEdgeSettings {
+  int solid = 1;
+  bool merged = true;
+  int fault = None;
+  int edge = 22;
+  std::vector<int> walk;
+  int step = -1;
+
+  bool operator==(const HalfEdgeSettings&) const = default;
+};
+
+void describe(HalfEdgeSettings& settings, ControlVisitor& visit) {
+  visit.section("Walk");
+  visit.whole({"edge", "begin at half-edge", ""}, settings.edge, 0, 119);
+  visit.moves({"walk", "walk", ""}, settings.walk, move_names);
+  visit.whole({"step", "shown step", ""}, settings.step, -1, 100);
+  visit.section("Mesh");
+  visit.choice({"solid", "solid", ""}, settings.solid, solid_names);
+  visit.toggle({"merged", "merge coplanar faces", ""}, settings.merged);
+  visit.choice({"fault", "fault in the input", ""}, settings.fault, fault_names);
+}
+
+TriangleSoup triangles_of(const HalfEdgeSettings& settings) {
+  TriangleSoup soup;
+  switch (settings.solid) {
+    case 0:
+      soup = box_soup({Real(0.7), Real(0.55), Real(0.45)});
+      break;
+    case 1:
+      soup = prism_soup(6, Real(0.8), Real(0.5));
+      break;
+    case 2:
+      soup = tetrahedron_soup(Real(1.4));
+      break;
+    default:
+      soup = icosphere_soup(0, Real(0.9));
+  }
+  if (settings.fault == Hole) soup.triangles.erase(soup.triangles.begin() + 1);
+  if (settings.fault == Flipped) std::swap(soup.triangles[1][0], soup.triangles[1][1]);
+  if (settings.fault == InsideOut) {
+    for (Triangle& triangle : soup.triangles) std::swap(triangle[0], triangle[1]);
+  }
+  return soup;
+}
+
+/// Where a walk leads; links of unfinished code may lead anywhere.
+Index walk(const HalfEdgeMesh& mesh, Index edge, std::span<const int> moves) {
+  for (const int move : moves) {
+    if (edge < 0 || edge >= mesh.edge_count()) return edge;
+    const HalfEdge& here = mesh.edge(edge);
+    if (move == Next) edge = here.next;
+    if (move == Prev) edge = here.prev;
+    if (move == Twin) edge = here.twin;
+    if (move == FaceEdge) {
+      const bool exists = here.face >= 0 && here.face < mesh.face_count();
+      edge = exists ? mesh.face(here.face).edge : no_index;
+    }
+  }
+  return edge;
+}
+
+/// The elements of a defect, in the lists that draw_mesh_fault() takes.
+Drawing draw_defect(const HalfEdgeMesh& mesh, const MeshDefect& defect) {
+  const std::vector<Index> here{defect.index};
+  const std::vector<Index> nothing;
+  const auto if_is = [&](MeshElement element) {
+    return std::span<const Index>(defect.element == element ? here : nothing);
+  };
+  return drawing::draw_mesh_fault(mesh, defect.sentence, if_is(MeshElement::Face),
+                                  if_is(MeshElement::HalfEdge), if_is(MeshElement::Vertex));
+}
+
+/// Light triangles with dark edges, among which those that are at fault stand out. Triangles that are
+/// wound the wrong way round show where they think that outside is.
+Drawing draw_refused(const TriangleSoup& soup, const MeshIssue& issue) {
+  const bool all_are_wrong = issue.error == MeshError::InsideOut;
+  const drawing::MeshStyle quiet = {.role = drawing::Role::Faint,
+                                    .opacity = all_are_wrong ? Real(0.3) : Real(0.8)};
+  Drawing drawing = drawing::draw_triangles(soup.vertices, soup.triangles, issue, quiet);
+  for (drawing::Line& line : drawing.lines) {
+    if (line.stroke.role == drawing::Role::Faint) line.stroke.role = drawing::Role::Axis;
+  }
+  for (drawing::Polygon& polygon : drawing.polygons) {
+    if (polygon.role == drawing::Role::Warning) polygon.opacity = Real(0.9);
+    if (!all_are_wrong) continue;
+    const Vec3 normal = (polygon.corners[1] - polygon.corners[0])
+                            .cross(polygon.corners[2] - polygon.corners[0])
+                            .normalized();
+    drawing::add_arrow(drawing, drawing::middle(polygon.corners), Real(0.3) * normal,
+                       {drawing::Role::Warning, Real(2.5), false, true});
+  }
+  drawing.legend.push_back({all_are_wrong ? "outward, say the triangles" : "at fault",
+                            {drawing::Role::Warning, 3, false, all_are_wrong}});
+  return drawing;
+}
+
+std::string count_text(const HalfEdgeMesh& mesh) {
+  return std::to_string(mesh.vertex_count()) + " − " + std::to_string(mesh.edge_count() / 2) +
+         " + " + std::to_string(mesh.face_count()) + " = " +
+         std::to_string(mesh.vertex_count() - mesh.edge_count() / 2 + mesh.face_count());
+}
+
+void show_walk(const HalfEdgeSettings& settings, const HalfEdgeMesh& mesh, Content& content) {
+  content.step_count = static_cast<int>(settings.walk.size()) + 1;
+  const int step = shown_step(settings.step, content.step_count);
+  const Index start = std::min<Index>(settings.edge, mesh.edge_count() - 1);
+  const Index edge = walk(mesh, start, {settings.walk.data(), static_cast<std::size_t>(step)});
+  content.drawing = without_faces(drawing::draw_half_edge(mesh, edge), drawing::Role::Faint);
+  content.solids.push_back(light_solid(mesh));
+  content.facts.push_back({"half-edge", std::to_string(edge)});
+  if (edge < 0 || edge >= mesh.edge_count()) return;
+  const HalfEdge& here = mesh.edge(edge);
+  content.facts.push_back(
+      {"next, prev", std::to_string(here.next) + ", " + std::to_string(here.prev)});
+  content.facts.push_back({"twin", std::to_string(here.twin)});
+  content.facts.push_back(
+      {"vertex, face", std::to_string(here.vertex) + ", " + std::to_string(here.face)});
+}
+
+Content show(const HalfEdgeSettings& settings) {
+  const TriangleSoup soup = triangles_of(settings);
+  const MeshBuild built = build_half_edge_mesh(soup.vertices, soup.triangles);
+  Content content;
+  if (built.issue) {
+    content.drawing = draw_refused(soup, built.issue);
+    content.facts = {{"refused", describe(built.issue)}};
+  } else {
+    const HalfEdgeMesh mesh = settings.merged ? merge_coplanar_faces(built.mesh) : built.mesh;
+    content.facts = {{"V − E + F", count_text(mesh)}};
+    const std::optional<MeshDefect> defect = validate(mesh);
+    if (defect) {
+      content.drawing = draw_defect(mesh, *defect);
+      content.facts.push_back({"broken", defect->sentence});
+    } else {
+      show_walk(settings, mesh, content);
+    }
+  }
+  content.focus = {Vec3::Zero(), Real(1.15)};
+  return content;
+}
+
+}  // namespace
+
+std::unique_ptr<Page> make_half_edge_page(Isolation isolation) {
+  LabPageParts<HalfEdgeSettings> parts;
+  parts.lab = 2;
+  parts.story =
+      "A half-edge knows its next, prev, twin, vertex and face: enough to walk anywhere. Merging "
+      "makes one polygon of coplanar triangles; faulty triangles are refused.";
+  parts.first_view = seen_from(Real(-1.1), Real(0.5));
+  parts.describe = describe;
+  parts.show = show;
+  return std::make_unique<LabPage<HalfEdgeSettings>>(parts, isolation);
+}
+
+}  // namespace cs550::pages

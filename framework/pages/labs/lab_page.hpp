@@ -1,0 +1,103 @@
+#pragma once
+/// @file lab_page.hpp
+/// The page of a lab: a pure function of its settings, run where it can do no harm.
+
+#include <algorithm>
+#include <utility>
+
+#include "pages/base/content_archive.hpp"
+#include "pages/base/page.hpp"
+
+namespace cs550::pages {
+
+/// What the page of a lab is made from. `Settings` can be compared, and has an int `step`, the place
+/// in a walk that the page shows; a negative one counts from the end.
+template <class Settings>
+struct LabPageParts {
+  int lab = 0;             ///< its number
+  const char* story = "";  ///< what is to be seen
+  Camera first_view;       ///< only yaw and pitch matter
+  Settings settings;       ///< at first
+  /// Visits the settings.
+  void (*describe)(Settings& settings, ControlVisitor& visit) = nullptr;
+  /// Makes the content; calls the functions of the lab, which may throw, crash or never end.
+  Content (*show)(const Settings& settings) = nullptr;
+  /// What can be dragged, if anything.
+  /// @{
+  Vec3 (*handle)(const Settings& settings) = nullptr;
+  void (*move_handle)(Settings& settings, const Vec3& point) = nullptr;
+  /// @}
+};
+
+/// The page itself.
+template <class Settings>
+class LabPage final : public Page {
+ public:
+  LabPage(LabPageParts<Settings> parts, Isolation isolation)
+      : parts_(std::move(parts)), isolation_(isolation), settings_(parts_.settings) {}
+
+  int lab() const override { return parts_.lab; }
+  std::string title() const override { return page_name(parts_.lab); }
+  std::string story() const override { return parts_.story; }
+  void describe(ControlVisitor& visit) override { parts_.describe(settings_, visit); }
+  const Content& content() const override { return content_; }
+  Camera first_view() const override { return parts_.first_view; }
+
+  void refresh() override {
+    if (shown_ && *shown_ == settings_) return;
+    shown_ = settings_;
+    using Nothing = int;
+    isolation::Service<Nothing, Content> service(
+        [this](const Nothing&) { return parts_.show(settings_); }, isolation_);
+    isolation::Answer<Content> answer = service.ask(0);
+    if (answer.failure.empty()) {
+      content_ = std::move(answer.value);
+      content_.drawing = drawing::finite_part(content_.drawing);
+    } else {
+      content_ = {};
+      content_.problem = answer.failure;
+    }
+  }
+
+  void advance() override {
+    if (!shown_) refresh();
+    const int count = std::max(content_.step_count, 1);
+    const int now = settings_.step < 0 ? settings_.step + count : settings_.step;
+    settings_.step = (now + 1) % count;
+  }
+
+  void rewind() override { settings_.step = 0; }
+
+  std::optional<Vec3> handle() const override {
+    if (parts_.handle == nullptr) return {};
+    return parts_.handle(settings_);
+  }
+  void move_handle(const Vec3& point) override {
+    if (point.allFinite()) parts_.move_handle(settings_, point);
+  }
+
+ private:
+  LabPageParts<Settings> parts_;
+  Isolation isolation_;
+  Settings settings_;
+  std::optional<Settings> shown_;
+  Content content_;
+};
+
+/// The step that is shown, of so many: negative ones count from the end.
+inline int shown_step(int step, int count) {
+  return std::clamp(step < 0 ? step + count : step, 0, std::max(count - 1, 0));
+}
+
+/// The pages of the labs.
+/// @{
+std::unique_ptr<Page> make_integration_page(Isolation isolation);
+std::unique_ptr<Page> make_half_edge_page(Isolation isolation);
+std::unique_ptr<Page> make_climb_page(Isolation isolation);
+std::unique_ptr<Page> make_axis_page(Isolation isolation);
+std::unique_ptr<Page> make_clipping_page(Isolation isolation);
+std::unique_ptr<Page> make_naive_page(Isolation isolation);
+std::unique_ptr<Page> make_constraint_page(Isolation isolation);
+/// @}
+
+}  // namespace cs550::pages

@@ -1,0 +1,91 @@
+#include "pages/labs/shapes.hpp"
+
+#include <stdexcept>
+
+#include "cs550/assets.hpp"
+#include "cs550/mesh_io.hpp"
+#include "pages/base/colours.hpp"
+
+namespace cs550::pages {
+namespace {
+
+HalfEdgeMesh scaled(HalfEdgeMesh mesh, Real factor) {
+  for (Vec3& vertex : mesh.vertices) vertex *= factor;
+  for (Face& face : mesh.faces) face.plane.offset *= factor;
+  return mesh;
+}
+
+}  // namespace
+
+ShapePtr recorded_shape(int name) {
+  constexpr std::array<const char*, 7> files{"unit_box.json",  "regular_tetrahedron.json",
+                                             "prism6.json",    "dodecahedron.json",
+                                             "hull16.json",    "hull32.json",
+                                             "icosphere2.json"};
+  const auto file = assets_folder() / "meshes" / files.at(static_cast<std::size_t>(name));
+  const MeshResult loaded = load_mesh_json(file);
+  if (!loaded.error.empty()) throw std::runtime_error(loaded.error);
+  const ShapeResult measured = make_shape(loaded.mesh);
+  if (!measured) throw std::runtime_error(measured.error);
+  // The same radius for all: pages need not be told how large a shape is.
+  const ShapeResult result = make_shape(scaled(loaded.mesh, 1 / measured.shape->radius));
+  if (!result) throw std::runtime_error(result.error);
+  return result.shape;
+}
+
+Pose pose_from(const Vec3& position, const Vec3& turn_degrees) {
+  const Vec3 turn = pi / 180 * turn_degrees;
+  const Quat orientation = rotation_exp({0, 0, turn.z()}) * rotation_exp({0, turn.y(), 0}) *
+                           rotation_exp({turn.x(), 0, 0});
+  return {position, orientation};
+}
+
+Solid solid_of(const PosedShape& body, drawing::Role role, float opacity) {
+  Solid solid;
+  solid.mesh = std::make_shared<const HalfEdgeMesh>(body.mesh());
+  solid.pose = body.pose;
+  solid.colour = role_rgba(role, opacity);
+  return solid;
+}
+
+Solid light_solid(const HalfEdgeMesh& mesh) {
+  Solid solid;
+  solid.mesh = std::make_shared<const HalfEdgeMesh>(mesh);
+  solid.colour = {0.80F, 0.87F, 0.93F, 1};
+  return solid;
+}
+
+drawing::Drawing scaled(drawing::Drawing drawing, Real factor) {
+  for (auto& point : drawing.points) point.position *= factor;
+  for (auto& line : drawing.lines) {
+    line.from *= factor;
+    line.to *= factor;
+  }
+  for (auto& polygon : drawing.polygons) {
+    for (auto& corner : polygon.corners) corner *= factor;
+  }
+  for (auto& ball : drawing.balls) {
+    ball.center *= factor;
+    ball.radius *= factor;
+  }
+  for (auto& label : drawing.labels) label.position *= factor;
+  return drawing;
+}
+
+drawing::Drawing without_faces(drawing::Drawing drawing, drawing::Role role) {
+  std::erase_if(drawing.polygons,
+                [&](const drawing::Polygon& polygon) { return polygon.role == role; });
+  std::erase_if(drawing.lines, [&](const drawing::Line& line) {
+    return line.stroke.role == role && !line.stroke.arrow;
+  });
+  return drawing;
+}
+
+Focus focus_on(const drawing::Drawing& drawing, std::span<const PosedShape> bodies) {
+  Bounds all = drawing::bounds(drawing::finite_part(drawing));
+  for (const PosedShape& body : bodies) all.include(world_bounds(body));
+  if (!(all.lower.array() <= all.upper.array()).all()) return {};
+  return focus_of(all);
+}
+
+}  // namespace cs550::pages

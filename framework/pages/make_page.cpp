@@ -1,0 +1,19 @@
+#include "pages/make_page.hpp"
+
+#include <array>
+
+#include "pages/labs/lab_page.hpp"
+#include "pages/world/world_page.hpp"
+
+namespace cs550::pages {
+
+std::unique_ptr<Page> make_page(const PageChoice& choice) {
+  constexpr std::array makers{make_integration_page, make_half_edge_page, make_climb_page,
+                              make_axis_page,        make_clipping_page,  make_naive_page,
+                              make_constraint_page};
+  static_assert(makers.size() == lab_page_count);
+  if (choice.lab == 0) return std::make_unique<WorldPage>(choice.scene, choice.isolation);
+  return makers.at(choice.lab - 1)(choice.isolation);
+}
+
+}  // namespace cs550::pages

@@ -1,0 +1,31 @@
+#pragma once
+/// @file simulation.hpp
+/// The world behind the world page.
+
+#include <map>
+#include <optional>
+
+#include "pages/world/world_frame.hpp"
+
+namespace cs550::pages {
+
+/// Owns a world and does with it what requests say.
+class Simulation {
+ public:
+  /// @throws std::runtime_error for a scene that cannot be read
+  WorldFrame serve(const WorldRequest& request);
+
+ private:
+  void build(const std::string& scene, WorldFrame& frame);
+  void throw_box(const Throw& thrown);
+  void pull(const Pull& pull);
+  void describe(WorldFrame& frame);
+  StepSample sample() const;
+  Index mesh_number(const ShapePtr& shape, WorldFrame& frame);
+
+  std::optional<World> world_;
+  Real h_ = Real(1) / 60;
+  std::map<ShapePtr, Index> sent_meshes_;
+};
+
+}  // namespace cs550::pages

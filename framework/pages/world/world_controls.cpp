@@ -1,0 +1,49 @@
+#include "pages/world/world_controls.hpp"
+
+namespace cs550::pages {
+namespace {
+
+/// An enumeration as a choice: its enumerators count from 0 in the order of the names.
+template <class Enum>
+void visit_enum(ControlVisitor& visit, const Control& control, Enum& value,
+                std::span<const char* const> names) {
+  int place = static_cast<int>(value);
+  visit.choice(control, place, names);
+  value = static_cast<Enum>(place);
+}
+
+}  // namespace
+
+void describe(WorldSettings& settings, ControlVisitor& visit) {
+  constexpr const char* solvers[] = {"naive", "constraint"};
+  constexpr const char* models[] = {"baumgarte", "soft"};
+  constexpr const char* rotations[] = {"explicit", "midpoint"};
+
+  visit.section("Solver");
+  visit_enum(visit, {"solver", "solver", ""}, settings.solver, solvers);
+  visit.whole({"substeps", "substeps", ""}, settings.substeps, 1, 16);
+  visit.whole({"iterations", "iterations", ""}, settings.iterations, 1, 50);
+  visit.whole({"relax_iterations", "relax iterations", ""}, settings.relax_iterations, 0, 50);
+  visit.toggle({"warm_starting", "warm starting", ""}, settings.warm_starting);
+
+  visit.section("Contacts");
+  visit_enum(visit, {"contact_model", "model", ""}, settings.contact_model, models);
+  visit.number({"contact_hertz", "stiffness", "1/s"}, settings.contact_hertz, 1, 240);
+  visit.number({"contact_damping_ratio", "damping ratio", ""}, settings.contact_damping_ratio, 0,
+               20);
+  visit.number({"baumgarte", "Baumgarte's share", ""}, settings.baumgarte, 0, 1);
+  visit.number({"slop", "slop", "lengths"}, settings.slop, 0, Real(0.1));
+  visit.number({"max_push_speed", "push-out speed", "lengths/s"}, settings.max_push_speed, 0, 20);
+  visit.number({"restitution_threshold", "bounce above", "lengths/s"},
+               settings.restitution_threshold, 0, 10);
+  visit.whole({"restitution_iterations", "bounce iterations", ""}, settings.restitution_iterations,
+              1, 50);
+
+  visit.section("World");
+  visit.vector({"gravity", "gravity", "m/s²"}, settings.gravity, 50);
+  visit.number({"length_unit", "typical length", "m"}, settings.length_unit, Real(0.01), 100);
+  visit_enum(visit, {"rotation", "rotation", ""}, settings.rotation, rotations);
+  visit.toggle({"check_stages", "check every stage", ""}, settings.check_stages);
+}
+
+}  // namespace cs550::pages

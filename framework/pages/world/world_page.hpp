@@ -1,0 +1,81 @@
+#pragma once
+/// @file world_page.hpp
+/// A scene that runs.
+
+#include <deque>
+#include <optional>
+
+#include "pages/base/page.hpp"
+#include "pages/world/overlays.hpp"
+#include "pages/world/world_frame.hpp"
+
+namespace cs550::pages {
+
+/// The page of a running scene.
+class WorldPage final : public Page {
+ public:
+  WorldPage(std::string scene, Isolation isolation);
+
+  int lab() const override { return 0; }
+  std::string title() const override;
+  std::string story() const override;
+  void describe(ControlVisitor& visit) override;
+  void refresh() override;
+  const Content& content() const override { return content_; }
+  void advance() override { take_steps(1); }
+
+  /// Begins a scene. Settings that were changed stay for the same scene.
+  void load(const std::string& scene);
+  /// Begins the present scene again, in a new process if it is a student's.
+  void reset();
+  /// Steps of the scene's own length.
+  void take_steps(int count);
+  /// Throws a box from one point through another.
+  void throw_box(const Vec3& from, const Vec3& through);
+
+  /// Which body a ray meets first; immovable ones only block the view.
+  struct Hit {
+    Index body = no_index;      ///< place in bodies
+    Vec3 point = Vec3::Zero();  ///< world (m)
+  };
+  std::optional<Hit> pick(const Vec3& origin, const Vec3& direction) const;
+  /// Shows a body's state; none if empty.
+  void select(std::optional<Index> body);
+  std::optional<Index> selected() const { return selected_; }
+  /// Pulls the body at a point, until let_go().
+  void grab(const Hit& hit);
+  void drag_to(const Vec3& target) { pull_.target = target; }
+  void let_go() { pull_ = {}; }
+  bool is_dragging() const { return pull_.body != no_index; }
+
+  const WorldFrame& frame() const { return frame_; }
+  const WorldSettings& settings() const { return settings_; }
+  /// Times differ from run to run: pictures that are compared leave them out.
+  void show_times(bool show) { shows_times_ = show; }
+
+ private:
+  void ask(const WorldRequest& request);
+  void receive(const WorldFrame& frame);
+  void find_focus();
+  std::vector<Solid> solids() const;
+  std::vector<Fact> facts() const;
+
+  std::string scene_;
+  Isolation isolation_;
+  std::unique_ptr<isolation::Service<WorldRequest, WorldFrame>> service_;
+  SceneInfo info_;
+  WorldFrame frame_;
+  std::vector<MeshPtr> meshes_;
+  std::deque<StepSample> history_;
+  WorldSettings settings_;
+  Overlays overlays_;
+  Pull pull_;
+  std::optional<Index> selected_;
+  std::string failure_;
+  Focus focus_;
+  Content content_;
+  bool is_loaded_ = false;
+  bool shows_times_ = true;
+};
+
+}  // namespace cs550::pages
