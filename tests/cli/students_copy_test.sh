@@ -1,8 +1,8 @@
 #!/bin/sh
 # students_copy_test.sh PROGRAM ROOT COPY [COMPILER-LAUNCHER]
-# Makes the students' copy of ROOT in COPY and looks at it as a curious student would: no line of a
-# reference is in it, its tests are the visible ones, its history is its own, and its labs build even
-# though one of them is broken.
+# Makes the students' copy of ROOT in COPY and looks at it as a curious student would: no line and no
+# renamed algorithm of a reference is in it, its tests are the visible ones, its history is its own, and
+# its labs build even though one of them is broken.
 set -eu
 program=$1 root=$2 copy=$3 launcher=${4-}
 list=$copy.lines
@@ -28,6 +28,17 @@ secrets=$(wc -l <"$list/secret")
 [ "$secrets" -gt 100 ] || wrong "only $secrets lines of the reference were looked for"
 [ ! -s "$list/leaked" ] || wrong "lines of the reference are in the copy:" "$(cat "$list/leaked")"
 echo "  none of $secrets"
+
+echo "No algorithm of a reference under other names:"
+looks_alike() {
+  python3 "$root/tests/cli/structure_leaks.py" "$root/solutions" "$1" "$copy/framework/include" "$copy/labs"
+}
+mkdir -p "$list/renamed/framework"
+sed 's/\bpolygon\b/outline/g; s/\bedge\b/side/g; s/\bplane\b/cut/g' "$root"/solutions/lab5_*/contact_manifold.cpp \
+  >"$list/renamed/framework/page.cpp"
+! looks_alike "$list/renamed" >/dev/null 2>&1 || wrong "a reference with renamed variables was not recognised"
+looks_alike "$copy" || wrong "given code repeats a reference; see above"
+echo "  none"
 
 echo "Pristine starters, and nothing of the instructor's:"
 for lab in "$copy"/labs/lab*; do
