@@ -138,7 +138,7 @@ class Setting:
 
     def __init__(self, name, default, comment):
         self.name, self.comment = name, comment
-        self.default = re.sub(r"Real\(([^)]*)\)|\w+::(\w+)", lambda m: m[1] or m[2], default)
+        self.default = re.sub(r"Real\(([^)]*)\)|\w+::(\w+)", lambda m: m[1] or m[2], default).strip("{}")
 
     @property
     def number(self):
