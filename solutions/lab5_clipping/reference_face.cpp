@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-namespace lab5 {
-
-using namespace cs550;
+namespace cs550::lab5 {
 
 namespace {
 
@@ -60,4 +58,4 @@ Manifold ReferenceFace::empty_manifold() const {
   return manifold;
 }
 
-}  // namespace lab5
+}  // namespace cs550::lab5

@@ -39,8 +39,8 @@ Real normal_velocity(const SolverBody& a, const SolverBody& b, const Vec3& r_a, 
 void resolve_contacts_naive(std::span<ContactConstraint> constraints,
                             std::span<SolverBody> bodies) {
   for (ContactConstraint& constraint : constraints) {
-    SolverBody& a = bodies[static_cast<std::size_t>(constraint.body_a)];
-    SolverBody& b = bodies[static_cast<std::size_t>(constraint.body_b)];
+    SolverBody& a = bodies[constraint.body_a];
+    SolverBody& b = bodies[constraint.body_b];
     const Real j = collision_impulse(constraint, a, b);
     a.apply(-j * constraint.n, constraint.r_a);
     b.apply(j * constraint.n, constraint.r_b);

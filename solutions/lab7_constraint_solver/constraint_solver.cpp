@@ -72,8 +72,8 @@ ContactBias contact_bias(const ContactConstraint& constraint, Real separation,
 void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
                       const ContactStep& step) {
   for (ContactConstraint& constraint : constraints) {
-    const SolverBody& a = bodies[static_cast<std::size_t>(constraint.body_a)];
-    const SolverBody& b = bodies[static_cast<std::size_t>(constraint.body_b)];
+    const SolverBody& a = bodies[constraint.body_a];
+    const SolverBody& b = bodies[constraint.body_b];
     constraint.normal_mass =
         constraint_mass(contact_jacobian(constraint.n, constraint.r_a, constraint.r_b), a, b);
     constraint.tangent_mass = tangent_constraint_mass(constraint, a, b);

@@ -94,7 +94,7 @@ void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b)
 
 void apply_restitution(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
                        const ContactStep& step) {
-  const auto body = [&](Index i) -> SolverBody& { return bodies[static_cast<std::size_t>(i)]; };
+  const auto body = [&](Index i) -> SolverBody& { return bodies[i]; };
   const auto was_hit = [&](const ContactConstraint& constraint) {
     return constraint.normal_impulse > 0 && bounces_now(constraint, step.restitution_threshold);
   };
