@@ -13,7 +13,7 @@ namespace cs550::test {
 namespace {
 
 std::string recorded_bytes(const std::string& name) {
-  std::ifstream file(std::string(CS550_TEST_DATA) + "/meshes/" + name + ".json");
+  std::ifstream file(fixture_file(name));
   std::stringstream bytes;
   bytes << file.rdbuf();
   return bytes.str();

@@ -10,9 +10,9 @@ namespace {
 /// Breaks one promise of a good mesh; each test says which element the defect must name.
 class BrokenMesh : public testing::Test {
  protected:
-  HalfEdge& edge(Index e) { return mesh.edges[static_cast<std::size_t>(e)]; }
-  Face& face(Index f) { return mesh.faces[static_cast<std::size_t>(f)]; }
-  Vec3& vertex(Index v) { return mesh.vertices[static_cast<std::size_t>(v)]; }
+  HalfEdge& edge(Index e) { return mesh.edges[e]; }
+  Face& face(Index f) { return mesh.faces[f]; }
+  Vec3& vertex(Index v) { return mesh.vertices[v]; }
 
   void expect_defect(MeshElement element, Index index, const std::string& words) {
     const auto defect = validate(mesh);
@@ -169,7 +169,7 @@ TEST_F(BrokenMesh, VertexOfDegreeTwo) {
   edge(0).vertex = middle;
   edge(0).next = e;
   edge(1).prev = e + 1;
-  mesh.vertex_edge[static_cast<std::size_t>(ahead.vertex)] = e + 1;
+  mesh.vertex_edge[ahead.vertex] = e + 1;
   expect_defect(MeshElement::Vertex, middle, "only 2 edges");
 }
 

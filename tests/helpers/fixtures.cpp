@@ -1,5 +1,6 @@
 #include "helpers/fixtures.hpp"
 
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -10,8 +11,7 @@ namespace {
 
 HalfEdgeMesh load(const std::string& name) {
   // Convexity is checked where a shape is made: some meshes are not convex on purpose.
-  MeshResult result =
-      load_mesh_json(std::string(CS550_TEST_DATA) + "/meshes/" + name + ".json", HUGE_VALF);
+  MeshResult result = load_mesh_json(fixture_file(name), HUGE_VALF);
   if (!result.error.empty()) throw std::runtime_error("fixture: " + result.error);
   return std::move(result.mesh);
 }
@@ -23,6 +23,12 @@ ShapePtr make(const std::string& name) {
 }
 
 }  // namespace
+
+std::string fixture_file(const std::string& name) {
+  const std::string file = "/meshes/" + name + ".json";
+  const std::string shared = CS550_ASSETS + file;
+  return std::filesystem::exists(shared) ? shared : CS550_TEST_DATA + file;
+}
 
 const HalfEdgeMesh& fixture_mesh(std::string_view name) {
   static std::map<std::string, HalfEdgeMesh, std::less<>> meshes;

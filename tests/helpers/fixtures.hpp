@@ -10,7 +10,10 @@
 
 namespace cs550::test {
 
-/// The mesh in tests/fixtures/meshes/NAME.json, read once.
+/// The file of a mesh: in framework/assets/meshes if scenes use it, too, else in tests/fixtures/meshes.
+std::string fixture_file(const std::string& name);
+
+/// The mesh in that file, read once.
 /// @throws std::runtime_error if there is none of that name
 const HalfEdgeMesh& fixture_mesh(std::string_view name);
 

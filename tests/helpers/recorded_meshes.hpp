@@ -1,6 +1,6 @@
 #pragma once
 /// @file recorded_meshes.hpp
-/// How the fixtures in tests/fixtures/meshes were made, by the reference solution of lab 2.
+/// How the fixtures were made, by the reference solution of lab 2.
 
 #include <string>
 #include <vector>

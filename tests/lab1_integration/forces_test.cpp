@@ -2,6 +2,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "helpers/random.hpp"
+#include "helpers/require.hpp"
 #include "helpers/story.hpp"
 #include "lab1_integration/free_body.hpp"
 
@@ -105,6 +106,13 @@ GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {
 }
 
 GRADED_TEST(Lab1, ImpulseLeavesImmovableBodiesAlone, 2, "L1.2") {
+  Story movable = with_impulse_causes(Story("An impulse changes a dynamic body"));
+  movable.given("a dynamic body at rest").when("an impulse of 5 N·s strikes it off centre");
+  RigidBody pushed = box(racket);
+  apply_impulse(pushed, Vec3(0, 0, 5), Vec3(1, 0, 0));
+  require(movable.expect_near("P", pushed.linear_momentum, Vec3(0, 0, 5), 1e-6, "kg·m/s"));
+  require(movable.expect_near("L", pushed.angular_momentum, Vec3(0, -5, 0), 1e-6, "kg·m²/s"));
+
   for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic}) {
     RigidBody body = make_immovable_body(kind, Pose{});
     set_velocity(body, Vec3(1, 0, 0), Vec3(0, 2, 0));

@@ -6,34 +6,23 @@
 namespace cs550::test {
 namespace {
 
-MeshIssue issue_of(const TriangleSoup& soup) {
-  return build_half_edge_mesh(soup.vertices, soup.triangles).issue;
-}
-
-bool expect_error(Story& story, const MeshIssue& issue, MeshError expected) {
-  return story.expect_equal("the fault", describe({.error = issue.error}),
-                            describe({.error = expected}));
-}
-
 bool has_side(const Triangle& triangle, Index a, Index b) {
   return std::count(triangle.begin(), triangle.end(), a) == 1 &&
          std::count(triangle.begin(), triangle.end(), b) == 1;
 }
 
-/// Whether the edge of an issue is a side of both of its triangles.
-bool expect_shared_edge(Story& story, const TriangleSoup& soup, const MeshIssue& issue) {
+/// Checks that the edge of an issue is a side of both of its triangles.
+void require_shared_edge(Story& story, const TriangleSoup& soup, const MeshIssue& issue) {
   const Index count = static_cast<Index>(soup.triangles.size());
   for (const Index t : {issue.triangle, issue.other_triangle}) {
     const bool exists = t >= 0 && t < count;
-    if (!story.expect("the issue names triangles of the list", exists)) return false;
-    const Triangle& triangle = soup.triangles[static_cast<std::size_t>(t)];
-    if (!story.expect("the edge that the issue names is a side of the triangle that it names",
-                      has_side(triangle, issue.edge[0], issue.edge[1]))) {
-      return false;
-    }
+    require(story.expect("the issue names triangles of the list", exists));
+    const Triangle& triangle = soup.triangles[t];
+    require(story.expect("the edge that the issue names is a side of the triangle that it names",
+                         has_side(triangle, issue.edge[0], issue.edge[1])));
   }
-  return story.expect("the two triangles of the issue differ",
-                      issue.triangle != issue.other_triangle);
+  require(story.expect("the two triangles of the issue differ",
+                       issue.triangle != issue.other_triangle));
 }
 
 GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
@@ -52,14 +41,13 @@ GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
     const MeshIssue expected{.error = MeshError::OpenEdge, .edge = {gone[0], gone[1]}};
     here.picture(
         [&] { return issue_picture(soup, expected, "an edge at the hole is open", issue); });
-    if (!expect_error(here, issue, MeshError::OpenEdge)) return;
+    require(expect_error(here, issue, MeshError::OpenEdge));
     here.expect("the edge lies at the hole", has_side(gone, issue.edge[0], issue.edge[1]));
     const bool exists =
         issue.triangle >= 0 && issue.triangle < static_cast<Index>(soup.triangles.size());
-    if (!here.expect("the issue names a triangle of the list", exists)) return;
+    require(here.expect("the issue names a triangle of the list", exists));
     here.expect("the edge is a side of the triangle",
-                has_side(soup.triangles[static_cast<std::size_t>(issue.triangle)], issue.edge[0],
-                         issue.edge[1]));
+                has_side(soup.triangles[issue.triangle], issue.edge[0], issue.edge[1]));
   }
 }
 
@@ -79,7 +67,7 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 3, "L2.2") {
   if (expect_error(crowded, fin, MeshError::NonManifoldEdge)) {
     crowded.expect("the edge is 1–5",
                    std::minmax({fin.edge[0], fin.edge[1]}) == std::minmax({Index(1), Index(5)}));
-    expect_shared_edge(crowded, fins, fin);
+    require_shared_edge(crowded, fins, fin);
   }
 
   const TriangleSoup whole = cut_from_corners(dodecahedron());
@@ -95,8 +83,8 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 3, "L2.2") {
     const MeshIssue expected{.error = MeshError::InconsistentWinding,
                              .triangle = static_cast<Index>(reversed)};
     here.picture([&] { return issue_picture(soup, expected, "this triangle is reversed", issue); });
-    if (!expect_error(here, issue, MeshError::InconsistentWinding)) return;
-    if (!expect_shared_edge(here, soup, issue)) return;
+    require(expect_error(here, issue, MeshError::InconsistentWinding));
+    require_shared_edge(here, soup, issue);
     const Index t = static_cast<Index>(reversed);
     here.expect("one of the two is the reversed triangle",
                 issue.triangle == t || issue.other_triangle == t);
@@ -122,25 +110,21 @@ GRADED_TEST(Lab2, TwinsAreNeighboursAndRunOpposite, 2, "L2.2") {
                                    cut_from_centres(dodecahedron()), icosphere_soup(2, 1)}) {
     Story here = story;
     here.given("triangles", soup.triangles.size());
-    const std::optional<HalfEdgeMesh> mesh = build_or_tell(soup, here);
-    if (!mesh) return;
-    if (!here.expect_equal("half-edges, three for each triangle", mesh->edges.size(),
-                           3 * soup.triangles.size())) {
-      return;
-    }
+    const HalfEdgeMesh mesh = require_mesh(soup, here);
+    require(here.expect_equal("half-edges, three for each triangle", mesh.edges.size(),
+                              3 * soup.triangles.size()));
     std::set<std::pair<Index, Index>> seen;
-    for (Index e = 0; e < mesh->edge_count(); ++e) {
+    for (Index e = 0; e < mesh.edge_count(); ++e) {
       here.given("half-edge", e);
-      if (!here.expect_equal("its twin", mesh->edge(e).twin, e ^ 1)) return;
-      const bool is_new = seen.insert({mesh->origin(e), mesh->edge(e).vertex}).second;
-      if (!here.expect("no other half-edge runs from the same vertex to the same vertex", is_new)) {
-        return;
-      }
+      require(here.expect_equal("its twin", mesh.edge(e).twin, e ^ 1));
+      const bool is_new = seen.insert({mesh.origin(e), mesh.edge(e).vertex}).second;
+      require(
+          here.expect("no other half-edge runs from the same vertex to the same vertex", is_new));
     }
     for (const Triangle& triangle : soup.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::pair side(triangle[i], triangle[(i + 1) % 3]);
-        if (!story.expect("every side of a triangle is a half-edge", seen.count(side) == 1)) return;
+        require(story.expect("every side of a triangle is a half-edge", seen.count(side) == 1));
       }
     }
   }

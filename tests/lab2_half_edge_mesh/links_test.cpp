@@ -20,29 +20,24 @@ GRADED_TEST(Lab2, FaceLoopsFollowTheTriangles, 3, "L2.3") {
   for (const TriangleSoup& soup : sound_soups()) {
     Story here = story;
     here.given("triangles", soup.triangles.size());
-    const std::optional<HalfEdgeMesh> mesh = build_or_tell(soup, here);
-    if (!mesh) return;
-    for (Index f = 0; f < mesh->face_count(); ++f) {
-      const Triangle& triangle = at(soup.triangles, f);
+    const HalfEdgeMesh mesh = require_mesh(soup, here);
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      const Triangle& triangle = soup.triangles[f];
       here.given("face", f);
-      Index e = mesh->face(f).edge;
-      const auto first = std::find(triangle.begin(), triangle.end(), mesh->origin(e));
-      if (!here.expect("the face's half-edge leaves a corner of its triangle",
-                       first != triangle.end())) {
-        return;
-      }
+      Index e = mesh.face(f).edge;
+      const auto first = std::find(triangle.begin(), triangle.end(), mesh.origin(e));
+      require(here.expect("the face's half-edge leaves a corner of its triangle",
+                          first != triangle.end()));
       const auto start = static_cast<std::size_t>(first - triangle.begin());
       for (std::size_t i = 0; i < 3; ++i) {
-        const HalfEdge& edge = mesh->edge(e);
-        if (!here.expect_equal("where the half-edge points to", edge.vertex,
-                               triangle[(start + i + 1) % 3]) ||
-            !here.expect_equal("the face of the half-edge", edge.face, f) ||
-            !here.expect_equal("prev of next", mesh->edge(edge.next).prev, e)) {
-          return;
-        }
+        const HalfEdge& edge = mesh.edge(e);
+        require(here.expect_equal("where the half-edge points to", edge.vertex,
+                                  triangle[(start + i + 1) % 3]));
+        require(here.expect_equal("the face of the half-edge", edge.face, f));
+        require(here.expect_equal("prev of next", mesh.edge(edge.next).prev, e));
         e = edge.next;
       }
-      if (!here.expect_equal("the half-edge after three times next", e, mesh->face(f).edge)) return;
+      require(here.expect_equal("the half-edge after three times next", e, mesh.face(f).edge));
     }
   }
 }
@@ -51,9 +46,8 @@ GRADED_TEST(Lab2, EveryVertexLeadsToItsNeighbours, 3, "L2.3") {
   Story story("From a vertex, twin and next lead to every neighbour once");
   story.likely("vertex_edge holds a half-edge that leaves the vertex, not one that points to it");
   for (const TriangleSoup& soup : sound_soups()) {
-    const std::optional<HalfEdgeMesh> mesh = build_or_tell(soup, story);
-    if (!mesh) return;
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    const HalfEdgeMesh mesh = require_mesh(soup, story);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
       std::set<Index> expected;
       for (const Triangle& triangle : soup.triangles) {
         if (std::count(triangle.begin(), triangle.end(), v) == 0) continue;
@@ -63,24 +57,20 @@ GRADED_TEST(Lab2, EveryVertexLeadsToItsNeighbours, 3, "L2.3") {
       }
       Story here = story;
       here.given("triangles", soup.triangles.size()).given("vertex", v);
-      if (!here.expect_equal("where its half-edge comes from",
-                             mesh->origin(mesh->vertex_edge[static_cast<std::size_t>(v)]), v)) {
-        return;
-      }
+      require(
+          here.expect_equal("where its half-edge comes from", mesh.origin(mesh.vertex_edge[v]), v));
       std::set<Index> got;
       std::size_t steps = 0;
-      for (const Index e : vertex_edges(*mesh, v)) {
-        got.insert(mesh->edge(e).vertex);
+      for (const Index e : vertex_edges(mesh, v)) {
+        got.insert(mesh.edge(e).vertex);
         if (++steps > expected.size()) break;
       }
-      if (!here.expect_equal("half-edges that leave it", steps, expected.size()) ||
-          !here.expect("they point to its neighbours", got == expected)) {
-        return;
-      }
+      require(here.expect_equal("half-edges that leave it", steps, expected.size()));
+      require(here.expect("they point to its neighbours", got == expected));
     }
     Story here = story;
     here.given("triangles", soup.triangles.size());
-    if (!expect_valid(here, *mesh)) return;
+    require(expect_valid(here, mesh));
   }
 }
 

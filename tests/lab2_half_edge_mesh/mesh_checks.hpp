@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cs550/mesh_validation.hpp"
+#include "helpers/require.hpp"
 #include "helpers/story.hpp"
 #include "lab2_half_edge_mesh/pictures.hpp"
 
@@ -16,26 +17,44 @@ namespace cs550::test {
 
 using Vec3d = Eigen::Vector3d;
 
-inline const Triangle& at(const std::vector<Triangle>& triangles, Index t) {
-  return triangles[static_cast<std::size_t>(t)];
-}
-
-/// The mesh of a sound list of triangles; the story tells if it was refused.
-inline std::optional<HalfEdgeMesh> build_or_tell(const TriangleSoup& soup, const Story& story) {
+/// The mesh of a sound list of triangles; without it the test ends.
+inline HalfEdgeMesh require_mesh(const TriangleSoup& soup, const Story& story) {
   Story here = story;
   here.likely("build_half_edge_mesh() refuses triangles in which nothing is wrong");
   MeshBuild build = build_half_edge_mesh(soup.vertices, soup.triangles);
-  const std::string verdict =
-      build.issue ? describe(build.issue) : "nothing is wrong with the triangles";
-  if (!here.expect_equal("what build_half_edge_mesh() says", verdict,
-                         std::string("nothing is wrong with the triangles"))) {
-    return std::nullopt;
-  }
-  if (!here.expect_equal("faces, one for each triangle", build.mesh.faces.size(),
-                         soup.triangles.size())) {
-    return std::nullopt;
-  }
+  require(here.expect_equal("what build_half_edge_mesh() reports", describe(build.issue),
+                            describe(MeshIssue{})));
+  require(here.expect_equal("faces, one for each triangle", build.mesh.faces.size(),
+                            soup.triangles.size()));
   return std::move(build.mesh);
+}
+
+inline MeshIssue issue_of(const TriangleSoup& soup) {
+  return build_half_edge_mesh(soup.vertices, soup.triangles).issue;
+}
+
+/// An error as students write it.
+inline std::string name_of(MeshError error) {
+  constexpr const char* names[] = {"None",
+                                   "NoTriangles",
+                                   "NonFiniteVertex",
+                                   "IndexOutOfRange",
+                                   "DegenerateTriangle",
+                                   "DuplicateTriangle",
+                                   "IsolatedVertex",
+                                   "OpenEdge",
+                                   "NonManifoldEdge",
+                                   "InconsistentWinding",
+                                   "InsideOut"};
+  const auto number = static_cast<unsigned>(error);
+  return number < std::size(names) ? names[number] : "MeshError " + std::to_string(number);
+}
+
+/// Whether an issue is of a kind. The report shows the elements that the issue names.
+inline bool expect_error(Story& story, const MeshIssue& issue, MeshError expected) {
+  const std::string got = name_of(issue.error) + " (" + describe(issue) + ")";
+  return story.expect_equal("the fault", issue.error == expected ? name_of(expected) : got,
+                            name_of(expected));
 }
 
 /// Whether the given validate() finds nothing to object to.

@@ -20,16 +20,13 @@ GRADED_TEST(Lab2, InsideOutIsRefusedWhereverTheBodyIs, 3, "L2.4") {
         here.given("triangles", soup.triangles.size())
             .given("scale", scale)
             .given("shifted by", Vec3(scale * shift), "m");
-        if (!build_or_tell(right, here)) return;
+        require_mesh(right, here);
         TriangleSoup inside_out = right;
         for (Triangle& triangle : inside_out.triangles) std::swap(triangle[1], triangle[2]);
         const MeshBuild build = build_half_edge_mesh(inside_out.vertices, inside_out.triangles);
         here.given("all triangles reversed");
-        if (!here.expect_equal("the fault", describe(build.issue),
-                               describe({.error = MeshError::InsideOut})) ||
-            !here.expect("the mesh is empty when there is an issue", build.mesh.faces.empty())) {
-          return;
-        }
+        require(expect_error(here, build.issue, MeshError::InsideOut));
+        require(here.expect("the mesh is empty when there is an issue", build.mesh.faces.empty()));
       }
     }
   }
@@ -44,24 +41,21 @@ GRADED_TEST(Lab2, FacesOfKnownSolidsHaveTheirPlanes, 2, "L2.4") {
   const double phi = (1 + std::sqrt(5.0)) / 2;
   const double inradius = phi * phi / std::sqrt(phi * phi + 1);
   const Vec3 centre(1, -2, Real(0.5));
-  const std::optional<HalfEdgeMesh> mesh =
-      build_or_tell(placed(cut_from_corners(dodecahedron()), 1, Quat::Identity(), centre), story);
-  if (!mesh) return;
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    const Plane& plane = mesh->face(f).plane;
+  const HalfEdgeMesh mesh =
+      require_mesh(placed(cut_from_corners(dodecahedron()), 1, Quat::Identity(), centre), story);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const Plane& plane = mesh.face(f).plane;
     Story here = story;
     here.given("dodecahedron about", centre, "m").given("face", f);
     // Coordinates of 3 m carry 2e-7 m of rounding; a triangle of it has edges above 1 m.
-    if (!here.expect_near("length of the normal", plane.normal.norm(), 1, 1e-5) ||
-        !here.expect_near("distance of the centre", plane.distance(centre), -inradius, 3e-6, "m")) {
-      return;
-    }
+    require(here.expect_near("length of the normal", plane.normal.norm(), 1, 1e-5));
+    require(
+        here.expect_near("distance of the centre", plane.distance(centre), -inradius, 3e-6, "m"));
   }
 
-  const std::optional<HalfEdgeMesh> tetrahedron = build_or_tell(tetrahedron_soup(2), story);
-  if (!tetrahedron) return;
+  const HalfEdgeMesh tetrahedron = require_mesh(tetrahedron_soup(2), story);
   story.given("corner tetrahedron of side 2 m, its slanted face");
-  const Plane& slanted = tetrahedron->face(3).plane;
+  const Plane& slanted = tetrahedron.face(3).plane;
   story.expect_near("normal", slanted.normal, Vec3::Ones() / std::sqrt(Real(3)), 1e-6);
   story.expect_near("offset", slanted.offset, 2 / std::sqrt(3.0), 1e-6, "m");
 }
@@ -95,16 +89,14 @@ GRADED_TEST(Lab2, NewellFindsThePlaneOfRegularPolygons, 3, "L2.5") {
     here.given("corners", sides).given("radius", size, "m").given("centre", middle, "m");
     // Each coordinate carries half a unit in its last place, 6e-8 of itself.
     const double rounding = 6e-8 * double(middle.norm() + size);
-    if (!here.expect_near("normal of the front", front.normal, normal,
-                          1e-6 + 4 * rounding / size) ||
-        !here.expect_near("normal of the back", back.normal, -normal, 1e-6 + 4 * rounding / size) ||
-        !here.expect_near("length of the normal", front.normal.norm(), 1, 1e-6)) {
-      return;
-    }
+    require(
+        here.expect_near("normal of the front", front.normal, normal, 1e-6 + 4 * rounding / size));
+    require(
+        here.expect_near("normal of the back", back.normal, -normal, 1e-6 + 4 * rounding / size));
+    require(here.expect_near("length of the normal", front.normal.norm(), 1, 1e-6));
     for (const Vec3& corner : polygon) {
-      if (!here.expect_near("distance of a corner", front.distance(corner), 0, 8 * rounding, "m")) {
-        return;
-      }
+      require(
+          here.expect_near("distance of a corner", front.distance(corner), 0, 8 * rounding, "m"));
     }
   }
 }
@@ -140,10 +132,8 @@ GRADED_TEST(Lab2, NewellIsNotSpoiledByShortEdgesOrReflexCorners, 3, "L2.5") {
       Story here = story;
       here.given(each.name).given("first corner", polygon.front(), "m");
       // A few roundings of numbers up to 16 m², over areas of at least 4 m².
-      if (!here.expect_near("normal", plane.normal, normal.cast<Real>(), 2e-6) ||
-          !here.expect_near("offset", plane.offset, offset, 4e-6, "m")) {
-        return;
-      }
+      require(here.expect_near("normal", plane.normal, normal.cast<Real>(), 2e-6));
+      require(here.expect_near("offset", plane.offset, offset, 4e-6, "m"));
       std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
     }
   }

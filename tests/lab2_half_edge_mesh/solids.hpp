@@ -18,10 +18,6 @@ struct Solid {
   std::vector<std::vector<Index>> polygons;
 };
 
-inline const Vec3& at(const std::vector<Vec3>& vertices, Index v) {
-  return vertices[static_cast<std::size_t>(v)];
-}
-
 /// The box |x| ≤ a, |y| ≤ b, |z| ≤ c.
 inline Solid box(const Vec3& half_extents) {
   Solid solid;
@@ -55,7 +51,7 @@ inline Solid dodecahedron() {
     const Vec3 v = normal.cross(u);
     std::vector<std::pair<Real, Index>> by_angle;
     for (Index i = 0; i < static_cast<Index>(solid.vertices.size()); ++i) {
-      const Vec3& point = at(solid.vertices, i);
+      const Vec3& point = solid.vertices[i];
       // The five vertices of a face are at φ²/√(φ² + 1) = 1.376 along its normal, the next at 0.85.
       if (normal.dot(point) > Real(1.2)) {
         by_angle.emplace_back(std::atan2(v.dot(point), u.dot(point)), i);
@@ -87,36 +83,13 @@ inline TriangleSoup cut_from_centres(const Solid& solid) {
   for (const std::vector<Index>& polygon : solid.polygons) {
     const Index centre = static_cast<Index>(soup.vertices.size());
     Vec3 sum = Vec3::Zero();
-    for (const Index v : polygon) sum += at(solid.vertices, v);
+    for (const Index v : polygon) sum += solid.vertices[v];
     soup.vertices.push_back(sum / static_cast<Real>(polygon.size()));
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       soup.triangles.push_back({polygon[i], polygon[(i + 1) % polygon.size()], centre});
     }
   }
   return soup;
-}
-
-/// Splits every triangle into four at the middles of its edges; the surface stays what it is.
-inline TriangleSoup split_at_middles(const TriangleSoup& coarse) {
-  TriangleSoup fine{coarse.vertices, {}};
-  std::vector<std::pair<std::pair<Index, Index>, Index>> middles;
-  const auto middle = [&](Index a, Index b) {
-    const std::pair<Index, Index> key = std::minmax(a, b);
-    for (const auto& [edge, vertex] : middles) {
-      if (edge == key) return vertex;
-    }
-    middles.emplace_back(key, static_cast<Index>(fine.vertices.size()));
-    fine.vertices.push_back(Real(0.5) * (at(coarse.vertices, a) + at(coarse.vertices, b)));
-    return middles.back().second;
-  };
-  for (const auto& [a, b, c] : coarse.triangles) {
-    const Index ab = middle(a, b);
-    const Index bc = middle(b, c);
-    const Index ca = middle(c, a);
-    fine.triangles.insert(fine.triangles.end(),
-                          {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-  }
-  return fine;
 }
 
 /// Scaled, turned, then shifted.
@@ -127,9 +100,8 @@ inline TriangleSoup placed(TriangleSoup soup, Real scale, const Quat& turn, cons
 
 /// The same triangles in another order.
 inline TriangleSoup shuffled(TriangleSoup soup, Random& random) {
-  for (std::size_t i = soup.triangles.size(); i > 1; --i) {
-    const auto other = static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1));
-    std::swap(soup.triangles[i - 1], soup.triangles[other]);
+  for (int i = static_cast<int>(soup.triangles.size()) - 1; i > 0; --i) {
+    std::swap(soup.triangles[i], soup.triangles[random.integer(0, i)]);
   }
   return soup;
 }

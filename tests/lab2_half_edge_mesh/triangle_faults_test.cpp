@@ -2,18 +2,20 @@
 #include <cs550/graded_test.hpp>
 #include <limits>
 
+#include "cs550/not_implemented.hpp"
 #include "lab2_half_edge_mesh/mesh_checks.hpp"
 
 namespace cs550::test {
 namespace {
 
-MeshIssue issue_of(const TriangleSoup& soup) {
-  return build_half_edge_mesh(soup.vertices, soup.triangles).issue;
-}
-
-bool expect_error(Story& story, const MeshIssue& issue, MeshError expected) {
-  return story.expect_equal("the fault", describe({.error = issue.error}),
-                            describe({.error = expected}));
+/// What L2.1 finds. The steps after it need not be written yet.
+MeshIssue first_issue_of_triangles(const TriangleSoup& soup) {
+  try {
+    return issue_of(soup);
+  } catch (const NotImplemented& later) {
+    if (later.step() == "L2.1") throw;
+    return {};
+  }
 }
 
 TriangleSoup unit_box() { return cut_from_corners(box(Vec3::Ones())); }
@@ -81,15 +83,14 @@ GRADED_TEST(Lab2, DegenerateTrianglesAreTheSameAtEveryScale, 3, "L2.1") {
       Story flat = here;
       flat.given("height over it", Real(0.5e-7) * size, "m");
       const MeshIssue issue = issue_of(needle(size, Real(0.5e-7) * size, first_corner));
-      if (!expect_error(flat, issue, MeshError::DegenerateTriangle)) return;
+      require(expect_error(flat, issue, MeshError::DegenerateTriangle));
       flat.expect_equal("the triangle", issue.triangle, 0);
 
       Story thin = here;
       thin.given("height over it", Real(2e-7) * size, "m");
-      if (!expect_error(thin, issue_of(needle(size, Real(2e-7) * size, first_corner)),
-                        MeshError::None)) {
-        return;
-      }
+      require(expect_error(thin,
+                           first_issue_of_triangles(needle(size, Real(2e-7) * size, first_corner)),
+                           MeshError::None));
     }
   }
 }
@@ -107,7 +108,7 @@ GRADED_TEST(Lab2, DuplicatesAndIsolatedVerticesAreNamed, 2, "L2.1") {
                            : "triangle 12 is triangle 1, begun at another corner")
         .likely("compare the three vertices in sorted order: where a triangle begins is no matter");
     const MeshIssue issue = issue_of(soup);
-    if (!expect_error(here, issue, MeshError::DuplicateTriangle)) return;
+    require(expect_error(here, issue, MeshError::DuplicateTriangle));
     here.expect_equal("the one triangle", std::min(issue.triangle, issue.other_triangle), 1);
     here.expect_equal("the other triangle", std::max(issue.triangle, issue.other_triangle), 12);
   }

@@ -22,8 +22,8 @@ GRADED_TEST(Lab3, BruteForceFindsTheMostExtremeVertex, 4, "L3.1") {
     here.given("mesh " + name);
     for (const Vec3& direction : directions_for(mesh, random, 8)) {
       const Support answer = support_brute_force(mesh.vertices, direction);
-      if (!expect_highest(here, mesh, direction, answer.vertex)) return;
-      if (!here.expect_equal("vertices visited", answer.visited, mesh.vertex_count())) return;
+      require_highest(here, mesh, direction, answer.vertex);
+      require(here.expect_equal("vertices visited", answer.visited, mesh.vertex_count()));
     }
   }
 }
@@ -54,7 +54,7 @@ GRADED_TEST(Lab3, FirstOfEqualVerticesWins, 2, "L3.1") {
     Story here = story;
     here.given("direction +z of length", length);
     const Support answer = support_brute_force(vertices, length * Vec3::UnitZ());
-    if (!here.expect_equal("most extreme vertex", answer.vertex, Index{1})) return;
+    require(here.expect_equal("most extreme vertex", answer.vertex, Index{1}));
   }
 }
 

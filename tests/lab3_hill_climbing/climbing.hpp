@@ -10,6 +10,7 @@
 #include "helpers/fixtures.hpp"
 #include "helpers/picture.hpp"
 #include "helpers/random.hpp"
+#include "helpers/require.hpp"
 #include "helpers/story.hpp"
 
 namespace cs550::test {
@@ -118,15 +119,16 @@ inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& directi
                              "No vertex lies beyond the plane through the most extreme one.");
 }
 
-/// Checks that the answer is a vertex as high as any. Returns whether it is.
-inline bool expect_highest(const Story& story, const HalfEdgeMesh& mesh, const Vec3& direction,
-                           Index vertex) {
+/// Checks that the answer is a vertex as high as any.
+inline void require_highest(const Story& story, const HalfEdgeMesh& mesh, const Vec3& direction,
+                            Index vertex) {
   Story here = story;
   here.given("direction", direction).given("vertices", mesh.vertex_count());
   here.picture([&] { return highest_picture(mesh, direction, vertex); });
-  if (!here.expect("the answer is a vertex of the mesh", is_vertex(mesh, vertex))) return false;
-  return here.expect_near("dot(vertex, direction)", height(mesh.vertex(vertex), direction),
-                          greatest_height(mesh, direction), height_tolerance(mesh, direction), "m");
+  require(here.expect("the answer is a vertex of the mesh", is_vertex(mesh, vertex)));
+  require(here.expect_near("dot(vertex, direction)", height(mesh.vertex(vertex), direction),
+                           greatest_height(mesh, direction), height_tolerance(mesh, direction),
+                           "m"));
 }
 
 }  // namespace cs550::test

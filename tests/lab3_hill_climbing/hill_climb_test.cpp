@@ -20,7 +20,7 @@ GRADED_TEST(Lab3, HillClimbMatchesBruteForceFromEveryStart, 6, "L3.2") {
         Story here = story;
         here.given("mesh " + name).given("start", start);
         const Support answer = hill_climb(mesh, direction, start);
-        if (!expect_highest(here, mesh, direction, answer.vertex)) return;
+        require_highest(here, mesh, direction, answer.vertex);
       }
     }
   }
@@ -39,11 +39,11 @@ GRADED_TEST(Lab3, ClimbEndsOnAPlateau, 4, "L3.2") {
       here.given("mesh " + name).given("start", start).given("direction +z");
       std::vector<Index> path;
       const Support answer = hill_climb(mesh, Vec3::UnitZ(), start, &path);
-      if (!expect_highest(here, mesh, Vec3::UnitZ(), answer.vertex)) return;
+      require_highest(here, mesh, Vec3::UnitZ(), answer.vertex);
       here.picture([&] { return walk_picture(mesh, Vec3::UnitZ(), path); });
       const bool starts_on_top = mesh.vertex(start).z() > 0;
-      if (starts_on_top && !here.expect_equal("the climb stays at", answer.vertex, start)) return;
-      if (!here.expect_at_most("vertices on the path", static_cast<double>(path.size()), 2)) return;
+      if (starts_on_top) require(here.expect_equal("the climb stays at", answer.vertex, start));
+      require(here.expect_at_most("vertices on the path", static_cast<double>(path.size()), 2));
     }
   }
 }
@@ -65,7 +65,7 @@ GRADED_TEST(Lab3, ClimbStopsAtALocalMaximum, 4, "L3.2") {
     Story here = story;
     here.given("start", climb.start);
     const Support answer = hill_climb(mesh, Vec3::UnitZ(), climb.start);
-    if (!here.expect_equal("the climb ends at vertex", answer.vertex, climb.top)) return;
+    require(here.expect_equal("the climb ends at vertex", answer.vertex, climb.top));
   }
 }
 

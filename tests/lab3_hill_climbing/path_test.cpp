@@ -13,20 +13,18 @@ bool contains(const std::vector<Index>& list, Index item) {
 }
 
 /// One step of a path: to a neighbour, and to the best of them as far as float can tell.
-bool expect_steepest_step(Story here, const HalfEdgeMesh& mesh, const Vec3& direction, Index from,
-                          Index to) {
+void require_steepest_step(Story here, const HalfEdgeMesh& mesh, const Vec3& direction, Index from,
+                           Index to) {
   here.given("on the path: from vertex " + std::to_string(from) + " to " + std::to_string(to));
   const std::vector<Index> choices = neighbours(mesh, from);
-  if (!here.expect("the step goes to a neighbour", contains(choices, to))) return false;
+  require(here.expect("the step goes to a neighbour", contains(choices, to)));
   // In float, like the climb itself: strictly is strictly.
-  if (!here.expect("the step goes strictly up",
-                   mesh.vertex(to).dot(direction) > mesh.vertex(from).dot(direction))) {
-    return false;
-  }
+  require(here.expect("the step goes strictly up",
+                      mesh.vertex(to).dot(direction) > mesh.vertex(from).dot(direction)));
   double best = -HUGE_VAL;
   for (const Index v : choices) best = std::max(best, height(mesh.vertex(v), direction));
-  return here.expect_near("height of the step", height(mesh.vertex(to), direction), best,
-                          height_tolerance(mesh, direction), "m");
+  require(here.expect_near("height of the step", height(mesh.vertex(to), direction), best,
+                           height_tolerance(mesh, direction), "m"));
 }
 
 GRADED_TEST(Lab3, PathGoesUpFromNeighbourToNeighbour, 5, "L3.2") {
@@ -36,6 +34,7 @@ GRADED_TEST(Lab3, PathGoesUpFromNeighbourToNeighbour, 5, "L3.2") {
   story.likely("the path begins with the start, and has nothing in it from before")
       .likely("a vertex joins the path when you step onto it, not when you look at it")
       .likely("look at all neighbours before you step: the first better one need not be the best");
+  std::size_t steps = 0;
   for (const std::string& name : convex_meshes()) {
     const HalfEdgeMesh& mesh = fixture_mesh(name);
     for (int i = 0; i < 20; ++i) {
@@ -46,14 +45,16 @@ GRADED_TEST(Lab3, PathGoesUpFromNeighbourToNeighbour, 5, "L3.2") {
       std::vector<Index> path{17, 4, 2020};
       const Support answer = hill_climb(mesh, direction, start, &path);
       here.picture([&] { return walk_picture(mesh, direction, path); });
-      if (!here.expect("the path is not empty", !path.empty())) return;
-      if (!here.expect_equal("first vertex of the path", path.front(), start)) return;
-      if (!here.expect_equal("last vertex of the path", path.back(), answer.vertex)) return;
+      require(here.expect("the path is not empty", !path.empty()));
+      require(here.expect_equal("first vertex of the path", path.front(), start));
+      require(here.expect_equal("last vertex of the path", path.back(), answer.vertex));
       for (std::size_t step = 1; step < path.size(); ++step) {
-        if (!expect_steepest_step(here, mesh, direction, path[step - 1], path[step])) return;
+        require_steepest_step(here, mesh, direction, path[step - 1], path[step]);
       }
+      steps += path.size() - 1;
     }
   }
+  story.expect_at_least("steps on all paths together", static_cast<double>(steps), 300);
 }
 
 GRADED_TEST(Lab3, VisitsAreTheNeighboursOfThePath, 2, "L3.2") {
@@ -68,11 +69,11 @@ GRADED_TEST(Lab3, VisitsAreTheNeighboursOfThePath, 2, "L3.2") {
     const Index start = random.integer(0, mesh.vertex_count() - 1);
     std::vector<Index> path;
     const Support answer = hill_climb(mesh, direction, start, &path);
-    if (!story.expect("the path is not empty", !path.empty())) return;
+    require(story.expect("the path is not empty", !path.empty()));
     std::set<Index> seen{start};
     std::size_t looks = 1;
     for (const Index v : path) {
-      if (!story.expect("the path consists of vertices", is_vertex(mesh, v))) return;
+      require(story.expect("the path consists of vertices", is_vertex(mesh, v)));
       for (const Index w : neighbours(mesh, v)) {
         seen.insert(w);
         ++looks;
@@ -84,8 +85,8 @@ GRADED_TEST(Lab3, VisitsAreTheNeighboursOfThePath, 2, "L3.2") {
         .given("vertices on the path", path.size());
     here.picture([&] { return walk_picture(mesh, direction, path); });
     // Who remembers what was measured before needs fewer looks than who does not.
-    if (!here.expect_at_least("visited", answer.visited, static_cast<double>(seen.size()))) return;
-    if (!here.expect_at_most("visited", answer.visited, static_cast<double>(looks))) return;
+    require(here.expect_at_least("visited", answer.visited, static_cast<double>(seen.size())));
+    require(here.expect_at_most("visited", answer.visited, static_cast<double>(looks)));
   }
 }
 
@@ -107,18 +108,18 @@ GRADED_TEST(Lab3, VisitsGrowLikeTheSquareRootOfTheVertices, 5, "L3.2") {
       const Vec3 direction = random.unit_vector();
       const Support answer =
           hill_climb(mesh, direction, random.integer(0, mesh.vertex_count() - 1));
-      if (!expect_highest(here, mesh, direction, answer.vertex)) return;
+      require_highest(here, mesh, direction, answer.vertex);
       sum += answer.visited;
       // Half way round the sphere is about √n edges, with 6 neighbours at each stop, and a detour of
       // up to 2/√3 on a grid of triangles: 7·√n.
-      if (!here.expect_at_most("visits of one climb", answer.visited, 1 + 7 * (root + 1))) return;
+      require(here.expect_at_most("visits of one climb", answer.visited, 1 + 7 * (root + 1)));
     }
     const double mean = sum / climbs;
     // On average a quarter of the way round: half as many.
-    if (!here.expect_at_most("mean number of visits", mean, 3.5 * (root + 1))) return;
-    if (mean_before > 0 && !here.expect_at_most("growth of the mean for 4 times the vertices",
-                                                mean / mean_before, 2.4)) {
-      return;
+    require(here.expect_at_most("mean number of visits", mean, 3.5 * (root + 1)));
+    if (mean_before > 0) {
+      require(here.expect_at_most("growth of the mean for 4 times the vertices", mean / mean_before,
+                                  2.4));
     }
     mean_before = mean;
   }

@@ -76,8 +76,8 @@ std::vector<ShapePtr> small_shapes(Real factor) {
 
 TestPair random_pair(Random& random, const std::vector<ShapePtr>& shapes, const Vec3& place) {
   const int last = static_cast<int>(shapes.size()) - 1;
-  const ShapePtr& shape_a = shapes[static_cast<std::size_t>(random.integer(0, last))];
-  const ShapePtr& shape_b = shapes[static_cast<std::size_t>(random.integer(0, last))];
+  const ShapePtr& shape_a = shapes[random.integer(0, last)];
+  const ShapePtr& shape_b = shapes[random.integer(0, last)];
   const Real reach = shape_a->radius + shape_b->radius;
   const Vec3 way = random.real(Real(0.35), Real(0.95)) * reach * random.unit_vector();
   const Quat turn_a = random.orientation();
@@ -103,43 +103,38 @@ Story about(Story story, const TestPair& pair) {
 namespace {
 
 /// That the feature, its query, the axis and the separation tell the same tale.
-bool expect_query_behind_it(Story& here, const TestPair& pair, const SeparatingAxis& answer,
-                            double tolerance) {
+void require_query_behind_it(Story& here, const TestPair& pair, const SeparatingAxis& answer,
+                             double tolerance) {
   Real of_query = 0;
   Vec3 axis = Vec3::Zero();
   const auto in_range = [](Index i, Index count) { return i >= 0 && i < count; };
   switch (answer.feature) {
     case AxisFeature::None:
-      return here.expect("the answer has a feature (not None)", false);
+      require(here.expect("the answer has a feature (not None)", false));
+      break;
     case AxisFeature::FaceA:
-      if (!here.expect("face_a names a face of A",
-                       in_range(answer.face_a.face, pair.a.mesh().face_count()))) {
-        return false;
-      }
+      require(here.expect("face_a names a face of A",
+                          in_range(answer.face_a.face, pair.a.mesh().face_count())));
       of_query = answer.face_a.separation;
       axis = pair.a.plane(answer.face_a.face).normal;
       break;
     case AxisFeature::FaceB:
-      if (!here.expect("face_b names a face of B",
-                       in_range(answer.face_b.face, pair.b.mesh().face_count()))) {
-        return false;
-      }
+      require(here.expect("face_b names a face of B",
+                          in_range(answer.face_b.face, pair.b.mesh().face_count())));
       of_query = answer.face_b.separation;
       axis = -pair.b.plane(answer.face_b.face).normal;
       break;
     case AxisFeature::Edges:
-      if (!here.expect("edges name half-edges of A and B",
-                       in_range(answer.edges.edge_a, pair.a.mesh().edge_count()) &&
-                           in_range(answer.edges.edge_b, pair.b.mesh().edge_count()))) {
-        return false;
-      }
+      require(here.expect("edges name half-edges of A and B",
+                          in_range(answer.edges.edge_a, pair.a.mesh().edge_count()) &&
+                              in_range(answer.edges.edge_b, pair.b.mesh().edge_count())));
       of_query = answer.edges.separation;
       axis = answer.edges.axis;
       break;
   }
-  return here.expect_near("axis against that of its feature", answer.axis, axis, 1e-5) &&
-         here.expect_near("separation against that of its query", answer.separation, of_query,
-                          tolerance, "m");
+  require(here.expect_near("axis against that of its feature", answer.axis, axis, 1e-5));
+  require(here.expect_near("separation against that of its query", answer.separation, of_query,
+                           tolerance, "m"));
 }
 
 }  // namespace
@@ -169,43 +164,42 @@ std::string axis_picture(const TestPair& pair, const SeparatingAxis& got) {
                        drawing::Scene{sphere, sphere_view}});
 }
 
-bool expect_best_axis(const Story& story, const TestPair& pair, const SeparatingAxis& answer,
-                      Real margin, double tolerance) {
+void require_best_axis(const Story& story, const TestPair& pair, const SeparatingAxis& answer,
+                       Real margin, double tolerance) {
   Story here = about(story, pair);
   here.picture([&] { return axis_picture(pair, answer); });
   const double allowed = tolerance * double{pair.larger_radius()};
   const double tie = 1.01 * double{tie_tolerance} * double{pair.smaller_radius()};
 
-  if (!expect_query_behind_it(here, pair, answer, allowed)) return false;
-  if (!here.expect_near("length of the axis", double{answer.axis.norm()}, 1, 1e-5)) return false;
+  require_query_behind_it(here, pair, answer, allowed);
+  require(here.expect_near("length of the axis", double{answer.axis.norm()}, 1, 1e-5));
 
   const ExactBody a = pair.exact_a();
   const ExactBody b = pair.exact_b();
   const double along = separation_along(a, b, answer.axis.cast<double>().normalized());
   // The axis is rounded, too: where it is the cross product of edges that enclose a small angle, by
   // more than its last digit.
-  if (!here.expect_near("separation along the axis, A to B", answer.separation, along, allowed,
-                        "m")) {
-    return false;
-  }
-  if (answer.separation > margin) return true;
+  require(here.expect_near("separation along the axis, A to B", answer.separation, along, allowed,
+                           "m"));
+  if (answer.separation > margin) return;
 
   const BestSeparations best = best_separations(a, b);
   here.given("largest separation over faces of A", best.face_a, "m")
       .given("over faces of B", best.face_b, "m")
       .given("over cross products of edges", best.edges, "m");
   if (best.largest() <= 0) {
-    return here.expect_near("separation against brute force", answer.separation, best.largest(),
-                            allowed + tie, "m");
+    require(here.expect_near("separation against brute force", answer.separation, best.largest(),
+                             allowed + tie, "m"));
   }
   // Apart, corner against corner, some cross product may separate more than any Minkowski face does:
   // but the faces set a floor, and whatever separates must be seen to.
-  return here.expect_at_least("separation against the faces", answer.separation,
-                              best.faces() - allowed - tie, "m") &&
-         here.expect_at_most("separation against brute force", answer.separation,
-                             best.largest() + allowed, "m") &&
-         (best.largest() < allowed ||
-          here.expect("bodies that are apart are seen to be", answer.separation > 0));
+  require(here.expect_at_least("separation against the faces", answer.separation,
+                               best.faces() - allowed - tie, "m"));
+  require(here.expect_at_most("separation against brute force", answer.separation,
+                              best.largest() + allowed, "m"));
+  if (best.largest() >= allowed) {
+    require(here.expect("bodies that are apart are seen to be", answer.separation > 0));
+  }
 }
 
 }  // namespace cs550::test

@@ -8,6 +8,7 @@
 
 #include "cs550/separating_axis.hpp"
 #include "helpers/random.hpp"
+#include "helpers/require.hpp"
 #include "helpers/story.hpp"
 
 namespace cs550::test {
@@ -72,8 +73,8 @@ std::string axis_picture(const TestPair& pair, const SeparatingAxis& got);
 /// Checks that an answer is what it says: a unit axis that separates by as much as it says, the
 /// queries behind it. Where it is not beyond the margin: that no axis is better.
 /// @param tolerance relative to the larger radius
-bool expect_best_axis(const Story& story, const TestPair& pair, const SeparatingAxis& answer,
-                      Real margin, double tolerance);
+void require_best_axis(const Story& story, const TestPair& pair, const SeparatingAxis& answer,
+                       Real margin, double tolerance);
 
 /// Rounding of a few dozen operations in float, relative to the size of the bodies.
 inline constexpr double rounding = 5e-6;

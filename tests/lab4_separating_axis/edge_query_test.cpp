@@ -16,6 +16,7 @@ Story with_causes(Story story) {
       .likely("the axis points out of A: turn it until n·(sum of the normals beside A's edge) > 0")
       .likely("the separation is signed, n·(p_B - p_A): a distance is never negative")
       .likely("both edges, and the normals beside them, must be in one frame")
+      .likely("an edge has two half-edges: one of them, the even one, is enough")
       .likely("the axis is wanted in the world and of unit length");
 }
 
@@ -35,12 +36,9 @@ ExactEdges exact_edges(const TestPair& pair) {
     const ExactBody exact(body, pair.a.pose.position);
     std::vector<Edge> edges;
     for (Index e = 0; e < mesh.edge_count(); e += 2) {
-      const auto normal = [&](Index half) {
-        return exact.normals[static_cast<std::size_t>(mesh.edge(half).face)];
-      };
-      const auto origin = static_cast<std::size_t>(mesh.origin(e));
-      edges.push_back({exact.vertices[origin], exact.edges[static_cast<std::size_t>(e / 2)],
-                       normal(e), normal(e + 1)});
+      const auto normal = [&](Index half) { return exact.normals[mesh.edge(half).face]; };
+      edges.push_back(
+          {exact.vertices[mesh.origin(e)], exact.edges[e / 2], normal(e), normal(e + 1)});
     }
     return edges;
   };
@@ -79,28 +77,28 @@ std::string edge_query_picture(const TestPair& pair, const EdgeQuery& got) {
 }
 
 /// Checks that an answer is an axis of these two edges that separates by as much as it says.
-bool expect_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answer) {
+void require_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answer) {
   const auto is_half_edge = [](const PosedShape& body, Index e) {
     return e >= 0 && e < body.mesh().edge_count();
   };
-  if (!here.expect("half-edges of A and of B",
-                   is_half_edge(pair.a, answer.edge_a) && is_half_edge(pair.b, answer.edge_b))) {
-    return false;
-  }
+  require(here.expect("half-edges of A and of B",
+                      is_half_edge(pair.a, answer.edge_a) && is_half_edge(pair.b, answer.edge_b)));
+  require(here.expect_equal("remainder of edge_a over 2", answer.edge_a % 2, 0));
+  require(here.expect_equal("remainder of edge_b over 2", answer.edge_b % 2, 0));
   const ExactBody a = pair.exact_a();
   const ExactBody b = pair.exact_b();
   const Vec3d axis = answer.axis.cast<double>();
-  const Vec3d along_a = a.edges[static_cast<std::size_t>(answer.edge_a / 2)];
-  const Vec3d along_b = b.edges[static_cast<std::size_t>(answer.edge_b / 2)];
+  const Vec3d along_a = a.edges[answer.edge_a / 2];
+  const Vec3d along_b = b.edges[answer.edge_b / 2];
   const double sine = along_a.cross(along_b).norm();
   const double tolerance = rounding * double{pair.larger_radius()};
-  return here.expect_near("length of the axis", axis.norm(), 1, 1e-5) &&
-         here.expect_at_least("sine between the edges", sine, 0.999 * double{parallel_sine}) &&
-         // The cross product of unit vectors is rounded by 1e-7, which the sine magnifies.
-         here.expect_near("axis along A's edge", axis.dot(along_a), 0, 1e-6 / sine) &&
-         here.expect_near("axis along B's edge", axis.dot(along_b), 0, 1e-6 / sine) &&
-         here.expect_near("separation along the axis, A to B", answer.separation,
-                          separation_along(a, b, axis.normalized()), tolerance / sine, "m");
+  require(here.expect_near("length of the axis", axis.norm(), 1, 1e-5));
+  require(here.expect_at_least("sine between the edges", sine, 0.999 * double{parallel_sine}));
+  // The cross product of unit vectors is rounded by 1e-7, which the sine magnifies.
+  require(here.expect_near("axis along A's edge", axis.dot(along_a), 0, 1e-6 / sine));
+  require(here.expect_near("axis along B's edge", axis.dot(along_b), 0, 1e-6 / sine));
+  require(here.expect_near("separation along the axis, A to B", answer.separation,
+                           separation_along(a, b, axis.normalized()), tolerance / sine, "m"));
 }
 
 GRADED_TEST(Lab4, EdgeQueryMatchesBruteForceOverAllPairs, 5, "L4.3") {
@@ -117,15 +115,13 @@ GRADED_TEST(Lab4, EdgeQueryMatchesBruteForceOverAllPairs, 5, "L4.3") {
     const ExactEdges exact = exact_edges(pair);
     Story here = about(story, pair);
     here.picture([&] { return edge_query_picture(pair, answer); });
-    if (!here.expect("some arcs cross", static_cast<bool>(answer))) return;
-    if (!expect_edge_axis(here, pair, answer)) return;
+    require(here.expect("some arcs cross", static_cast<bool>(answer)));
+    require_edge_axis(here, pair, answer);
     const double tolerance = rounding * double{pair.larger_radius()};
-    if (!here.expect_at_least("separation against brute force", answer.separation,
-                              exact.clear - tolerance, "m") ||
-        !here.expect_at_most("separation against brute force", answer.separation,
-                             exact.any + tolerance, "m")) {
-      return;
-    }
+    require(here.expect_at_least("separation against brute force", answer.separation,
+                                 exact.clear - tolerance, "m"));
+    require(here.expect_at_most("separation against brute force", answer.separation,
+                                exact.any + tolerance, "m"));
     if (exact.any < 0) ++overlapping;
   }
   story.expect_at_least("pairs with negative separation, so that both signs occur", overlapping,
@@ -154,11 +150,10 @@ GRADED_TEST(Lab4, ParallelEdgesAreSkipped, 3, "L4.3") {
       Story here = about(story, pair);
       here.given("size", size, "m").given("a little", angle, "rad");
       const EdgeQuery answer = query_edge_directions(pair.a, pair.b);
-      if (answer && !expect_edge_axis(here, pair, answer)) return;
+      if (answer) require_edge_axis(here, pair, answer);
       const ExactEdges exact = exact_edges(pair);
-      if (exact.clear > -HUGE_VAL &&
-          !here.expect("an answer where arcs cross", static_cast<bool>(answer))) {
-        return;
+      if (exact.clear > -HUGE_VAL) {
+        require(here.expect("an answer where arcs cross", static_cast<bool>(answer)));
       }
     }
   }
@@ -177,13 +172,11 @@ GRADED_TEST(Lab4, CrossedEdgesAtAnySize, 4, "L4.3") {
         Story here = about(story, crossed.pair);
         here.given("size", size, "m");
         here.picture([&] { return edge_query_picture(crossed.pair, answer); });
-        if (!here.expect("some arcs cross", static_cast<bool>(answer))) return;
+        require(here.expect("some arcs cross", static_cast<bool>(answer)));
         const double tolerance = rounding * double{size};
-        if (!here.expect_near("separation", answer.separation, crossed.separation, tolerance,
-                              "m") ||
-            !here.expect_near("axis", answer.axis, Vec3::UnitZ(), 1e-5)) {
-          return;
-        }
+        require(
+            here.expect_near("separation", answer.separation, crossed.separation, tolerance, "m"));
+        require(here.expect_near("axis", answer.axis, Vec3::UnitZ(), 1e-5));
       }
     }
   }

@@ -63,20 +63,16 @@ GRADED_TEST(Lab4, FaceQueryMatchesBruteForce, 4, "L4.2") {
     const FaceQuery answer = query_face_directions(pair.a, pair.b);
     Story here = about(story, pair);
     here.picture([&] { return face_query_picture(pair, answer); });
-    if (!here.expect("the answer names a face of A",
-                     answer.face >= 0 && answer.face < pair.a.mesh().face_count()) ||
-        !here.expect("and a vertex of B",
-                     answer.vertex >= 0 && answer.vertex < pair.b.mesh().vertex_count())) {
-      return;
-    }
+    require(here.expect("the answer names a face of A",
+                        answer.face >= 0 && answer.face < pair.a.mesh().face_count()));
+    require(here.expect("and a vertex of B",
+                        answer.vertex >= 0 && answer.vertex < pair.b.mesh().vertex_count()));
     const double tolerance = rounding * double{pair.larger_radius()};
     const double best = best_separations(pair.exact_a(), pair.exact_b()).face_a;
-    if (!here.expect_near("separation", answer.separation, best, tolerance, "m")) return;
+    require(here.expect_near("separation", answer.separation, best, tolerance, "m"));
     const Real distance = pair.a.plane(answer.face).distance(pair.b.vertex(answer.vertex));
-    if (!here.expect_near("distance of that vertex from that face", distance, best, tolerance,
-                          "m")) {
-      return;
-    }
+    require(
+        here.expect_near("distance of that vertex from that face", distance, best, tolerance, "m"));
     if (best > 0) ++apart;
   }
   story.expect_at_least("pairs that a face separates, so that both signs occur", apart, 30);
@@ -106,17 +102,15 @@ GRADED_TEST(Lab4, FaceQueryOfBoxesIsKnown, 3, "L4.2") {
     here.given("position of B", expected.position, "m");
     const FaceQuery of_a = query_face_directions(a, b);
     const FaceQuery of_b = query_face_directions(b, a);
-    if (!here.expect("both answers name a face", of_a && of_b)) return;
-    if (!here.expect_near("separation, faces of A", of_a.separation, expected.separation, 1e-6,
-                          "m") ||
-        !here.expect_near("separation, faces of B", of_b.separation, expected.separation, 1e-6,
-                          "m") ||
-        !here.expect_near("normal of the best face of A", a.plane(of_a.face).normal,
-                          expected.normal, 1e-6) ||
-        !here.expect_near("normal of the best face of B", b.plane(of_b.face).normal,
-                          -expected.normal, 1e-6)) {
-      return;
-    }
+    require(here.expect("both answers name a face", of_a && of_b));
+    require(here.expect_near("separation, faces of A", of_a.separation, expected.separation, 1e-6,
+                             "m"));
+    require(here.expect_near("separation, faces of B", of_b.separation, expected.separation, 1e-6,
+                             "m"));
+    require(here.expect_near("normal of the best face of A", a.plane(of_a.face).normal,
+                             expected.normal, 1e-6));
+    require(here.expect_near("normal of the best face of B", b.plane(of_b.face).normal,
+                             -expected.normal, 1e-6));
   }
 }
 

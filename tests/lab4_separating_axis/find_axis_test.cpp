@@ -50,7 +50,7 @@ GRADED_TEST(Lab4, AxisMatchesBruteForce, 5, "L4.4", Long) {
     const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, {}, margin);
     Story here = story;
     here.given("pair number", i).given("margin", margin, "m");
-    if (!expect_best_axis(here, pair, answer, margin, rounding)) return;
+    require_best_axis(here, pair, answer, margin, rounding);
     census.count(answer, margin);
   }
   census.expect_variety(story, pairs);
@@ -71,7 +71,7 @@ GRADED_TEST(Lab4, AxisAtAnySizeAndFarFromTheOrigin, 2, "L4.4") {
         here.given("size", size, "m").given("distance from the origin", distance, "m");
         // Coordinates of 1000 sizes are rounded to 6e-5 sizes: room for who works in the world frame.
         const double tolerance = distance > 0 ? 5e-4 : rounding;
-        if (!expect_best_axis(here, pair, answer, HUGE_VALF, tolerance)) return;
+        require_best_axis(here, pair, answer, HUGE_VALF, tolerance);
       }
     }
   }
@@ -90,17 +90,15 @@ GRADED_TEST(Lab4, SwappedBodiesTurnTheAxisRound, 1, "L4.4") {
     const double tie = double{tie_tolerance} * double{pair.smaller_radius()};
     const double tolerance = tie + rounding * double{pair.larger_radius()};
     Story here = about(story, pair);
-    if (!here.expect_near("separation after the swap", other.separation, one.separation, tolerance,
-                          "m")) {
-      return;
-    }
+    require(here.expect_near("separation after the swap", other.separation, one.separation,
+                             tolerance, "m"));
   }
   for (const CrossedShape& shape : crossed_shapes()) {
     const CrossedPair crossed = cross(shape, 1, Real(0.05));
     const TestPair swapped = crossed.pair.swapped();
     const SeparatingAxis answer = find_separating_axis(swapped.a, swapped.b, {}, HUGE_VALF);
     Story here = about(story, swapped);
-    if (!here.expect_near("axis", answer.axis, -Vec3::UnitZ(), 1e-5)) return;
+    require(here.expect_near("axis", answer.axis, -Vec3::UnitZ(), 1e-5));
   }
 }
 
@@ -133,19 +131,17 @@ GRADED_TEST(Lab4, TheMarginEndsTheSearch, 3, "L4.4") {
     const SeparatingAxis early = find_separating_axis(a, b, hint, Real(0.5));
     Story stops = here;
     stops.given("margin 0.5 m");
-    if (!stops.expect("the answer has the feature of the hint", early.feature == hint.feature) ||
-        !stops.expect_near("separation", early.separation, 1, 1e-6, "m") ||
-        !stops.expect_near("axis", early.axis, Vec3::UnitX(), 1e-6)) {
-      return;
-    }
+    require(stops.expect("the answer has the feature of the hint", early.feature == hint.feature));
+    require(stops.expect_near("separation", early.separation, 1, 1e-6, "m"));
+    require(stops.expect_near("axis", early.axis, Vec3::UnitX(), 1e-6));
     const SeparatingAxis full = find_separating_axis(a, b, hint, HUGE_VALF);
     Story goes_on = here;
     goes_on.given("margin: none");
-    if (!goes_on.expect_near("separation", full.separation, 2, 1e-6, "m")) return;
+    require(goes_on.expect_near("separation", full.separation, 2, 1e-6, "m"));
   }
   const SeparatingAxis unhinted = find_separating_axis(a, b, {}, Real(0.5));
   story.expect("without a hint: an axis beyond the margin", unhinted.separation > Real(0.5));
-  expect_best_axis(story, pair, unhinted, Real(0.5), rounding);
+  require_best_axis(story, pair, unhinted, Real(0.5), rounding);
   const SeparatingAxis wide = find_separating_axis(a, b, hint_a, Real(1.5));
   story.expect_near("with a margin of 1.5 m, which x does not pass: separation", wide.separation, 2,
                     1e-6, "m");
@@ -169,7 +165,7 @@ GRADED_TEST(Lab4, AStaleHintIsNotBelieved, 2, "L4.4") {
     const SeparatingAxis answer = find_separating_axis(a, b, hint, Real(0.01));
     Story here = about(story, crossed.pair);
     here.given("hint: a face that separated by 5 m, number", face);
-    if (!expect_best_axis(here, crossed.pair, answer, Real(0.01), rounding)) return;
+    require_best_axis(here, crossed.pair, answer, Real(0.01), rounding);
   }
   for (Index e_a = 0; e_a < mesh.edge_count(); e_a += 2) {
     for (Index e_b = 0; e_b < mesh.edge_count(); e_b += 2) {
@@ -181,7 +177,7 @@ GRADED_TEST(Lab4, AStaleHintIsNotBelieved, 2, "L4.4") {
       const SeparatingAxis answer = find_separating_axis(a, b, hint, Real(0.01));
       Story here = about(story, crossed.pair);
       here.given("hint: half-edge of A", e_a).given("and of B", e_b);
-      if (!expect_best_axis(here, crossed.pair, answer, Real(0.01), rounding)) return;
+      require_best_axis(here, crossed.pair, answer, Real(0.01), rounding);
     }
   }
 }

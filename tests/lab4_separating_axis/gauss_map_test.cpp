@@ -5,6 +5,7 @@
 #include "drawing/gauss_map_drawing.hpp"
 #include "helpers/picture.hpp"
 #include "helpers/random.hpp"
+#include "helpers/require.hpp"
 #include "helpers/story.hpp"
 #include "lab4_separating_axis/gauss_map.hpp"
 
@@ -54,7 +55,7 @@ GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
     here.given("a", a).given("b", b).given("c", c).given("d", d);
     here.picture([&] { return arcs_picture(a, b, c, d, expected == Crossing::Yes); });
     const bool got = is_minkowski_face(a, b, c, d);
-    if (!here.expect_equal("the arcs cross", got, expected == Crossing::Yes)) return;
+    require(here.expect_equal("the arcs cross", got, expected == Crossing::Yes));
   }
   story.expect_at_least("pairs that cross, so that both answers are asked for", crossing, 300);
 }
@@ -91,7 +92,7 @@ GRADED_TEST(Lab4, ArcsThatTouchOrLieOppositeDoNotCross, 3, "L4.1") {
     here.given("c", arcs.c).given("d", arcs.d);
     here.picture([&] { return arcs_picture(arcs.a, arcs.b, arcs.c, arcs.d, arcs.crosses); });
     const bool got = is_minkowski_face(arcs.a, arcs.b, arcs.c, arcs.d);
-    if (!here.expect_equal("the arcs cross", got, arcs.crosses)) return;
+    require(here.expect_equal("the arcs cross", got, arcs.crosses));
   }
 }
 

@@ -34,7 +34,7 @@ GRADED_TEST(Lab4, OverlapAgreesWithGjk, 3, "L4.5", Long) {
     if (got != expected && nearly_touching(a, b)) continue;
     Story here = about(story, pair);
     here.given("pair number", i);
-    if (!here.expect_equal("they overlap", got, expected)) return;
+    require(here.expect_equal("they overlap", got, expected));
     if (got) ++overlapping;
   }
   story.expect_at_least("pairs that overlap", overlapping, 0.25 * pairs);
@@ -58,7 +58,7 @@ GRADED_TEST(Lab4, CubesThatTouchOverlap, 1, "L4.5") {
     const PosedShape b{cube.get(), {expected.position, Quat::Identity()}};
     Story here = story;
     here.given("two cubes of 1 m, B at", expected.position, "m");
-    if (!here.expect_equal("they overlap", overlap(a, b), expected.overlaps)) return;
+    require(here.expect_equal("they overlap", overlap(a, b), expected.overlaps));
   }
 }
 

@@ -49,11 +49,9 @@ GRADED_TEST(Lab4, TiesKeepTheKindOfTheHint, 3, "L4.4") {
       const AxisFeature expected = kind == AxisFeature::None ? AxisFeature::FaceA : kind;
       Story here = about(story, pair);
       here.given("size", size, "m").given("hint", name_of(kind));
-      if (!here.expect_near("separation", answer.separation, tie_separation * double{size},
-                            2e-4 * double{size}, "m") ||
-          !here.expect_equal("feature", name_of(answer.feature), name_of(expected))) {
-        return;
-      }
+      require(here.expect_near("separation", answer.separation, tie_separation * double{size},
+                               2e-4 * double{size}, "m"));
+      require(here.expect_equal("feature", name_of(answer.feature), name_of(expected)));
     }
   }
 }
@@ -89,7 +87,7 @@ GRADED_TEST(Lab4, AHintDoesNotWinAgainstABetterAxis, 2, "L4.4") {
         const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, hint, HUGE_VALF);
         Story here = about(story, pair);
         here.given("size", size, "m").given("hint", name_of(kind));
-        if (!here.expect_equal("feature", name_of(answer.feature), name_of(best))) return;
+        require(here.expect_equal("feature", name_of(answer.feature), name_of(best)));
       }
     }
     for (int kind = 1; kind < 4; ++kind) {

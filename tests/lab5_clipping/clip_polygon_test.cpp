@@ -117,6 +117,12 @@ GRADED_TEST(Lab5, CornersOnThePlaneAreKeptOnce, 3, "L5.1") {
 
 GRADED_TEST(Lab5, EmptyPolygonsStayEmptyAndOthersUntouched, 1, "L5.1") {
   Story story = with_table_causes(Story("A plane that does not meet a polygon changes nothing"));
+  Story met = story;
+  met.given("the unit square").when("clipped to x ≤ 0.25, which meets it");
+  require(expect_corners(
+      met, clip_polygon(unit_square(), {Vec3::UnitX(), Real(0.25)}, along_plane),
+      {Vec3(0, 0, 0), Vec3(Real(0.25), 0, 0), Vec3(Real(0.25), 1, 0), Vec3(0, 1, 0)}));
+
   Story empty = story;
   empty.given("a polygon without corners").when("clipped");
   expect_clipped(empty, ClipPolygon(), {Vec3::UnitX(), 0}, {});
@@ -127,10 +133,9 @@ GRADED_TEST(Lab5, EmptyPolygonsStayEmptyAndOthersUntouched, 1, "L5.1") {
   for (int i = 0; i < 100; ++i) {
     const Plane beyond{random.unit_vector(), Real(1.5)};
     const ClipPolygon got = clip_polygon(unit_square(), beyond, along_plane);
-    if (!untouched.expect("the same corners, and the same first one",
-                          same_corners(got, unit_square(), 0))) {
-      return;
-    }
+    require(same_corners(got, unit_square(), 0) ||
+            untouched.expect_equal("corners, from the same first one on", show(got),
+                                   show(unit_square())));
     for (int k = 0; k < got.size(); ++k) {
       untouched.expect_equal("in of a corner", name(got[k].in), name(unit_square()[k].in));
       untouched.expect_equal("out of a corner", name(got[k].out), name(unit_square()[k].out));
@@ -175,12 +180,10 @@ GRADED_TEST(Lab5, ClippedCornersAreNamedByTheirEdges, 3, "L5.1") {
     chain.seed(random.seed()).when("clipped by five planes that leave its middle");
     for (int k = 0; k < polygon.size(); ++k) {
       const ClipVertex& next = polygon[(k + 1) % polygon.size()];
-      if (!chain.expect_equal("`in` of a corner, against `out` of the one before it", name(next.in),
-                              name(polygon[k].out))) {
-        return;
-      }
+      require(chain.expect_equal("`in` of a corner, against `out` of the one before it",
+                                 name(next.in), name(polygon[k].out)));
     }
-    if (!chain.expect_at_least("corners left", polygon.size(), 3)) return;
+    require(chain.expect_at_least("corners left", polygon.size(), 3));
   }
 }
 

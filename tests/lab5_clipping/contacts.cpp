@@ -208,8 +208,8 @@ bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const 
                             show(wanted), at);
 }
 
-bool expect_sound(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
-                  Real size, SourceLine at) {
+void require_sound(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
+                   Real size, SourceLine at) {
   // A dozen roundings of float, and how far out the side planes' corners are.
   const double rounding = 3e-6 * static_cast<double>(size);
   const Real smaller = std::min(a.shape->radius, b.shape->radius);
@@ -217,24 +217,22 @@ bool expect_sound(Story story, const PosedShape& a, const PosedShape& b, const M
                                std::max(corner_stretch(a.mesh()), corner_stretch(b.mesh())) +
                            rounding;
   const Point n = manifold.normal.cast<double>();
-  bool sound =
-      story.expect_near("length of the normal", n.norm(), 1, 1e-5, "", at) &&
-      story.expect_near("length of the tangent", static_cast<double>(manifold.tangent.norm()), 1,
-                        1e-5, "", at) &&
-      story.expect_near("tangent·normal", n.dot(manifold.tangent.cast<double>()), 0, 1e-5, "", at);
+  require(story.expect_near("length of the normal", n.norm(), 1, 1e-5, "", at));
+  require(story.expect_near("length of the tangent", static_cast<double>(manifold.tangent.norm()),
+                            1, 1e-5, "", at));
+  require(
+      story.expect_near("tangent·normal", n.dot(manifold.tangent.cast<double>()), 0, 1e-5, "", at));
   for (const ContactPoint& point : manifold.points) {
     const Point p_a = on_a(a, point);
     const Point p_b = on_b(b, point);
-    sound =
-        sound &&
-        story.expect_near("separation, against n·(point on B − point on A)",
-                          static_cast<double>(point.separation), n.dot(p_b - p_a), rounding, "m",
-                          at) &&
-        story.expect_at_most("distance of anchor_a outside A", outside(a, p_a), tolerance, "m",
-                             at) &&
-        story.expect_at_most("distance of anchor_b outside B", outside(b, p_b), tolerance, "m", at);
+    require(story.expect_near("separation, against n·(point on B − point on A)",
+                              static_cast<double>(point.separation), n.dot(p_b - p_a), rounding,
+                              "m", at));
+    require(story.expect_at_most("distance of anchor_a outside A", outside(a, p_a), tolerance, "m",
+                                 at));
+    require(story.expect_at_most("distance of anchor_b outside B", outside(b, p_b), tolerance, "m",
+                                 at));
   }
-  return sound;
 }
 
 }  // namespace cs550::test

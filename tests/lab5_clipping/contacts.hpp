@@ -9,6 +9,7 @@
 #include "cs550/clipping.hpp"
 #include "helpers/fixtures.hpp"
 #include "helpers/random.hpp"
+#include "helpers/require.hpp"
 #include "helpers/story.hpp"
 
 namespace cs550::test {
@@ -67,7 +68,7 @@ bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const 
 /// Checks what holds for every manifold: unit normal and tangent at right angles, separation =
 /// n·(point on B − point on A), both anchors on (or in) their bodies.
 /// @param size of the pair (m), to which rounding is relative
-bool expect_sound(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
-                  Real size, SourceLine at = {});
+void require_sound(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
+                   Real size, SourceLine at = {});
 
 }  // namespace cs550::test

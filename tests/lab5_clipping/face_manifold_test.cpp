@@ -21,6 +21,7 @@ Story with_clip_causes(Story story) {
 
 Story with_anchor_causes(Story story) {
   return story
+      .likely("far from the world's origin float has few digits left: clip in a body's frame")
       .likely("the manifold's normal points A → B: against the reference normal if B owns the face")
       .likely("anchor_a belongs to A and anchor_b to B, each in its own body frame")
       .likely(
@@ -70,21 +71,21 @@ GRADED_TEST(Lab5, FaceOnFaceKeepsTheIncidentCorners, 2, "L5.3") {
         face_manifold(slab, cube, face_axis(slab, cube, AxisFeature::FaceA, scene.top()), 0);
     Story slab_first = here;
     slab_first.when("A is the slab, which owns the reference face");
-    slab_first.expect_near("normal", below.normal, outer.rotate(Vec3::UnitZ()), 1e-5);
+    require(slab_first.expect_near("normal", below.normal, outer.rotate(Vec3::UnitZ()), 1e-5));
+    require(expect_points(slab_first, slab, cube, below, expected, Real(1e-5) * size));
     slab_first.expect_near("separation", deepest_separation(below), -depth * size, 1e-5 * size,
                            "m");
-    expect_points(slab_first, slab, cube, below, expected, Real(1e-5) * size);
-    expect_sound(slab_first, slab, cube, below, 3 * size);
+    require_sound(slab_first, slab, cube, below, 3 * size);
 
     const Manifold above =
         face_manifold(cube, slab, face_axis(cube, slab, AxisFeature::FaceB, scene.top()), 0);
     Story cube_first = here;
     cube_first.when("A is the cube, B the slab with the reference face");
-    cube_first.expect_near("normal", above.normal, outer.rotate(-Vec3::UnitZ()), 1e-5);
+    require(cube_first.expect_near("normal", above.normal, outer.rotate(-Vec3::UnitZ()), 1e-5));
     cube_first.expect_equal("owner of the reference face is B",
                             above.reference == AxisFeature::FaceB, true);
-    expect_points(cube_first, cube, slab, above, expected, Real(1e-5) * size);
-    expect_sound(cube_first, cube, slab, above, 3 * size);
+    require(expect_points(cube_first, cube, slab, above, expected, Real(1e-5) * size));
+    require_sound(cube_first, cube, slab, above, 3 * size);
   }
 }
 
@@ -163,8 +164,8 @@ GRADED_TEST(Lab5, AnchorsLieOnBothBodies, 2, "L5.3") {
     const Real size = i % 3 == 0 ? Real(1e-3) : i % 3 == 1 ? Real(1) : Real(1e3);
     const std::string name_a = names[random.integer(0, 4)];
     const std::string name_b = names[random.integer(0, 4)];
-    // Far from the origin for their size: the anchors are in body frames and must not suffer.
-    const Pose pose_a{Vec3(100 * size, -50 * size, 0), random.orientation()};
+    // So far from the origin that float rounds their places by 3e-4 sizes: body frames do not suffer.
+    const Pose pose_a{Vec3(4000 * size, -3000 * size, 0), random.orientation()};
     const Vec3 offset = size * random.real(Real(0.3), Real(1)) * random.unit_vector();
     const Placed a(scaled_shape(name_a, size), pose_a);
     const Placed b(scaled_shape(name_b, size), {pose_a.position + offset, random.orientation()});
@@ -181,10 +182,8 @@ GRADED_TEST(Lab5, AnchorsLieOnBothBodies, 2, "L5.3") {
         .given("B is a " + name_b)
         .given(by_a ? "the reference face is A's" : "the reference face is B's");
     here.given("size", size, "m").when("they overlap");
-    if (!here.expect_near("normal", manifold.normal, axis.axis, 1e-5) ||
-        !expect_sound(here, a.body, b.body, manifold, 3 * size)) {
-      return;
-    }
+    require(here.expect_near("normal", manifold.normal, axis.axis, 1e-5));
+    require_sound(here, a.body, b.body, manifold, 3 * size);
   }
   story.expect_at_least("points seen in all", points, 400);
 }

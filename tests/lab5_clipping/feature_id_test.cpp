@@ -109,14 +109,12 @@ GRADED_TEST(Lab5, AlignedStackKeepsItsFeatures, 1, "L5.3") {
     const Placed b(cube, {below + Vec3(0, 0, Real(0.999)) + jitter, yaw});
     const Manifold manifold =
         face_manifold(a.body, b.body, face_axis(a.body, b.body, AxisFeature::FaceA, top), 0);
-    if (!story.expect_equal("points", manifold.points.size(), 4)) return;
+    require(story.expect_equal("points", manifold.points.size(), 4));
     for (const ContactPoint& point : manifold.points) {
       const bool is_vertex = point.feature.kind() == Kind::VertexOnFaceA;
-      if (!story.expect("each point is a vertex of the upper cube", is_vertex)) return;
-      if (!story.expect_near("its anchor, against that vertex", point.anchor_b,
-                             cube->mesh.vertex(point.feature.of_b()), 1e-5, "m")) {
-        return;
-      }
+      require(story.expect("each point is a vertex of the upper cube", is_vertex));
+      require(story.expect_near("its anchor, against that vertex", point.anchor_b,
+                                cube->mesh.vertex(point.feature.of_b()), 1e-5, "m"));
     }
   }
 }
@@ -145,15 +143,12 @@ GRADED_TEST(Lab5, FeaturesSurviveSmallMotion, 1, "L5.3") {
     const Manifold second = face_manifold(a.body, after.body, axis, 0);
     Story here = story;
     here.given("a cube of 1 m on a slab at", place, "m").when("it moves by 1e-4 m and 1e-4 rad");
-    if (!here.expect_equal("points before", first.points.size(), 4) ||
-        !here.expect("the same names before and after", sorted_ids(first) == sorted_ids(second))) {
-      return;
-    }
+    require(here.expect_equal("points before", first.points.size(), 4));
+    require(
+        here.expect("the same names before and after", sorted_ids(first) == sorted_ids(second)));
     const std::vector<std::uint32_t> ids = sorted_ids(first);
-    if (!here.expect("no name is used twice",
-                     std::adjacent_find(ids.begin(), ids.end()) == ids.end())) {
-      return;
-    }
+    require(here.expect("no name is used twice",
+                        std::adjacent_find(ids.begin(), ids.end()) == ids.end()));
   }
 }
 

@@ -29,7 +29,7 @@ GRADED_TEST(Lab5, IncidentFaceIsTheMostAntiParallel, 3, "L5.2") {
 
       Story here = story;
       here.given(std::string("shape ") + name).given("reference normal", normal);
-      if (!here.expect("the face exists", face >= 0 && face < shape->mesh.face_count())) return;
+      require(here.expect("the face exists", face >= 0 && face < shape->mesh.face_count()));
       double smallest = 2;
       Index incident = no_index;
       for (Index f = 0; f < shape->mesh.face_count(); ++f) {
@@ -39,11 +39,9 @@ GRADED_TEST(Lab5, IncidentFaceIsTheMostAntiParallel, 3, "L5.2") {
       }
       here.picture([&] { return incident_picture(body, normal, incident, face); });
       // Two faces whose cosines differ by rounding are both right.
-      if (!here.expect_near("cosine of the angle between the normals",
-                            static_cast<double>(normal.dot(body.plane(face).normal)), smallest,
-                            2e-6)) {
-        return;
-      }
+      require(here.expect_near("cosine of the angle between the normals",
+                               static_cast<double>(normal.dot(body.plane(face).normal)), smallest,
+                               2e-6));
     }
   }
 }

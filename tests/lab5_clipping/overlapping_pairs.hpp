@@ -39,7 +39,7 @@ struct OverlappingPair {
 
  private:
   static ShapePtr pick(Random& random, const std::vector<ShapePtr>& shapes) {
-    return shapes[static_cast<std::size_t>(random.integer(0, static_cast<int>(shapes.size()) - 1))];
+    return shapes[random.integer(0, static_cast<int>(shapes.size()) - 1)];
   }
 };
 
@@ -47,26 +47,24 @@ struct OverlappingPair {
 using ReferenceCount = std::array<int, 4>;
 
 /// Checks one pair: a manifold that is sound and reports the depth of the axis.
-inline bool expect_depth(Story story, const PosedShape& a, const PosedShape& b,
-                         const SeparatingAxis& axis, ReferenceCount& seen, SourceLine at = {}) {
+inline void require_depth(Story story, const PosedShape& a, const PosedShape& b,
+                          const SeparatingAxis& axis, ReferenceCount& seen, SourceLine at = {}) {
   const Manifold manifold = build_manifold(a, b, axis, 0);
   ++seen[static_cast<std::size_t>(manifold.reference)];
   story.given("separation of A's best face", axis.face_a.separation, "m")
       .given("separation of B's best face", axis.face_b.separation, "m");
   if (axis.edges) story.given("separation of the best edges", axis.edges.separation, "m");
-  if (!story.expect_at_least("points of the manifold", manifold.points.size(), 1, "", at)) {
-    return false;
-  }
+  require(story.expect_at_least("points of the manifold", manifold.points.size(), 1, "", at));
   story.picture([&] { return manifold_picture(a, b, manifold, axis.axis); });
   const double tolerance = static_cast<double>(depth_tolerance(a, b));
   const Real size = a.shape->radius + b.shape->radius;
-  return story.expect_near("deepest point, against the largest separation of all axes",
-                           static_cast<double>(deepest_separation(manifold)),
-                           static_cast<double>(axis.separation), tolerance, "m", at) &&
-         story.expect_near("how far apart the bodies are along the manifold's normal",
-                           separation_along(a, b, manifold.normal),
-                           static_cast<double>(axis.separation), tolerance, "m", at) &&
-         expect_sound(story, a, b, manifold, size, at);
+  require(story.expect_near("deepest point, against the largest separation of all axes",
+                            static_cast<double>(deepest_separation(manifold)),
+                            static_cast<double>(axis.separation), tolerance, "m", at));
+  require(story.expect_near("how far apart the bodies are along the manifold's normal",
+                            separation_along(a, b, manifold.normal),
+                            static_cast<double>(axis.separation), tolerance, "m", at));
+  require_sound(story, a, b, manifold, size, at);
 }
 
 }  // namespace cs550::test

@@ -8,6 +8,7 @@
 
 #include "cs550/clipping.hpp"
 #include "helpers/random.hpp"
+#include "helpers/require.hpp"
 #include "helpers/story.hpp"
 
 namespace cs550::test {
@@ -17,7 +18,7 @@ inline ClipPolygon polygon_of(const std::vector<Vec3>& corners) {
   ClipPolygon polygon;
   const Index count = static_cast<Index>(corners.size());
   for (Index i = 0; i < count; ++i) {
-    polygon.push_back({corners[static_cast<std::size_t>(i)],
+    polygon.push_back({corners[i],
                        {ClipEdge::Source::Incident, (i + count - 1) % count},
                        {ClipEdge::Source::Incident, i}});
   }

@@ -28,7 +28,7 @@ struct ContactRing {
     const Real height = size * random.real(Real(0.1), 1);
     const Real arc = random.integer(0, 3) == 0 ? pi : 2 * pi;  // a quarter of them are half discs
     const Vec3 tilt = random.point_in_box(Vec3::Constant(Real(0.2)));
-    std::vector<Real> angles(static_cast<std::size_t>(random.integer(5, 14)));
+    std::vector<Real> angles(random.integer(5, 14));
     for (Real& angle : angles) angle = random.real(0, arc);
     std::sort(angles.begin(), angles.end());
     for (const Real angle : angles) {
@@ -50,7 +50,7 @@ struct ContactRing {
 template <class Points>
 double ring_area(const Points& points, const Vec3& normal) {
   std::vector<Point> places;
-  places.reserve(static_cast<std::size_t>(points.size()));
+  places.reserve(points.size());
   for (const ContactPoint& point : points) places.push_back(point.anchor_a.template cast<double>());
   return area_of(places, normal.cast<double>());
 }
@@ -72,7 +72,7 @@ inline double best_area_of_four(const ContactRing& ring) {
 }
 
 /// Checks a number of random rings of one size.
-inline bool expect_good_reductions(Story story, Random& random, Real size, int count) {
+inline void require_good_reductions(Story story, Random& random, Real size, int count) {
   story.given("size", size, "m");
   double sum = 0;
   for (int i = 0; i < count; ++i) {
@@ -85,14 +85,12 @@ inline bool expect_good_reductions(Story story, Random& random, Real size, int c
     here.picture([&] {
       return reduction_picture(ring.points, {kept.begin(), kept.end()}, ring.normal);
     });
-    if (!here.expect_at_most("points kept", kept.size(), max_manifold_points) ||
-        !here.expect_at_least("area, as a share of what the best four points have", share,
-                              least_share)) {
-      return false;
-    }
+    require(here.expect_at_most("points kept", kept.size(), max_manifold_points));
+    require(here.expect_at_least("area, as a share of what the best four points have", share,
+                                 least_share));
     sum += share;
   }
-  return story.expect_at_least("share, on average", sum / count, mean_share);
+  require(story.expect_at_least("share, on average", sum / count, mean_share));
 }
 
 }  // namespace cs550::test

@@ -29,10 +29,10 @@ inline double segment_distance(const Point& a0, const Point& a1, const Point& b0
 }
 
 /// Checks the anchors of an edge contact: each on its edge, as far apart as the edges are.
-inline bool expect_closest_points(Story& story, const PosedShape& a, const PosedShape& b,
-                                  const SeparatingAxis& axis, const Manifold& manifold, Real size,
-                                  SourceLine at = {}) {
-  if (!story.expect_equal("points", manifold.points.size(), 1, at)) return false;
+inline void require_closest_points(Story& story, const PosedShape& a, const PosedShape& b,
+                                   const SeparatingAxis& axis, const Manifold& manifold, Real size,
+                                   SourceLine at = {}) {
+  require(story.expect_equal("points", manifold.points.size(), 1, at));
   const HalfEdgeMesh& mesh_a = a.mesh();
   const HalfEdgeMesh& mesh_b = b.mesh();
   const Index edge_a = axis.edges.edge_a;
@@ -45,12 +45,13 @@ inline bool expect_closest_points(Story& story, const PosedShape& a, const Posed
   const Point p_b = on_b(b, manifold.points[0]);
   // A dozen roundings of float relative to the size of the pair.
   const double rounding = 5e-6 * static_cast<double>(size);
-  return story.expect_near("distance of anchor_a from A's edge", point_to_segment(p_a, a0, a1), 0,
-                           rounding, "m", at) &&
-         story.expect_near("distance of anchor_b from B's edge", point_to_segment(p_b, b0, b1), 0,
-                           rounding, "m", at) &&
-         story.expect_near("distance between the anchors, against that of the segments",
-                           (p_b - p_a).norm(), segment_distance(a0, a1, b0, b1), rounding, "m", at);
+  require(story.expect_near("distance of anchor_a from A's edge", point_to_segment(p_a, a0, a1), 0,
+                            rounding, "m", at));
+  require(story.expect_near("distance of anchor_b from B's edge", point_to_segment(p_b, b0, b1), 0,
+                            rounding, "m", at));
+  require(story.expect_near("distance between the anchors, against that of the segments",
+                            (p_b - p_a).norm(), segment_distance(a0, a1, b0, b1), rounding, "m",
+                            at));
 }
 
 }  // namespace cs550::test

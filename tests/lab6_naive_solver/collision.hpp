@@ -8,6 +8,7 @@
 
 #include "cs550/naive_solver.hpp"
 #include "helpers/random.hpp"
+#include "helpers/require.hpp"
 
 namespace cs550::test {
 
@@ -68,6 +69,10 @@ inline Collision random_collision(Random& random, Real size, Real restitution = 
       collision.b.v + collision.b.w.cross(r_b) - collision.a.v - collision.a.w.cross(r_a);
   collision.constraint = touching(apart.dot(n) < 0 ? n : Vec3(-n), r_a, r_b, restitution);
   return collision;
+}
+
+inline bool same_motion(const SolverBody& a, const SolverBody& b) {
+  return a.v == b.v && a.w == b.w;
 }
 
 /// Runs the solver over the one contact of a collision.

@@ -30,7 +30,7 @@ std::vector<double> apexes(Real restitution, Story& story) {
   const double fall = std::sqrt(2 * 5.4 / gravity);
   const double rise = static_cast<double>(restitution) * fall;
   while (world.time() < fall + 1.1 * rise + 0.1) {
-    if (!step_world(world, story)) return {};
+    step_world(world, story);
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       const RigidBody& body = world.body(boxes[k]);
       if (body.linear_velocity.z() > 0) bounced[k] = 1;
@@ -50,7 +50,6 @@ GRADED_TEST(Lab7, BouncesReachTheSquareOfRestitution, 1, "L7.9") {
         .likely("push and bounce are not added")
         .likely("an impact is handled once: in the substep in which λ_n first becomes positive");
     const std::vector<double> reached = apexes(e, story);
-    if (reached.empty()) return;
     double mean = 0;
     double worst = 0;
     const double square = static_cast<double>(e) * static_cast<double>(e);

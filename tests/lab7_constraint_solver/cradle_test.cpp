@@ -19,7 +19,7 @@ std::vector<double> cradle(int count, Real gap, Story& story) {
     if (k == 0) def.linear_velocity.x() = 2;
     cubes.push_back(world.add_body(def));
   }
-  if (!run_world(world, story, 1)) return {};
+  run_world(world, story, 1);
   std::vector<double> speeds;
   speeds.reserve(cubes.size());
   for (const BodyId cube_id : cubes) {
@@ -36,7 +36,6 @@ GRADED_TEST(Lab7, CradlePassesTheBlowOn, 1, "L7.9") {
       .likely(
           "in a sweep the constraints under a cube that bounces must hold it: their target is 0");
   const std::vector<double> apart = cradle(5, Real(0.1), story);
-  if (apart.empty()) return;
   for (std::size_t k = 0; k < 5; ++k) {
     story.expect_near("speed of cube " + std::to_string(k + 1), apart[k], k == 4 ? 2 : 0, 0.04,
                       "m/s");
@@ -46,7 +45,6 @@ GRADED_TEST(Lab7, CradlePassesTheBlowOn, 1, "L7.9") {
   touching.likely(
       "v_n⁰ of the second constraint is 0: it is not driven to bounce, but held at v_n ≥ 0");
   const std::vector<double> together = cradle(3, 0, touching);
-  if (together.empty()) return;
   const double expected[] = {-2.0 / 3, 4.0 / 3, 4.0 / 3};
   for (std::size_t k = 0; k < 3; ++k) {
     touching.expect_near("speed of cube " + std::to_string(k + 1), together[k], expected[k], 0.04,

@@ -10,6 +10,7 @@
 
 #include "cs550/constraint_solver.hpp"
 #include "helpers/random.hpp"
+#include "helpers/require.hpp"
 
 namespace cs550::test {
 

@@ -24,13 +24,13 @@ struct DenseContacts {
     inverse_mass = Eigen::MatrixXd::Zero(columns, columns);
     velocity = Eigen::VectorXd::Zero(columns);
     for (Eigen::Index k = 0; k < count; ++k) {
-      const ContactConstraint& constraint = constraints[static_cast<std::size_t>(k)];
+      const ContactConstraint& constraint = constraints[k];
       const Vec12 j = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b);
       jacobian.row(k).segment<6>(6 * constraint.body_a) = j.head<6>();
       jacobian.row(k).segment<6>(6 * constraint.body_b) = j.tail<6>();
     }
     for (Eigen::Index i = 0; 6 * i < columns; ++i) {
-      const SolverBody& body = bodies[static_cast<std::size_t>(i)];
+      const SolverBody& body = bodies[i];
       inverse_mass.block<6, 6>(6 * i, 6 * i) = dense_inverse_mass(body, body).block<6, 6>(0, 0);
       velocity.segment<6>(6 * i) << wide(body.v), wide(body.w);
     }

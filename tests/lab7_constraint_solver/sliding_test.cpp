@@ -26,7 +26,7 @@ Slide slide(const Vec3& half_extents, double slope, double azimuth, double secon
   return {world.body(box).pose.position - def.pose.position, world.body(box).linear_velocity};
 }
 
-GRADED_TEST(Lab7, BoxesStickBelowTheAngleOfFriction, 1, "L7.9") {
+GRADED_TEST(Lab7, BoxesStickBelowTheAngleOfFriction, 1, "L7.8") {
   const double slope = std::atan(0.5) - 0.02;
   for (const Vec3& half : {cube_half, long_half}) {
     for (int k = 0; k < 12; ++k) {
@@ -34,19 +34,19 @@ GRADED_TEST(Lab7, BoxesStickBelowTheAngleOfFriction, 1, "L7.9") {
       Story story("below atan μ a box sticks to a slope, whichever way it goes down");
       story.given("half-extents", half, "m").given("μ", 0.5).given("slope", slope, "rad");
       story.given("direction of the slope", azimuth, "rad").when("2 s");
-      story.likely("the accumulated friction must survive from step to step: warm start u and v")
-          .likely("λ_u and λ_v are bounded by the accumulated λ_n");
+      story
+          .likely(
+              "friction accumulates: each solve adds to λ_u and λ_v, which the disk then limits")
+          .likely("the radius of the disk is μ times the *accumulated* λ_n");
       const Slide end = slide(half, slope, azimuth, 2, story);
       // It sinks and tilts a little into its soft contact before it rests.
-      if (!story.expect_near("distance moved", end.moved, Vec3::Zero(), 1e-3, "m") ||
-          !story.expect_near("velocity", end.velocity, Vec3::Zero(), 1e-3, "m/s")) {
-        return;
-      }
+      require(story.expect_near("distance moved", end.moved, Vec3::Zero(), 1e-3, "m"));
+      require(story.expect_near("velocity", end.velocity, Vec3::Zero(), 1e-3, "m/s"));
     }
   }
 }
 
-GRADED_TEST(Lab7, BoxesSlideAlikeInEveryDirection, 1, "L7.9") {
+GRADED_TEST(Lab7, BoxesSlideAlikeInEveryDirection, 1, "L7.8") {
   const double slope = std::atan(0.5) + 0.15;
   const double speed = gravity * (std::sin(slope) - 0.5 * std::cos(slope));
   for (const Vec3& half : {cube_half, long_half}) {
@@ -61,12 +61,12 @@ GRADED_TEST(Lab7, BoxesSlideAlikeInEveryDirection, 1, "L7.9") {
       const Vec3 down(static_cast<Real>(std::cos(azimuth)), static_cast<Real>(std::sin(azimuth)),
                       0);
       const Vec3 expected = static_cast<Real>(speed) * down;
-      if (!story.expect_near("velocity", end.velocity, expected, 0.01 * speed, "m/s")) return;
+      require(story.expect_near("velocity", end.velocity, expected, 0.01 * speed, "m/s"));
     }
   }
 }
 
-GRADED_TEST(Lab7, SlidingBoxesStopAfterTheirStoppingDistance, 1, "L7.9") {
+GRADED_TEST(Lab7, SlidingBoxesStopAfterTheirStoppingDistance, 1, "L7.8") {
   for (const Vec3& half : {cube_half, long_half}) {
     for (const double azimuth : {0.0, 0.5, 2.0}) {
       Story story("a box that slides at v₀ stops after v₀²/(2·μ·g)");
@@ -80,16 +80,14 @@ GRADED_TEST(Lab7, SlidingBoxesStopAfterTheirStoppingDistance, 1, "L7.9") {
       def.linear_velocity =
           3 * Vec3(static_cast<Real>(std::cos(azimuth)), static_cast<Real>(std::sin(azimuth)), 0);
       const BodyId box = world.add_body(def);
-      if (!run_world(world, story, 1.5)) return;
+      run_world(world, story, 1.5);
       const double distance = 9 / (2 * 0.4 * gravity);
       const Vec3 expected = static_cast<Real>(distance / 3) * def.linear_velocity;
       // A substep of 1/240 s at 3 m/s, halved: half a per cent of the way; and again for the tilt.
-      if (!story.expect_near("distance moved", world.body(box).pose.position - def.pose.position,
-                             expected, 0.01 * distance, "m") ||
-          !story.expect_near("velocity in the end", world.body(box).linear_velocity, Vec3::Zero(),
-                             1e-3, "m/s")) {
-        return;
-      }
+      require(story.expect_near("distance moved", world.body(box).pose.position - def.pose.position,
+                                expected, 0.01 * distance, "m"));
+      require(story.expect_near("velocity in the end", world.body(box).linear_velocity,
+                                Vec3::Zero(), 1e-3, "m/s"));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "cs550/not_implemented.hpp"
 #include "cs550/world.hpp"
 #include "helpers/fixtures.hpp"
+#include "helpers/require.hpp"
 #include "helpers/story.hpp"
 
 namespace cs550::test {
@@ -69,23 +70,20 @@ inline void throw_if_unwritten(const StageProblem& problem) {
                        std::stoi(part[4]));
 }
 
-/// One step. Returns false, and lets the story fail, if a stage broke its promise.
+/// One step. A stage that breaks its promise ends the test.
 /// @throws NotImplemented if a stage is not written yet
-inline bool step_world(World& world, Story& story) {
+inline void step_world(World& world, Story& story) {
   world.step(step_length);
-  if (world.problems().empty()) return true;
+  if (world.problems().empty()) return;
   throw_if_unwritten(world.problems().front());
-  return story.expect_equal("problem in the step", world.problems().front().message,
-                            std::string("none"));
+  require(story.expect_equal("problem in the step", world.problems().front().message,
+                             std::string("none")));
 }
 
 /// Steps for a time, a whole number of steps (s).
-inline bool run_world(World& world, Story& story, double seconds) {
+inline void run_world(World& world, Story& story, double seconds) {
   const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(step_length)));
-  for (int i = 0; i < steps; ++i) {
-    if (!step_world(world, story)) return false;
-  }
-  return true;
+  for (int i = 0; i < steps; ++i) step_world(world, story);
 }
 
 }  // namespace cs550::test

@@ -43,8 +43,7 @@ std::vector<BodyId> add_boxes(World& world, const std::vector<Vec3>& places,
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t i = order.size(); i > 1; --i) {
-    std::swap(order[i - 1],
-              order[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
+    std::swap(order[i - 1], order[random.integer(0, static_cast<int>(i) - 1)]);
   }
   std::vector<BodyId> names(places.size());
   for (const std::size_t i : order) {
@@ -82,21 +81,19 @@ GRADED_TEST(Lab7, ATowerOfTenBoxesStandsStill, 2, "L7.8", Long) {
     const Vec3 start = world.body(top).pose.position;
     const World at_start = world;
     story.picture([&] { return standing_picture(at_start, world); });
-    if (!run_world(world, story, 1)) return;
+    run_world(world, story, 1);
     const Vec3 settled = world.body(top).pose.position;
-    if (!run_world(world, story, 59)) return;
+    run_world(world, story, 59);
     const Vec3 moved = (world.body(top).pose.position - settled) / variation.size;
     const auto mm = [](Real length) { return static_cast<double>(1000 * length); };
-    const bool stands =
-        story.expect_at_most("sinking of the top in the first second",
-                             mm((start - settled).z() / variation.size), 10, "mm") &&
-        story.expect_at_most("sinking of the top in the next 59 s", mm(-moved.z()), 1, "mm") &&
-        story.expect_at_most("sideways drift of the top", mm(moved.head<2>().norm()), 1, "mm");
-    if (!stands) return;
+    require(story.expect_at_most("sinking of the top in the first second",
+                                 mm((start - settled).z() / variation.size), 10, "mm"));
+    require(story.expect_at_most("sinking of the top in the next 59 s", mm(-moved.z()), 1, "mm"));
+    require(story.expect_at_most("sideways drift of the top", mm(moved.head<2>().norm()), 1, "mm"));
   }
 }
 
-GRADED_TEST(Lab7, APyramidOfTwentyRowsStandsStill, 2, "L7.8", Long) {
+GRADED_TEST(Lab7, APyramidOfTwentyRowsStandsStill, 1, "L7.8", Long) {
   Story property(
       "a pyramid of 20 rows drifts less than 1 cm in 10 s and rests in the last 5 s (lengths in "
       "boxes of 1 m)");
@@ -119,11 +116,11 @@ GRADED_TEST(Lab7, APyramidOfTwentyRowsStandsStill, 2, "L7.8", Long) {
     const World at_start = world;
     story.picture([&] { return standing_picture(at_start, world); });
 
-    if (!run_world(world, story, 5)) return;
+    run_world(world, story, 5);
     double squares = 0;
     int samples = 0;
     for (int i = 0; i < 300; ++i) {
-      if (!step_world(world, story)) return;
+      step_world(world, story);
       for (const BodyId box : boxes) {
         squares += static_cast<double>(world.body(box).linear_velocity.squaredNorm());
         ++samples;
@@ -135,14 +132,12 @@ GRADED_TEST(Lab7, APyramidOfTwentyRowsStandsStill, 2, "L7.8", Long) {
       drift = std::max(drift, static_cast<double>(moved.norm()));
     }
     const double mm = 1000 / static_cast<double>(variation.size);
-    const bool stands =
-        story.expect_at_most("largest drift", mm * drift, 10, "mm") &&
-        story.expect_at_most("rms speed", mm * std::sqrt(squares / samples), 1, "mm/s");
-    if (!stands) return;
+    require(story.expect_at_most("largest drift", mm * drift, 10, "mm"));
+    require(story.expect_at_most("rms speed", mm * std::sqrt(squares / samples), 1, "mm/s"));
   }
 }
 
-GRADED_TEST(Lab7, ALightBoxCarriesOneAThousandTimesHeavier, 1, "L7.6") {
+GRADED_TEST(Lab7, ALightBoxCarriesOneAThousandTimesHeavier, 1, "L7.8") {
   Story property("a box 1000 times heavier sinks less than 0.3 m into the light one and stays");
   property.likely(
       "an impulse that is clamped instead of the sum cannot hold back what it gave too much");
@@ -163,10 +158,10 @@ GRADED_TEST(Lab7, ALightBoxCarriesOneAThousandTimesHeavier, 1, "L7.6") {
     story.picture([&] { return standing_picture(at_start, world); });
     double lowest = 0;
     for (int i = 0; i < 600; ++i) {
-      if (!step_world(world, story)) return;
+      step_world(world, story);
       lowest = std::min(lowest, static_cast<double>(world.body(top).pose.position.z()) - 1.5);
     }
-    if (!story.expect_at_most("deepest sinking in 10 s", -lowest, 0.3, "m")) return;
+    require(story.expect_at_most("deepest sinking in 10 s", -lowest, 0.3, "m"));
   }
 }
 

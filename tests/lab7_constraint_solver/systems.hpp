@@ -12,8 +12,7 @@ struct System {
 
   void prepare() {
     for (ContactConstraint& constraint : constraints) {
-      prepare_densely(constraint, bodies[static_cast<std::size_t>(constraint.body_a)],
-                      bodies[static_cast<std::size_t>(constraint.body_b)]);
+      prepare_densely(constraint, bodies[constraint.body_a], bodies[constraint.body_b]);
     }
   }
   void pass(int count, const ContactStep& step) {

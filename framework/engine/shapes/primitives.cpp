@@ -60,29 +60,6 @@ TriangleSoup icosahedron() {
   return soup;
 }
 
-/// Splits every triangle into four at the middles of its edges, which lie on the unit sphere.
-TriangleSoup subdivided(const TriangleSoup& coarse) {
-  TriangleSoup fine{coarse.vertices, {}};
-  std::map<std::pair<Index, Index>, Index> middles;
-  const auto middle = [&](Index a, Index b) {
-    const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), fine.vertices.size());
-    if (is_new) {
-      const Vec3 sum =
-          fine.vertices[static_cast<std::size_t>(a)] + fine.vertices[static_cast<std::size_t>(b)];
-      fine.vertices.push_back(sum.normalized());
-    }
-    return entry->second;
-  };
-  for (const auto& [a, b, c] : coarse.triangles) {
-    const Index ab = middle(a, b);
-    const Index bc = middle(b, c);
-    const Index ca = middle(c, a);
-    fine.triangles.insert(fine.triangles.end(),
-                          {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-  }
-  return fine;
-}
-
 /// A number in [0, 1) that is the same with every standard library.
 double unit_interval(std::mt19937& generator) { return static_cast<double>(generator()) * 0x1p-32; }
 
@@ -132,10 +109,32 @@ TriangleSoup pyramid_soup(int sides, Real radius, Real height) {
   return soup;
 }
 
+TriangleSoup split_at_middles(const TriangleSoup& coarse) {
+  TriangleSoup fine{coarse.vertices, {}};
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b) {
+    const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), fine.vertices.size());
+    if (is_new) fine.vertices.push_back(Real(0.5) * (coarse.vertices[a] + coarse.vertices[b]));
+    return entry->second;
+  };
+  for (const auto& [a, b, c] : coarse.triangles) {
+    const Index ab = middle(a, b);
+    const Index bc = middle(b, c);
+    const Index ca = middle(c, a);
+    fine.triangles.insert(fine.triangles.end(),
+                          {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return fine;
+}
+
 TriangleSoup icosphere_soup(int subdivisions, Real radius) {
   TriangleSoup soup = icosahedron();
   for (Vec3& vertex : soup.vertices) vertex.normalize();
-  for (int i = 0; i < subdivisions; ++i) soup = subdivided(soup);
+  for (int i = 0; i < subdivisions; ++i) {
+    const std::size_t kept = soup.vertices.size();
+    soup = split_at_middles(soup);
+    for (std::size_t v = kept; v < soup.vertices.size(); ++v) soup.vertices[v].normalize();
+  }
   for (Vec3& vertex : soup.vertices) vertex *= radius;
   return soup;
 }

@@ -27,6 +27,8 @@ TriangleSoup prism_soup(int sides, Real radius, Real half_height);
 /// A pyramid over a regular polygon in the plane z = 0, with its apex on the z axis.
 /// @param sides ≥ 3 @param radius of the base's corners about the axis (m) @param height m
 TriangleSoup pyramid_soup(int sides, Real radius, Real height);
+/// Every triangle split into four at the middles of its edges. The surface does not change.
+TriangleSoup split_at_middles(const TriangleSoup& coarse);
 /// An approximation of a sphere about the origin: an icosahedron with each triangle split into four
 /// `subdivisions` times. It has 10·4^subdivisions + 2 vertices.
 TriangleSoup icosphere_soup(int subdivisions, Real radius);

@@ -65,7 +65,8 @@ FaceQuery query_face_directions(const PosedShape& a, const PosedShape& b);
 /// perpendicular to both edges and points out of A at A's edge, which the adjacent face normals
 /// decide. The result is the pair with the largest signed separation along its axis, or an empty
 /// query. Pairs that enclose a sine below parallel_sine are skipped, because the adjacent faces
-/// cover that direction.
+/// cover that direction. Each edge is visited once, by its half-edge of even number, and the result
+/// names these.
 EdgeQuery query_edge_directions(const PosedShape& a, const PosedShape& b);
 
 /// Edges that enclose a smaller sine count as parallel. A relative measure works from 1 mm to 1 km.

@@ -19,32 +19,29 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
 
     TriangleSoup reversed = whole;
     std::swap(reversed.triangles[chosen][1], reversed.triangles[chosen][2]);
-    MeshIssue issue = build_half_edge_mesh(reversed.vertices, reversed.triangles).issue;
+    MeshIssue issue = issue_of(reversed);
     Story here = story;
     here.given("triangle", chosen, "is reversed");
-    here.expect_equal("the fault", describe({.error = issue.error}),
-                      describe({.error = MeshError::InconsistentWinding}));
+    expect_error(here, issue, MeshError::InconsistentWinding);
     const Index t = static_cast<Index>(chosen);
     here.expect("it is named", issue.triangle == t || issue.other_triangle == t);
 
     TriangleSoup repeated = whole;
     const auto [a, b, c] = whole.triangles[chosen];
     repeated.triangles.push_back({c, a, b});
-    issue = build_half_edge_mesh(repeated.vertices, repeated.triangles).issue;
+    issue = issue_of(repeated);
     here = story;
     here.given("triangle", chosen, "is there twice");
-    here.expect_equal("the fault", describe({.error = issue.error}),
-                      describe({.error = MeshError::DuplicateTriangle}));
+    expect_error(here, issue, MeshError::DuplicateTriangle);
     here.expect_equal("the first", std::min(issue.triangle, issue.other_triangle), t);
     here.expect_equal("the second", std::max(issue.triangle, issue.other_triangle), count);
 
     TriangleSoup open = whole;
     open.triangles.erase(open.triangles.begin() + static_cast<std::ptrdiff_t>(chosen));
-    issue = build_half_edge_mesh(open.vertices, open.triangles).issue;
+    issue = issue_of(open);
     here = story;
     here.given("triangle", chosen, "is missing");
-    here.expect_equal("the fault", describe({.error = issue.error}),
-                      describe({.error = MeshError::OpenEdge}));
+    expect_error(here, issue, MeshError::OpenEdge);
     for (const Index v : issue.edge) {
       here.expect("the edge lies at the hole", v == a || v == b || v == c);
     }
@@ -63,20 +60,18 @@ GRADED_TEST(Lab2, HullsOfSphericalCloudsAreClosed, 3, "L2.3") {
         placed(hull.soup, size, random.orientation(), 3 * size * random.unit_vector());
     Story here = story;
     here.seed(seed).given("points", n).given("radius", size, "m");
-    const std::optional<HalfEdgeMesh> mesh = build_or_tell(soup, here);
-    if (!mesh) return;
-    if (!expect_counts(here, *mesh, n, 3 * n - 6, 2 * n - 4) || !expect_valid(here, *mesh)) return;
-    std::vector<int> leaving(mesh->vertices.size(), 0);
+    const HalfEdgeMesh mesh = require_mesh(soup, here);
+    require(expect_counts(here, mesh, n, 3 * n - 6, 2 * n - 4));
+    require(expect_valid(here, mesh));
+    std::vector<int> leaving(mesh.vertices.size(), 0);
     for (const Triangle& triangle : soup.triangles) {
-      for (const Index v : triangle) ++leaving[static_cast<std::size_t>(v)];
+      for (const Index v : triangle) ++leaving[v];
     }
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
       int degree = 0;
-      for ([[maybe_unused]] const Index e : vertex_edges(*mesh, v)) ++degree;
-      if (!here.expect_equal("triangles around vertex " + std::to_string(v), degree,
-                             leaving[static_cast<std::size_t>(v)])) {
-        return;
-      }
+      for ([[maybe_unused]] const Index e : vertex_edges(mesh, v)) ++degree;
+      require(
+          here.expect_equal("triangles around vertex " + std::to_string(v), degree, leaving[v]));
     }
   }
 }
@@ -104,11 +99,9 @@ GRADED_TEST(Lab2, NewellAgreesWithDoubleOnBentPolygons, 2, "L2.5") {
     const Plane plane = face_plane(two_sided(polygon), 0);
     Story here = story;
     here.given("corners", n).given("size", size, "m");
-    if (!here.expect_near("normal", plane.normal, area.normalized().cast<Real>(), 1e-5) ||
-        !here.expect_near("offset over the size", plane.offset / size,
-                          area.normalized().dot(centroid(polygon)) / size, 4e-5)) {
-      return;
-    }
+    require(here.expect_near("normal", plane.normal, area.normalized().cast<Real>(), 1e-5));
+    require(here.expect_near("offset over the size", plane.offset / size,
+                             area.normalized().dot(centroid(polygon)) / size, 4e-5));
   }
 }
 

@@ -22,10 +22,10 @@ GRADED_TEST(Lab2, FinelyCutBodiesMergeAtEveryScale, 2, "L2.7") {
           placed(body, scale, random.orientation(), 2 * scale * random.unit_vector());
       Story here = story;
       here.given("triangles", soup.triangles.size()).given("scale", scale);
-      const std::optional<HalfEdgeMesh> built = build_or_tell(shuffled(soup, random), here);
-      if (!built) return;
-      const HalfEdgeMesh mesh = merge_coplanar_faces(*built);
-      if (!expect_counts(here, mesh, 8, 12, 6) || !expect_valid(here, mesh)) return;
+      const HalfEdgeMesh built = require_mesh(shuffled(soup, random), here);
+      const HalfEdgeMesh mesh = merge_coplanar_faces(built);
+      require(expect_counts(here, mesh, 8, 12, 6));
+      require(expect_valid(here, mesh));
     }
   }
 }
@@ -41,14 +41,13 @@ GRADED_TEST(Lab2, HullsOfScannedMeshesStaySound, 2, "L2.7") {
     for (const Real tolerance : {coplanar_tolerance, Real(1e-4), Real(1e-3)}) {
       Story here = story;
       here.given("hull of the", name).given("tolerance", tolerance);
-      const std::optional<HalfEdgeMesh> built = build_or_tell(hull.soup, here);
-      if (!built) return;
-      const HalfEdgeMesh mesh = merge_coplanar_faces(*built, tolerance);
-      if (!expect_valid(here, mesh, 5 * tolerance + Real(1e-4))) return;
+      const HalfEdgeMesh built = require_mesh(hull.soup, here);
+      const HalfEdgeMesh mesh = merge_coplanar_faces(built, tolerance);
+      require(expect_valid(here, mesh, 5 * tolerance + Real(1e-4)));
       // Faces move by at most the slack, over an area of about six times size².
-      here.expect_near("volume, over that of the hull", volume(mesh) / volume(*built), 1,
+      here.expect_near("volume, over that of the hull", volume(mesh) / volume(built), 1,
                        20 * double(tolerance));
-      here.expect_at_most("faces", mesh.face_count(), built->face_count() - 1);
+      here.expect_at_most("faces", mesh.face_count(), built.face_count() - 1);
     }
   }
 }

@@ -23,8 +23,8 @@ GRADED_TEST(Lab3, BruteForceAtAnySize, 2, "L3.1") {
     for (int i = 0; i < 50; ++i) {
       const Vec3 direction = random.real(Real(0.01), 100) * random.unit_vector();
       const Support answer = support_brute_force(mesh.vertices, direction);
-      if (!expect_highest(here, mesh, direction, answer.vertex)) return;
-      if (!here.expect_equal("vertices visited", answer.visited, mesh.vertex_count())) return;
+      require_highest(here, mesh, direction, answer.vertex);
+      require(here.expect_equal("vertices visited", answer.visited, mesh.vertex_count()));
     }
   }
 }
@@ -43,9 +43,7 @@ GRADED_TEST(Lab3, HillClimbAtAnySize, 4, "L3.2") {
       for (int i = 0; i < 30; ++i) {
         const Vec3 direction = random.real(Real(0.01), 100) * random.unit_vector();
         const Index start = random.integer(0, mesh.vertex_count() - 1);
-        if (!expect_highest(here, mesh, direction, hill_climb(mesh, direction, start).vertex)) {
-          return;
-        }
+        require_highest(here, mesh, direction, hill_climb(mesh, direction, start).vertex);
       }
     }
   }
@@ -64,12 +62,12 @@ GRADED_TEST(Lab3, ClimbFromTheAnswerStays, 3, "L3.2") {
       const Index top = hill_climb(mesh, direction, 0, &path).vertex;
       Story here = story;
       here.given("mesh " + name).given("direction", direction);
-      if (!expect_highest(here, mesh, direction, top)) return;
+      require_highest(here, mesh, direction, top);
       const Support again = hill_climb(mesh, direction, top, &path);
-      if (!here.expect_equal("second answer", again.vertex, top)) return;
-      if (!here.expect_equal("vertices on the second path", path.size(), std::size_t{1})) return;
+      require(here.expect_equal("second answer", again.vertex, top));
+      require(here.expect_equal("vertices on the second path", path.size(), std::size_t{1}));
       const double degree = static_cast<double>(neighbours(mesh, top).size());
-      if (!here.expect_near("visits of the second climb", again.visited, 1 + degree, 0)) return;
+      require(here.expect_near("visits of the second climb", again.visited, 1 + degree, 0));
     }
   }
 }
@@ -89,21 +87,17 @@ GRADED_TEST(Lab3, SupportOfSmallAndLargeBodies, 3, "L3.3") {
       Story here = story;
       here.given("size", size, "m").given("position", place, "m").given("direction", direction);
       const SupportPoint answer = support(body, direction, random.integer(0, 15));
-      if (!here.expect("the answer is a vertex", is_vertex(shape.mesh, answer.vertex))) return;
+      require(here.expect("the answer is a vertex", is_vertex(shape.mesh, answer.vertex)));
       double greatest = -HUGE_VAL;
       for (Index v = 0; v < shape.mesh.vertex_count(); ++v) {
         greatest = std::max(greatest, height(body.vertex(v), direction));
       }
       // Rounding at 100 sizes from the origin.
       const double tolerance = 4e-5 * double{size};
-      if (!here.expect_near("height of the point", height(answer.point, direction), greatest,
-                            tolerance, "m")) {
-        return;
-      }
-      if (!here.expect_near("the point in the world", answer.point, body.vertex(answer.vertex),
-                            tolerance, "m")) {
-        return;
-      }
+      require(here.expect_near("height of the point", height(answer.point, direction), greatest,
+                               tolerance, "m"));
+      require(here.expect_near("the point in the world", answer.point, body.vertex(answer.vertex),
+                               tolerance, "m"));
     }
   }
 }

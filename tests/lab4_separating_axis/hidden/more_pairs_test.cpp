@@ -27,7 +27,7 @@ GRADED_TEST(Lab4, FlatThinAndRoundBodies, 3, "L4.4") {
     const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, {}, HUGE_VALF);
     Story here = story;
     here.given("pair number", i);
-    if (!expect_best_axis(here, pair, answer, HUGE_VALF, 2 * rounding)) return;
+    require_best_axis(here, pair, answer, HUGE_VALF, 2 * rounding);
   }
 }
 
@@ -42,7 +42,7 @@ GRADED_TEST(Lab4, HullsOfManyVertices, 3, "L4.4") {
     TestPair pair = random_pair(random, shapes);
     (i % 2 == 0 ? pair.a : pair.b).shape = hull.get();
     const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, {}, HUGE_VALF);
-    if (!expect_best_axis(story, pair, answer, HUGE_VALF, rounding)) return;
+    require_best_axis(story, pair, answer, HUGE_VALF, rounding);
   }
 }
 
@@ -56,12 +56,10 @@ GRADED_TEST(Lab4, CrossedAtManyAngles, 3, "L4.3") {
         const EdgeQuery answer = query_edge_directions(crossed.pair.a, crossed.pair.b);
         Story here = about(story, crossed.pair);
         here.given("size", size, "m").given("angle between the edges", degrees, "degrees");
-        if (!here.expect("some arcs cross", static_cast<bool>(answer)) ||
-            // At a small angle rounding tilts the axis: by 1e-7 / sin 8°.
-            !here.expect_near("separation", answer.separation, crossed.separation,
-                              2 * rounding * double{size}, "m")) {
-          return;
-        }
+        require(here.expect("some arcs cross", static_cast<bool>(answer)));
+        // At a small angle rounding tilts the axis: by 1e-7 / sin 8°.
+        require(here.expect_near("separation", answer.separation, crossed.separation,
+                                 2 * rounding * double{size}, "m"));
       }
     }
   }
@@ -85,7 +83,7 @@ GRADED_TEST(Lab4, OverlapOfSmallBodiesFarAway, 3, "L4.5") {
     const double band = 5e-4 * std::max(a.size, b.size);
     if (got != expected && std::abs(best_separations(a, b).largest()) < band) continue;
     Story here = about(story, pair);
-    if (!here.expect_equal("they overlap", got, expected)) return;
+    require(here.expect_equal("they overlap", got, expected));
     if (got) ++overlapping;
   }
   story.expect_at_least("pairs that overlap", overlapping, 0.25 * pairs);

@@ -37,14 +37,12 @@ GRADED_TEST(Lab5, FaceManifoldMatchesBruteForce, 3, "L5.3") {
     here.given(by_a ? "the reference face is A's" : "the reference face is B's");
     here.given("corners of the clipped face below the reference plane", polygon.corners.size());
     const int expected = static_cast<int>(std::min<std::size_t>(4, polygon.corners.size()));
-    if (!here.expect_equal("points", manifold.points.size(), expected)) return;
+    require(here.expect_equal("points", manifold.points.size(), expected));
     for (const ContactPoint& point : manifold.points) {
       const Point on_incident = by_a ? on_b(b.body, point) : on_a(a.body, point);
-      if (!here.expect_at_most("distance of a point from the nearest of these corners",
-                               polygon.distance_to_nearest_corner(on_incident), polygon.tolerance,
-                               "m")) {
-        return;
-      }
+      require(here.expect_at_most("distance of a point from the nearest of these corners",
+                                  polygon.distance_to_nearest_corner(on_incident),
+                                  polygon.tolerance, "m"));
     }
     ++compared;
   }
@@ -69,7 +67,7 @@ GRADED_TEST(Lab5, DepthHoldsAtAnySizeAndPlace, 3, "L5.6") {
     here.given("size", size, "m").given("distance from the origin", 5000 * size, "m");
     for (int i = 0; i < 300; ++i) {
       const OverlappingPair pair(random, shapes, size * Vec3(3000, -4000, 0));
-      if (!expect_depth(here, pair.a.body, pair.b.body, pair.axis, seen)) return;
+      require_depth(here, pair.a.body, pair.b.body, pair.axis, seen);
     }
   }
 }
@@ -81,7 +79,7 @@ GRADED_TEST(Lab5, OtherRingsKeepTheirArea, 1, "L5.5") {
   story.seed(random.seed())
       .likely("the fourth adds area outside of the triangle, beyond any of its three edges");
   for (const Real size : {Real(0.02), Real(50)}) {
-    if (!expect_good_reductions(story, random, size, 100)) return;
+    require_good_reductions(story, random, size, 100);
   }
 }
 
@@ -107,7 +105,7 @@ GRADED_TEST(Lab5, SegmentsOfAnySizeKeepTheirClosestPoints, 2, "L5.4") {
       Story here = story;
       here.given("size", size, "m");
       const Manifold manifold = edge_manifold(a.body, b.body, axis);
-      if (!expect_closest_points(here, a.body, b.body, axis, manifold, 4 * size)) return;
+      require_closest_points(here, a.body, b.body, axis, manifold, 4 * size);
     }
   }
 }

@@ -1,0 +1,22 @@
+#pragma once
+/// @file first_turn.hpp
+/// That a body turns at all: one that stays as it is keeps its energy and its momentum, too.
+
+#include "helpers/require.hpp"
+#include "helpers/story.hpp"
+#include "lab1_integration/free_body.hpp"
+
+namespace cs550::test {
+
+/// Ends the test unless the first step turns the body by about h·|ω|.
+inline void require_first_turn(const Story& story, RigidBody body, Real h, RotationMethod method) {
+  const Eigen::Quaterniond before = body.pose.orientation.cast<double>();
+  const double expected = double{h * body.angular_velocity.norm()};
+  turn(body, h, method);
+  Story first = story;
+  first.given("first step", h, "s").likely("the orientation changes in every step");
+  require(first.expect_near("angle of the first step", orientation_error(body, before), expected,
+                            0.2 * expected, "rad"));
+}
+
+}  // namespace cs550::test
