@@ -185,6 +185,25 @@ TEST_P(Tags, MutantsBreakStepsThatExist) {
   }
 }
 
+/// The steps that a list of labN.json names.
+Names named_steps(const Json& list) {
+  Names steps;
+  for (const Json& entry : list) steps.insert(entry.at("step").get<std::string>());
+  return steps;
+}
+
+TEST_P(Tags, EveryStepHasAMutantAVacuousAnswerAndAPlaceInTheOrder) {
+  if (!fs::exists(lab.mutants())) GTEST_SKIP() << "the students' copy has no mutants";
+  const Json document = read_json(lab.mutants());
+  ASSERT_FALSE(document.is_discarded()) << lab.mutants();
+  Names steps;
+  for (const auto& [tag, section] : sections(lab)) steps.insert(tag);
+  for (const char* list : {"mutants", "vacuous", "order"}) {
+    EXPECT_EQ(named_steps(document.at(list)), steps) << list;
+  }
+  EXPECT_EQ(document.at("order").size(), steps.size()) << "each step once";
+}
+
 std::vector<Lab> labs() {
   std::vector<Lab> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(root / "labs")) {

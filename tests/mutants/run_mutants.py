@@ -1,13 +1,18 @@
 #!/usr/bin/env python3
-"""Proves the graded tests with wrong solutions.
+"""Checks the graded tests with wrong solutions.
 
-Each entry of labN.json is one mistake: an edit of the reference. The edited reference must compile,
+A mutant in labN.json is one mistake: an edit of the reference. The edited reference must compile,
 lose points in the step that the mistake breaks, keep those of every step that it does not touch, and
 a test that fails for it must name the cause.
+
+A vacuous answer replaces a function of the reference by one that does nothing, or nearly nothing: it
+returns a constant, or what it was given. It must not earn a single point in its step.
 """
 
 import argparse
+import fnmatch
 import json
+import re
 import shlex
 import shutil
 import subprocess
@@ -34,6 +39,7 @@ class Reference:
         self.lab = lab
         self.build = build
         self.program = build / "bin" / target
+        self.tests = json.loads(run([self.program, "--manifest"]))["tests"]
         self.compile = {}
         for entry in json.loads((build / "compile_commands.json").read_text()):
             if f"CMakeFiles/{target}_code.dir/" in entry["command"]:
@@ -52,11 +58,11 @@ class Reference:
         # A mistake may leave a variable unused: no reason to refuse it.
         run([*command, "-w", "-iquote", original.parent], cwd=self.build)
 
-    def link_edited(self, original, edited_object, output):
+    def link_edited(self, edited_objects, output):
         command = list(self.link)
         command[command.index("-o") + 1] = output
-        others = [name for source, name in self.objects.items() if source != original]
-        run([command[0], edited_object, *others, *command[1:]], cwd=self.build)
+        objects = {**self.objects, **edited_objects}
+        run([command[0], *objects.values(), *command[1:]], cwd=self.build)
 
 
 def run(command, cwd=None):
@@ -67,22 +73,51 @@ def run(command, cwd=None):
     return done.stdout
 
 
-def edited_text(mutant):
-    text = (ROOT / mutant["file"]).read_text()
+def mutated_sources(mutant):
+    """The source that a mutant edits, with its new text."""
+    source = ROOT / mutant["file"]
+    text = source.read_text()
     count = text.count(mutant["find"])
     if count != 1:
         raise Unusable(f"{mutant['file']}: this text occurs {count} times, not once:\n{mutant['find']}")
-    return text.replace(mutant["find"], mutant["replace"])
+    return {source: text.replace(mutant["find"], mutant["replace"])}
 
 
-def make_program(reference, mutant, folder):
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    original = ROOT / mutant["file"]
-    edited = folder / original.name
-    edited.write_text(edited_text(mutant))
-    reference.compile_edited(original, edited, folder / "edited.o")
-    reference.link_edited(original, folder / "edited.o", folder / "program")
+def with_body(text, function, body):
+    """A source with another body of a function; nothing if the source does not define it."""
+    start = re.search(r"^ *" + re.escape(function), text, re.MULTILINE)
+    if not start:
+        return None
+    begin = text.index("{", text.index(")", start.end())) + 1
+    end, depth = begin, 1
+    while depth:
+        depth += {"{": 1, "}": -1}.get(text[end], 0)
+        end += 1
+    return f"{text[:begin]}\n  {body}\n{text[end - 1:]}"
+
+
+def sources_with_bodies(reference, bodies):
+    """The sources that define some functions, with other bodies: pairs of "Real height(" and a body."""
+    sources = {}
+    for function, body in bodies:
+        for source in reference.compile:
+            text = with_body(sources.get(source, source.read_text()), function, body)
+            if text:
+                sources[source] = text
+                break
+        else:
+            raise Unusable(f"no file of lab {reference.lab}'s reference defines {function}…)")
+    return sources
+
+
+def make_program(reference, sources, folder):
+    objects = {}
+    for original, text in sources.items():
+        edited = folder / original.name
+        edited.write_text('#include "cs550/not_implemented.hpp"\n' + text)
+        objects[original] = edited.with_suffix(".o")
+        reference.compile_edited(original, edited, objects[original])
+    reference.link_edited(objects, folder / "program")
     return folder / "program"
 
 
@@ -141,39 +176,66 @@ def faults(mutant, failed):
             yield f"{row['test']} of {row['step']} fails too"
 
 
-def judge(reference, names, mutant):
-    """Returns the points lost in the mutant's step, those lost elsewhere, and the faults."""
-    folder = reference.build / "mutants" / f"lab{reference.lab}" / mutant["name"]
+def run_edited(reference, name, sources, step=None):
+    """Runs the tests of the lab, or those of one step, on the reference with some sources edited."""
+    folder = reference.build / "mutants" / f"lab{reference.lab}" / name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    names = [f"Lab{reference.lab}.{test['name']}" for test in reference.tests
+             if step in (None, test["step"])]
     try:
-        rows = run_tests(make_program(reference, mutant, folder), names)
-    except Unusable as error:
-        return 0, 0, [f"ERROR {error}"]
+        return run_tests(make_program(reference, sources, folder), names)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def judge_mutant(reference, mutant):
+    """Returns the points lost in the mutant's step, those lost elsewhere, and the faults."""
+    rows = run_edited(reference, mutant["name"], mutated_sources(mutant))
     failed = [row for row in rows if row["status"] == "failed"]
     own = sum(row["points"] for row in failed if row["step"] == mutant["step"])
     return own, sum(row["points"] for row in failed) - own, list(faults(mutant, failed))
 
 
-def prove_lab(build, file, only):
-    """Prints a line per mutant. Returns how many there were and how many have faults."""
+def judge_vacuous(reference, answer):
+    """Returns the points lost in the answer's step, 0, and the tests that it passes."""
+    sources = sources_with_bodies(reference, [(answer["function"], answer["body"])])
+    rows = run_edited(reference, name_of(answer), sources, answer["step"])
+    lost = sum(row["points"] for row in rows if row["status"] == "failed")
+    return lost, 0, [f"{row['test']} passes: {row['points']} points for nothing"
+                     for row in rows if row["status"] != "failed"]
+
+
+def judge(reference, wrong):
+    try:
+        return judge_mutant(reference, wrong) if "name" in wrong else judge_vacuous(reference, wrong)
+    except Unusable as error:
+        return 0, 0, [f"ERROR {error}"]
+
+
+def name_of(wrong):
+    """A mutant's name, or "L3.2_nothing" for a vacuous answer."""
+    return wrong["name"] if "name" in wrong else f"{wrong['step']}_{wrong['answer']}"
+
+
+def prove_lab(build, file, only, jobs):
+    """Prints a line per wrong answer. Returns how many there were and how many have faults."""
     lab = int(file.stem.removeprefix("lab"))
-    mutants = [mutant for mutant in json.loads(file.read_text())["mutants"]
-               if only in (None, mutant["name"])]
-    if not mutants:
+    listed = json.loads(file.read_text())
+    answers = [wrong for wrong in listed["mutants"] + listed["vacuous"]
+               if fnmatch.fnmatch(name_of(wrong), only)]
+    if not answers:
         return 0, 0
     reference = Reference(build, lab)
-    manifest = json.loads(run([reference.program, "--manifest"]))
-    names = [f"Lab{lab}.{test['name']}" for test in manifest["tests"]]
     faulty = 0
-    with ThreadPoolExecutor(max_workers=2) as pool:
-        verdicts = pool.map(lambda mutant: judge(reference, names, mutant), mutants)
-        for mutant, (own, elsewhere, found) in zip(mutants, verdicts):
+    with ThreadPoolExecutor(max_workers=jobs) as pool:
+        verdicts = pool.map(lambda wrong: judge(reference, wrong), answers)
+        for wrong, (own, elsewhere, found) in zip(answers, verdicts):
             faulty += bool(found)
             verdict = "\n      ".join(found) or "caught"
-            print(f"{lab:3}  {mutant['name']:44} {mutant['step']:5}{own:5}{elsewhere:10}  {verdict}",
+            print(f"{lab:3}  {name_of(wrong):44} {wrong['step']:5}{own:5}{elsewhere:10}  {verdict}",
                   flush=True)
-    return len(mutants), faulty
+    return len(answers), faulty
 
 
 def main():
@@ -181,19 +243,21 @@ def main():
     parser.add_argument("--build", type=Path, default=ROOT / "build/test",
                         help="a configured build folder (default: build/test)")
     parser.add_argument("--lab", type=int, help="only this lab")
-    parser.add_argument("--only", metavar="NAME", help="only the mutant of this name")
+    parser.add_argument("--only", metavar="PATTERN", default="*",
+                        help="only mutants of such names, or vacuous answers: 'L3.2_*'")
+    parser.add_argument("--jobs", type=int, default=2, help="how many at once (default: 2)")
     options = parser.parse_args()
 
     files = sorted(Path(__file__).parent.glob(f"lab{options.lab or '*'}.json"))
     print(f"{'lab':3}  {'mutant':44} {'step':5}{'lost':>5}{'elsewhere':>10}  verdict")
     count = faulty = 0
     for file in files:
-        of_lab = prove_lab(options.build.resolve(), file, options.only)
+        of_lab = prove_lab(options.build.resolve(), file, options.only, options.jobs)
         count, faulty = count + of_lab[0], faulty + of_lab[1]
     if count == 0:
-        print("no such mutant", file=sys.stderr)
+        print("no such mutant or vacuous answer", file=sys.stderr)
         return 2
-    print(f"{count - faulty} of {count} mutants are caught where they should be")
+    print(f"{count - faulty} of {count} wrong answers are caught where they should be")
     return 1 if faulty else 0
 
 

@@ -1,10 +1,17 @@
-# mutant.LabN: the wrong solutions of labN.json lose their points, see run_mutants.py.
+# With the label `mutant`:
+#   mutant.LabN   wrong answers earn no points, see run_mutants.py
+#   order.LabN    the steps can be written in the order of labN.json, see check_order.py
+function(cs550_add_mutant_test name script number)
+  add_test(NAME ${name}.Lab${number}
+           COMMAND python3 "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${script}"
+                   --build "${PROJECT_BINARY_DIR}" --lab ${number})
+  set_tests_properties(${name}.Lab${number} PROPERTIES LABELS "mutant;lab${number}"
+                       PROCESSORS 2 RESOURCE_LOCK build_folder TIMEOUT 3600)
+endfunction()
+
 foreach(number IN LISTS CS550_LABS)
   if(TARGET lab${number}_reference AND EXISTS "${CMAKE_CURRENT_LIST_DIR}/lab${number}.json")
-    add_test(NAME mutant.Lab${number}
-             COMMAND python3 "${CMAKE_CURRENT_LIST_DIR}/run_mutants.py"
-                     --build "${PROJECT_BINARY_DIR}" --lab ${number})
-    set_tests_properties(mutant.Lab${number} PROPERTIES LABELS "mutant;lab${number}"
-                         PROCESSORS 2 RESOURCE_LOCK build_folder TIMEOUT 3600)
+    cs550_add_mutant_test(mutant run_mutants.py ${number})
+    cs550_add_mutant_test(order check_order.py ${number})
   endif()
 endforeach()
