@@ -138,7 +138,7 @@ struct Tower {
   }
 };
 
-/// pass, residual: one direction, to and fro; the same for a tower half as high
+/// pass, residual: one direction, back and forth; the same for a tower half as high
 void passes(std::ostream& out) {
   Tower tall[2] = {Tower(10), Tower(10)}, low[2] = {Tower(5), Tower(5)};
   ContactStep step = rigid_step();
