@@ -1,6 +1,6 @@
 #pragma once
 /// @file child.hpp
-/// A process of its own for code that may crash or never end.
+/// A child process for code that may crash or never end.
 
 #include <sys/types.h>
 
@@ -31,11 +31,11 @@ class Channel {
   int socket_;
 };
 
-/// A copy of this process that does some work and answers. It ends when this object does, and takes
-/// no more than `memory_limit`.
+/// A fork of this process that works and answers. It ends with this object. Its address space is
+/// limited.
 class Child {
  public:
-  /// @param work runs in the copy; its process ends when it returns
+  /// @param work runs in the child, which exits when it returns
   explicit Child(const std::function<void(const Channel&)>& work);
   ~Child();
   Child(const Child&) = delete;
@@ -43,7 +43,7 @@ class Child {
 
   /// The messages to and from it.
   const Channel& channel() const { return *channel_; }
-  /// Ends it. @return how it had ended by itself, for people: "crashed: Segmentation fault"
+  /// Ends the child. @return how it ended, as readable text: "crashed: Segmentation fault"
   std::string end();
 
  private:

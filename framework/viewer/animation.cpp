@@ -42,7 +42,7 @@ int run(const std::vector<std::string>& command) {
 TemporaryFolder::TemporaryFolder() {
   std::string name = (fs::temp_directory_path() / "cs550-frames-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) {
-    throw std::runtime_error("cannot make a folder in " + fs::temp_directory_path().string());
+    throw std::runtime_error("cannot create a folder in " + fs::temp_directory_path().string());
   }
   path_ = name;
 }
@@ -71,7 +71,8 @@ void write_animation(const fs::path& folder, const fs::path& file, double rate) 
            (folder / "*.png").string(), "-layers", "Optimize", file.string()});
   if (by_convert == 0) return;
   if (by_convert == not_found) {
-    throw std::runtime_error("--gif needs the package ffmpeg or imagemagick");
+    throw std::runtime_error(
+        "--gif needs ffmpeg or ImageMagick; install the package ffmpeg or imagemagick");
   }
   throw std::runtime_error("ImageMagick could not write " + file.string());
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// @file app.hpp
-/// The viewer: a page, a camera, panels. A window or a picture drives it.
+/// The viewer: a page, a camera and panels, driven by a window or a snapshot.
 
 #include <memory>
 #include <optional>
@@ -16,30 +16,30 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// All that the viewer remembers from frame to frame.
+/// The viewer's state from frame to frame.
 class App {
  public:
-  /// Opens the page that the options ask for, with its settings and steps.
+  /// Opens the page that the options select, and applies their settings and steps.
   /// @throws std::invalid_argument for a setting that does not exist
   App(const Options& options, Interface& interface);
 
-  /// One frame: input is heard, time passes if it plays, everything is drawn.
+  /// One frame: handles input, advances if playing, and draws everything.
   void draw(Canvas& canvas);
-  /// One step of the page.
+  /// Advances the page by one step.
   void advance() { page_->advance(); }
-  /// The page from its beginning.
+  /// Restarts the page.
   void reset();
-  /// Runs or stands still.
+  /// Plays or pauses.
   void toggle_play() { plays_ = !plays_; }
-  /// The whole of it in the picture, from the page's own side.
+  /// Frames all content, seen from the page's initial direction.
   void frame_focus();
-  /// Shows the panels or hides them.
+  /// Shows or hides the panels.
   void toggle_panels() { options_.ui = !options_.ui; }
-  /// Throws a box to where the mouse is.
+  /// Throws a box towards the mouse.
   void throw_box();
-  /// Another page; 0 is the world.
+  /// Opens the page of a lab; 0 is the world.
   void open(int lab);
-  /// Times are left out, so that the same command gives the same picture.
+  /// Leaves out timings, so that the same command produces the same picture.
   void hide_times();
 
   const Page& page() const { return *page_; }
@@ -47,7 +47,7 @@ class App {
   /// Where panels and picture are.
   Layout layout() const;
   bool plays() const { return plays_; }
-  /// Whether the picture has not changed for a while: a window may take its time to draw it well.
+  /// Whether the picture has been unchanged for several frames: time to redraw it finely.
   bool is_still() const;
   /// Where a point is seen (pixels from the top left).
   Vec2 pixel_of(const Vec3& point) const { return projection().pixel(point); }

@@ -39,18 +39,18 @@ bool parse_switch(const std::string& text) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("SCENE", options.scene, "name of a shipped scene, or a file")
+  app.add_option("SCENE", options.scene, "a shipped scene, or the path of a scene file")
       ->capture_default_str();
-  app.add_option("--lab", options.lab, "the page of this lab instead of a running scene")
+  app.add_option("--lab", options.lab, "show the page of this lab instead of a scene")
       ->check(CLI::Range(1, lab_page_count));
-  app.add_flag("--student", options.student, "your own code: labs/, not the reference");
-  app.add_option("--steps", options.steps,
-                 "steps before the picture: of the world, or of the page's walk")
+  app.add_flag("--student", options.student,
+               "run your own code from labs/ instead of the reference");
+  app.add_option("--steps", options.steps, "steps to take before the first picture")
       ->check(CLI::Range(0, 100000));
   app.add_option("--set", options.settings,
-                 "name=value: a setting of the page, as often as you like")
+                 "name=value: change a setting of the page; may be repeated")
       ->allow_extra_args(false);
-  app.add_flag("--list", options.list, "print the settings of the page, and end");
+  app.add_flag("--list", options.list, "print the settings of the page and exit");
   app.add_option("--camera", options.camera,
                  "YAW,PITCH[,DISTANCE[,X,Y,Z]]: degrees and metres, as in --camera=-60,20,8")
       ->check([](const std::string& text) -> std::string {
@@ -63,11 +63,11 @@ void declare(CLI::App& app, Options& options) {
       });
   app.add_option_function<std::string>(
          "--size", [&](const std::string& text) { options.size = parse_size(text); },
-         "WIDTHxHEIGHT of picture or window, in pixels")
+         "WIDTHxHEIGHT of the picture or window in pixels")
       ->default_str("1280x720");
   app.add_option_function<std::string>(
          "--ui", [&](const std::string& text) { options.ui = parse_switch(text); },
-         "on or off: panels and plots; below a width of 495 there is no room for them")
+         "on or off: show panels and plots; hidden if the width is below 495 pixels")
       ->default_str("on");
   app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window");
   app.add_option("--frames", options.frames,
@@ -75,7 +75,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--gif", options.gif,
                  "write an animation (needs ffmpeg or ImageMagick), one frame per step");
   app.add_option("--frame-count", options.frame_count,
-                 "frames of --frames and --gif; unless said, once through the page's walk, or 120")
+                 "frames for --frames and --gif; default: all steps of the page, or 120")
       ->check(CLI::Range(1, 10000));
 }
 

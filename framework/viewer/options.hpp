@@ -11,7 +11,7 @@
 
 namespace cs550::viewer {
 
-/// What the user asked for.
+/// The command line's options.
 struct Options {
   std::string scene = "wall";         ///< name or path
   int lab = 0;                        ///< page; 0: the world
@@ -28,22 +28,22 @@ struct Options {
   std::filesystem::path gif;       ///< animation
   std::optional<int> frame_count;  ///< of a sequence
 
-  /// Steps of a scene before the first picture, unless the user says how many: a still picture of a
-  /// beginning shows little.
+  /// Steps of a scene before the first picture if --steps is missing. A snapshot of the initial
+  /// state shows little.
   int default_steps() const { return snapshot.empty() ? 0 : 60; }
-  /// Whether pictures follow each other, from the beginning.
+  /// Whether a sequence of pictures is written, from the first step.
   bool is_sequence() const { return !frames.empty() || !gif.empty(); }
-  /// Whether no window is wanted.
+  /// Whether no window is opened.
   bool is_headless() const { return list || !snapshot.empty() || !frames.empty() || !gif.empty(); }
 };
 
-/// What reading the command line led to: options, or an exit code.
+/// The parsed options, or an exit code.
 struct CommandLine {
   Options options;
   std::optional<int> exit_code;  ///< 0 after --help, 2 for wrong usage
 };
 
-/// Reads the command line; says on standard error what is wrong with it and how to mend it.
+/// Parses the command line; reports errors and how to fix them on standard error.
 CommandLine read_command_line(int argc, const char* const* argv);
 
 }  // namespace cs550::viewer

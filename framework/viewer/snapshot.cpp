@@ -77,7 +77,7 @@ void write_pictures(const Options& options) {
   if (!studio.problem().empty()) {
     // Of a student's code the picture shows it; else there is nothing to show.
     if (!options.student) throw std::invalid_argument(studio.problem());
-    std::cerr << "cs550: the page says: " << studio.problem() << '\n';
+    std::cerr << "cs550: the page reports: " << studio.problem() << '\n';
   }
   if (!options.snapshot.empty()) {
     write_png(studio.take(), options.snapshot);

@@ -1,6 +1,6 @@
 #pragma once
 /// @file content.hpp
-/// All that a page shows, as a value: it may come from another process.
+/// All that a page shows, as a value that another process can send.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// @file controls.hpp
-/// Settings that a person can turn: one description serves the panel, the command line and --help.
+/// Settings that a user can change. One description serves the panel, --set and --list.
 
 #include <span>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace cs550::pages {
 
-/// What a setting is called.
+/// The name of a setting.
 struct Control {
   const char* name;   ///< on the command line: "substeps"
   const char* label;  ///< on the panel: "substeps"
   const char* unit;   ///< "m", "1/s", or empty
 };
 
-/// Meets every setting of something, one after the other. describe() functions call it:
+/// Visits settings one after the other. describe() functions call it:
 /// `void describe(Settings& settings, ControlVisitor& visit)`.
 class ControlVisitor {
  public:
@@ -26,9 +26,9 @@ class ControlVisitor {
   ControlVisitor& operator=(const ControlVisitor&) = delete;
   virtual ~ControlVisitor() = default;
 
-  /// What follows belongs together.
+  /// Starts a group of settings.
   virtual void section(const char* /*title*/) {}
-  /// A setting and the values that it may have, both ends included.
+  /// A setting and its range, both ends included.
   /// @{
   virtual void whole(const Control& control, int& value, int least, int most) = 0;
   virtual void number(const Control& control, Real& value, Real least, Real most) = 0;
@@ -43,7 +43,7 @@ class ControlVisitor {
   /// @}
 };
 
-/// Sets the one setting that `name=value` names.
+/// Changes the setting named in `name=value`.
 class ControlSetter final : public ControlVisitor {
  public:
   /// @throws std::invalid_argument unless there is a `=`
@@ -72,7 +72,7 @@ class ControlSetter final : public ControlVisitor {
   std::vector<std::string> names_;
 };
 
-/// Writes every setting with its value as `name=value`, one a line, with what else it may be.
+/// Lists every setting as `name=value` with its range, one per line.
 class ControlLister final : public ControlVisitor {
  public:
   void whole(const Control& control, int& value, int least, int most) override;

@@ -1,6 +1,6 @@
 #pragma once
 /// @file page.hpp
-/// One subject of the viewer: what can be set, and what is shown.
+/// A page of the viewer: its settings and its content.
 
 #include <memory>
 #include <optional>
@@ -26,25 +26,25 @@ class Page {
 
   /// Number of the lab; 0 for the world.
   virtual int lab() const = 0;
-  /// A few words.
+  /// The heading.
   virtual std::string title() const = 0;
-  /// What is to be seen and why it matters, in a sentence or two.
+  /// One or two sentences on what the page shows and why it matters.
   virtual std::string story() const = 0;
   /// Visits every setting.
   virtual void describe(ControlVisitor& visit) = 0;
-  /// Brings the content up to date with the settings.
+  /// Updates the content to match the settings.
   virtual void refresh() = 0;
-  /// What refresh() found.
+  /// The result of the last refresh().
   virtual const Content& content() const = 0;
-  /// From where the page is best seen; only yaw and pitch matter.
+  /// The initial direction of view; only yaw and pitch are used.
   virtual Camera first_view() const { return {}; }
-  /// One step on: of time, of a walk, of an algorithm. Wraps around where there is an end.
+  /// Advances by one step of time, of a walk or of an algorithm; wraps around at the end.
   virtual void advance() = 0;
-  /// To the beginning of a walk.
+  /// Goes back to the first step of a walk.
   virtual void rewind() {}
-  /// A point in the picture that the user may drag, if there is one (world, m).
+  /// A point that the user can drag, if there is one (world, m).
   virtual std::optional<Vec3> handle() const { return {}; }
-  /// Where it was dragged to.
+  /// Moves the dragged point.
   virtual void move_handle(const Vec3& /*point*/) {}
 };
 

@@ -125,10 +125,8 @@ std::unique_ptr<Page> make_axis_page(Isolation isolation) {
   parts.lab = 4;
   parts.story =
       "Two edges make a face of the Minkowski difference if their arcs cross on the Gauss maps of "
-      "A "
-      "and −B. Only these pairs and the faces are tried, and the largest separation wins. Drag B "
-      "by "
-      "its middle.";
+      "A and −B. Only these pairs and the faces are tried, and the largest separation wins. Drag "
+      "B by its middle.";
   parts.first_view = seen_from(Real(-1.5), Real(0.22));
   parts.describe = describe;
   parts.show = show;

@@ -15,16 +15,16 @@ class EglContext final : public GlContext {
     // Functions of an extension that is missing must not be called.
     if (!epoxy_has_egl() ||
         !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-      throw std::runtime_error("there is no libEGL that can");
+      throw std::runtime_error("libEGL does not support rendering without a screen");
     }
     display_ =
         eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
-      throw std::runtime_error("EGL finds no driver of OpenGL");
+      throw std::runtime_error("EGL found no OpenGL driver");
     }
     if (!make_current()) {
       eglTerminate(display_);
-      throw std::runtime_error("EGL's driver has no OpenGL 3.3");
+      throw std::runtime_error("the EGL driver does not support OpenGL 3.3");
     }
   }
 
@@ -64,7 +64,7 @@ std::unique_ptr<GlContext> open_egl() { return std::make_unique<EglContext>(); }
 namespace cs550::viewer {
 
 std::unique_ptr<GlContext> open_egl() {
-  throw std::runtime_error("this system's libepoxy knows no EGL");
+  throw std::runtime_error("libepoxy was built without EGL on this system");
 }
 
 }  // namespace cs550::viewer

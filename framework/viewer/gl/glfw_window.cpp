@@ -28,7 +28,7 @@ class HiddenWindow final : public GlContext {
 
 WindowSystem::WindowSystem() {
   if (glfwInit() == GLFW_FALSE) {
-    throw std::runtime_error("no window can be opened here: " + last_error());
+    throw std::runtime_error("cannot open a window: " + last_error());
   }
 }
 
@@ -42,7 +42,7 @@ Window::Window(Size size, bool is_visible) {
   glfwWindowHint(GLFW_VISIBLE, is_visible ? GLFW_TRUE : GLFW_FALSE);
   window_ = glfwCreateWindow(size.width, size.height, "CS550", nullptr, nullptr);
   if (window_ == nullptr) {
-    throw std::runtime_error("no window with OpenGL 3.3 can be opened: " + last_error());
+    throw std::runtime_error("cannot open a window with OpenGL 3.3: " + last_error());
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);

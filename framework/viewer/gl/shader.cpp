@@ -10,7 +10,7 @@ constexpr int log_size = 4096;
 
 [[noreturn]] void refuse(const char* name, const std::string& message) {
   throw std::runtime_error(std::string("the shader '") + name +
-                           "' is refused by this OpenGL: " + message);
+                           "' does not compile with this OpenGL driver: " + message);
 }
 
 GLuint compile(const char* name, GLenum kind, const char* source) {

@@ -11,13 +11,13 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// Paints contents.
+/// Draws the content of a page.
 class ContentRenderer {
  public:
-  /// Paints to a canvas, unless it holds the same picture already. A canvas belongs to one painter.
+  /// Draws to a canvas, unless it already holds the same picture. A canvas belongs to one renderer.
   /// @param scale of line widths
   void paint(const Content& content, const Projection& projection, Canvas& canvas, float scale);
-  /// How often the same was painted since the last change.
+  /// How many frames in a row were unchanged.
   int still_frames() const { return still_frames_; }
 
  private:
