@@ -43,7 +43,7 @@ Drawing draw_impulses(std::span<const ContactConstraint> constraints, std::span<
                               ", which does not exist.");
       continue;
     }
-    const Vec3 contact = centers[static_cast<std::size_t>(constraint.body_b)] + constraint.r_b;
+    const Vec3 contact = centers[constraint.body_b] + constraint.r_b;
     drawing.points.push_back({contact, Role::Text, Real(3.5)});
     const Vec3 tangent = constraint.tangent_impulse.x() * constraint.u +
                          constraint.tangent_impulse.y() * constraint.v();

@@ -241,7 +241,7 @@ Drawing draw_triangles(std::span<const Vec3> vertices, std::span<const Triangle>
   const auto exists = [&](Index v) {
     return 0 <= v && static_cast<std::size_t>(v) < vertices.size();
   };
-  const auto at = [&](Index v) -> const Vec3& { return vertices[static_cast<std::size_t>(v)]; };
+  const auto at = [&](Index v) -> const Vec3& { return vertices[v]; };
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (!std::all_of(triangles[t].begin(), triangles[t].end(), exists)) continue;
     const Index index = static_cast<Index>(t);

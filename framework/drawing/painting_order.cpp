@@ -269,7 +269,7 @@ void place_point(Layers& layers, const Point& point, std::size_t index,
     return occluder.depth(page) - at.z() > view.depth_tolerance();
   };
   const auto first = std::find_if(occluders.begin(), occluders.end(), hides);
-  layers[static_cast<std::size_t>(first - occluders.begin())].push_back({Kind::Point, index, 0, 1});
+  layers[first - occluders.begin()].push_back({Kind::Point, index, 0, 1});
 }
 
 }  // namespace

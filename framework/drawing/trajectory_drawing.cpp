@@ -73,7 +73,7 @@ Drawing draw_energy_ellipsoid(const Vec3& inertia, Real energy) {
   for (int axis = 0; axis < 3; ++axis) {
     add_arrow(drawing, semi_axes[axis] * Vec3::Unit(axis),
               Real(0.25) * semi_axes.maxCoeff() * Vec3::Unit(axis), {Role::Axis, 2},
-              std::array{"ω₁", "ω₂", "ω₃"}.at(static_cast<std::size_t>(axis)));
+              std::array{"ω₁", "ω₂", "ω₃"}.at(axis));
   }
   return drawing;
 }

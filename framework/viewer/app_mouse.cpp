@@ -52,8 +52,7 @@ void App::hear_drag_of_body(const Vec2& mouse) {
   const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
   if (pressed && !ImGui::GetIO().WantCaptureMouse && !ImGui::GetIO().KeyShift) {
     const auto hit = world_->pick(seen.eye(), seen.ray(mouse));
-    const bool can_move = hit && world_->frame().bodies[static_cast<std::size_t>(hit->body)].kind ==
-                                     BodyKind::Dynamic;
+    const bool can_move = hit && world_->frame().bodies[hit->body].kind == BodyKind::Dynamic;
     world_->select(can_move ? std::optional(hit->body) : std::nullopt);
     if (can_move) {
       world_->grab(*hit);

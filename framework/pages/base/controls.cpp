@@ -155,13 +155,13 @@ void ControlLister::toggle(const Control& control, bool& value) {
   add(control, value ? "on" : "off", "on, off");
 }
 void ControlLister::choice(const Control& control, int& value, std::span<const char* const> names) {
-  add(control, names[static_cast<std::size_t>(value)], alternatives(names));
+  add(control, names[value], alternatives(names));
 }
 void ControlLister::moves(const Control& control, std::vector<int>& value,
                           std::span<const char* const> names) {
   std::string list;
   for (const int move : value) {
-    list += (list.empty() ? "" : ",") + std::string(names[static_cast<std::size_t>(move)]);
+    list += (list.empty() ? "" : ",") + std::string(names[move]);
   }
   add(control, list, "a list of " + alternatives(names));
 }

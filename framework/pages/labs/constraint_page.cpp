@@ -54,7 +54,7 @@ Content show(const ConstraintSettings& settings) {
 
   Content content = show_pass(start, run, settings.step);
   const std::vector<ContactConstraint>& constraints =
-      run[static_cast<std::size_t>(shown_step(settings.step, content.step_count))].constraints;
+      run[shown_step(settings.step, content.step_count)].constraints;
   const std::size_t constraint =
       std::min(static_cast<std::size_t>(settings.constraint), constraints.size() - 1);
   content.facts.insert(

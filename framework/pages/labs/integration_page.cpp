@@ -79,8 +79,7 @@ Drawing column(const IntegrationSettings& settings, const Run& run, int step, Ro
   const Vec3 extents = settings.half_extents.cwiseAbs();
   const Vec3 momentum = start.pose.rotate(start.inertia * settings.spin);
   const Vec3 tip(0, 0, extents.z());
-  Drawing body =
-      drawing::draw_box(run.poses[static_cast<std::size_t>(step)], extents, role, Real(0.55));
+  Drawing body = drawing::draw_box(run.poses[step], extents, role, Real(0.55));
   drawing::append(body, drawing::draw_trail(until(run.poses, step), tip, {role, 2, false, false},
                                             name + ": way of a face"));
   drawing::add_arrow(body, Vec3::Zero(), Real(1.5) * momentum.normalized(),
@@ -101,7 +100,7 @@ Drawing column(const IntegrationSettings& settings, const Run& run, int step, Ro
 
 std::string change(const std::vector<Real>& values, int step) {
   const double start = static_cast<double>(values.front());
-  const double now = static_cast<double>(values[static_cast<std::size_t>(step)]);
+  const double now = static_cast<double>(values[step]);
   return quantity(100 * (now / start - 1), "%");
 }
 

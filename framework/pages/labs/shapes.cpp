@@ -22,7 +22,7 @@ ShapePtr recorded_shape(int name) {
                                              "prism6.json",    "dodecahedron.json",
                                              "hull16.json",    "hull32.json",
                                              "icosphere2.json"};
-  const auto file = assets_folder() / "meshes" / files.at(static_cast<std::size_t>(name));
+  const auto file = assets_folder() / "meshes" / files.at(name);
   const MeshResult loaded = load_mesh_json(file);
   if (!loaded.error.empty()) throw std::runtime_error(loaded.error);
   const ShapeResult measured = make_shape(loaded.mesh);

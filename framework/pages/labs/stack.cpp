@@ -46,8 +46,8 @@ void add_constraints(Stack& stack, Index lower, const StackSettings& settings) {
 }
 
 Vec3 relative_velocity(const ContactConstraint& constraint, const Stack& stack) {
-  const SolverBody& a = stack.bodies[static_cast<std::size_t>(constraint.body_a)];
-  const SolverBody& b = stack.bodies[static_cast<std::size_t>(constraint.body_b)];
+  const SolverBody& a = stack.bodies[constraint.body_a];
+  const SolverBody& b = stack.bodies[constraint.body_b];
   return b.v + b.w.cross(constraint.r_b) - a.v - a.w.cross(constraint.r_a);
 }
 
@@ -108,7 +108,7 @@ std::vector<Solid> stack_solids(const Stack& stack) {
 std::vector<Real> level_impulses(const Stack& stack) {
   std::vector<Real> sums(stack.bodies.size() - 1, 0);
   for (const ContactConstraint& constraint : stack.constraints) {
-    sums[static_cast<std::size_t>(constraint.body_a)] += constraint.normal_impulse;
+    sums[constraint.body_a] += constraint.normal_impulse;
   }
   return sums;
 }

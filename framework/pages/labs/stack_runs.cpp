@@ -26,8 +26,7 @@ StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactCons
     ContactConstraint& constraint = stack.constraints[i];
     constraint.normal_impulse = warm[i].normal_impulse;
     constraint.tangent_impulse = warm[i].tangent_impulse;
-    warm_start(constraint, stack.bodies[static_cast<std::size_t>(constraint.body_a)],
-               stack.bodies[static_cast<std::size_t>(constraint.body_b)]);
+    warm_start(constraint, stack.bodies[constraint.body_a], stack.bodies[constraint.body_b]);
   }
   StackRun run{stack};
   for (int pass = 0; pass < passes; ++pass) {
@@ -68,7 +67,7 @@ Content show_pass(const Stack& start, const StackRun& run, int pass) {
   Content content;
   content.step_count = static_cast<int>(run.size());
   const int step = shown_step(pass, content.step_count);
-  const Stack& shown = run[static_cast<std::size_t>(step)];
+  const Stack& shown = run[step];
   content.solids = stack_solids(shown);
   const Real scale = drawing::impulse_scale(run.back().constraints, Real(0.75));
   content.drawing = drawing::draw_impulses(shown.constraints, shown.centers, scale);

@@ -139,8 +139,8 @@ void add_contacts(Drawing& drawing, const Overlays& overlays, const WorldFrame& 
   Arrows impulses;
   for (const Contact& contact : frame.contacts) {
     const Manifold& manifold = contact.manifold;
-    const Pose& pose_a = frame.bodies[static_cast<std::size_t>(contact.body_a)].pose;
-    const Pose& pose_b = frame.bodies[static_cast<std::size_t>(contact.body_b)].pose;
+    const Pose& pose_a = frame.bodies[contact.body_a].pose;
+    const Pose& pose_b = frame.bodies[contact.body_b].pose;
     const Vec3 v = manifold.normal.cross(manifold.tangent);
     for (const ContactPoint& point : manifold.points) {
       const Vec3 place =
@@ -211,8 +211,7 @@ Drawing draw_overlays(const Overlays& overlays, const WorldFrame& frame,
     for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
       const Index mesh = frame.mesh_of_body[i];
       if (mesh == no_index || frame.bodies[i].kind != BodyKind::Dynamic) continue;
-      add_edges(drawing, *meshes[static_cast<std::size_t>(mesh)], frame.bodies[i].pose,
-                thin(Role::Axis));
+      add_edges(drawing, *meshes[mesh], frame.bodies[i].pose, thin(Role::Axis));
     }
   }
   if (overlays.contacts || overlays.impulses || overlays.feature_ids) {

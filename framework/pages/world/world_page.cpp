@@ -130,7 +130,7 @@ void WorldPage::refresh() {
     drawing::append(content_.drawing, draw_selection(*meshes_[mesh], frame_.bodies[body].pose));
   }
   if (is_dragging()) {
-    const Pose& pose = frame_.bodies[static_cast<std::size_t>(pull_.body)].pose;
+    const Pose& pose = frame_.bodies[pull_.body].pose;
     content_.drawing.lines.push_back({pose.to_world(pull_.anchor),
                                       pull_.target,
                                       {drawing::Role::Highlight, Real(2.5), true, false}});
@@ -146,7 +146,7 @@ std::vector<Solid> WorldPage::solids() const {
     const Index mesh = frame_.mesh_of_body[i];
     if (mesh == no_index) continue;
     Solid solid;
-    solid.mesh = meshes_[static_cast<std::size_t>(mesh)];
+    solid.mesh = meshes_[mesh];
     solid.pose = frame_.bodies[i].pose;
     solid.is_ground = frame_.bodies[i].kind == BodyKind::Static;
     solid.colour = solid.is_ground ? ground_colour() : body_colour(mesh, static_cast<Index>(i));
@@ -206,7 +206,7 @@ std::optional<WorldPage::Hit> WorldPage::pick(const Vec3& origin, const Vec3& di
 void WorldPage::select(std::optional<Index> body) { selected_ = body; }
 
 void WorldPage::grab(const Hit& hit) {
-  const Pose& pose = frame_.bodies[static_cast<std::size_t>(hit.body)].pose;
+  const Pose& pose = frame_.bodies[hit.body].pose;
   pull_ = {hit.body, pose.to_body(hit.point), hit.point};
 }
 

@@ -49,9 +49,8 @@ std::vector<Plot> world_plots(const std::deque<StepSample>& history, bool with_t
   if (with_times) {
     Plot& times = plots.emplace_back(over_time("Time per step", "ms"));
     for (int stage = 0; stage < stage_count; ++stage) {
-      add(times, to_string(static_cast<Stage>(stage)), history, [stage](const StepSample& s) {
-        return milli * s.seconds[static_cast<std::size_t>(stage)];
-      });
+      add(times, to_string(static_cast<Stage>(stage)), history,
+          [stage](const StepSample& s) { return milli * s.seconds[stage]; });
     }
   }
   return plots;
