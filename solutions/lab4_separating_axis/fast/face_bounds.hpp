@@ -16,7 +16,7 @@ inline constexpr Index max_shape_faces = 2 * max_shape_edges / 3;
 /// face normal is the *smallest* distance over all of B, so that of any one point bounds it.
 class FaceBounds {
  public:
-  /// Begins with one point of B.
+  /// Starts with one point of B.
   /// @param point in A's frame
   void start(const HalfEdgeMesh& a, const Vec3& point) {
     count_ = 1;
@@ -26,7 +26,7 @@ class FaceBounds {
     });
   }
 
-  /// Adds another. Precondition: not full.
+  /// Adds another point. Precondition: not full.
   void add(const HalfEdgeMesh& a, const Vec3& point) {
     const std::size_t place = count_++;
     scan(a, [&](const Plane& plane, Bound& bound) {
@@ -39,13 +39,13 @@ class FaceBounds {
 
   /// The first of the faces with the largest bound.
   Index largest() const { return largest_; }
-  Real of(Index face) const { return bounds_[static_cast<std::size_t>(face)].smallest; }
+  Real of(Index face) const { return bounds_[face].smallest; }
 
-  /// Whether one witness is less than `limit` outside both faces. It then bounds s on the whole chord
-  /// between their normals, where its distance is interpolated linearly.
+  /// Whether some witness is less than `limit` outside both faces. It then bounds s on the whole
+  /// chord between their normals, along which its distance is linear.
   bool any_below(Index left, Index right, Real limit) const {
-    const Bound& l = bounds_[static_cast<std::size_t>(left)];
-    const Bound& r = bounds_[static_cast<std::size_t>(right)];
+    const Bound& l = bounds_[left];
+    const Bound& r = bounds_[right];
     for (std::size_t i = 0; i < count_; ++i) {
       if (std::max(l.distance[i], r.distance[i]) < limit) return true;
     }
@@ -64,7 +64,7 @@ class FaceBounds {
   void scan(const HalfEdgeMesh& a, const Update& update) {
     Real largest = -HUGE_VALF;
     for (Index f = 0; f < a.face_count(); ++f) {
-      Bound& bound = bounds_[static_cast<std::size_t>(f)];
+      Bound& bound = bounds_[f];
       update(a.face(f).plane, bound);
       if (bound.smallest > largest) {
         largest = bound.smallest;
@@ -75,7 +75,7 @@ class FaceBounds {
 
   std::size_t count_ = 0;
   Index largest_ = 0;
-  std::array<Bound, static_cast<std::size_t>(max_shape_faces)> bounds_;
+  std::array<Bound, max_shape_faces> bounds_;
 };
 
 }  // namespace cs550

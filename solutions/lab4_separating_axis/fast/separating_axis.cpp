@@ -1,17 +1,17 @@
 /// @file separating_axis.cpp
-/// Lab 4 for the engine: the same answers as the teaching form, in a fraction of the time.
+/// Lab 4 for the engine: the results of the teaching form in a fraction of the time.
 ///
 /// Three observations about s(n) = min over B of n·b − max over A of n·a, the separation along n:
 /// 1. Any point w of B bounds it: s(n_f) ≤ the distance of w from face f. One pass over A's faces
-///    with a well-chosen *witness* w rules out nearly all of them, and support vertices of the
-///    faces that are left make better witnesses (face_bounds.hpp).
+///    with a well-chosen *witness* w rules out nearly all of them. The support vertices of the
+///    remaining faces are better witnesses (face_bounds.hpp).
 /// 2. Along the arc of an edge of A from n_f to n_g, taken as the chord n(t), s is concave, so the
-///    same witness bounds it by its distances from both faces. Most arcs fall to that test.
+///    same witness bounds it by its distances from both faces. This test rules out most arcs.
 /// 3. The crossings of an arc with B's Gauss map are the breakpoints of s along the chord: walking
 ///    from one to the next finds them without looking at the other edges of B (arc_walk.hpp).
 ///
-/// What cannot win is not computed: `edges` is left empty where no pair of edges comes within a tie
-/// of the best face. Nothing is allocated.
+/// Candidates that cannot win are not computed: `edges` is empty if no pair of edges comes within a
+/// tie of the best face. Nothing is allocated.
 
 #include "cs550/separating_axis.hpp"
 
@@ -29,7 +29,7 @@ using lab4::with_feature;
 
 namespace {
 
-/// Two meshes, and where B is in A's body frame.
+/// Two meshes, with the pose of B in A's body frame.
 struct Pair {
   const HalfEdgeMesh& a;
   const HalfEdgeMesh& b;
@@ -55,14 +55,14 @@ FaceQuery query_face(const Pair& pair, Index face, Index start) {
   return {face, vertex, plane.distance(pair.to_a(pair.b.vertex(vertex)))};
 }
 
-/// Of two equal faces the first wins, in whatever order they are tried.
+/// Of two equal faces the first wins, whatever the order in which they are tried.
 bool is_better(const FaceQuery& query, const FaceQuery& best) {
   return !best || query.separation > best.separation ||
          (query.separation == best.separation && query.face < best.face);
 }
 
-/// The best face of A, or any with a separation above the margin. Always tries the face that has the
-/// largest bound; when there are enough witnesses, every face that is not ruled out.
+/// The best face of A, or any with a separation above the margin. Tries the face with the largest
+/// bound until there are enough witnesses, then every face that is not ruled out.
 /// @param first tried before all others, if not empty
 /// @param[out] bounds of all faces by the witnesses that were used
 FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, FaceBounds& bounds) {
@@ -90,8 +90,8 @@ FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, Fac
   return best;
 }
 
-/// The edge pair of a crossing that the walk found, with the axis from the cross product; empty if the
-/// edges are parallel or the arcs merely touch.
+/// The pair of edges at a crossing that the walk found, with the axis from their cross product.
+/// Empty if the edges are parallel or the arcs merely touch.
 EdgeQuery query_edge_pair(const Pair& pair, Index edge_a, Index edge_b) {
   const auto normal = [](const HalfEdgeMesh& mesh, Index e) -> const Vec3& {
     return mesh.face(mesh.edge(e).face).plane.normal;
@@ -115,7 +115,7 @@ EdgeQuery query_edge_pair(const Pair& pair, Index edge_a, Index edge_b) {
   return {edge_a, edge_b, axis, axis.dot(a_to_b)};
 }
 
-/// Walks arcs of A over B's Gauss map.
+/// Walks the arcs of A over the Gauss map of B.
 class EdgeSearch {
  public:
   explicit EdgeSearch(const Pair& pair) : pair_(pair) {
@@ -129,8 +129,8 @@ class EdgeSearch {
   }
 
   /// The best pair of edges that may beat the faces, or any above the margin.
-  /// @param hinted  last step's edges at today's poses, may be empty
-  /// @param to_beat a separation that a face has, less the tolerance of a tie
+  /// @param hinted  last step's edges at the current poses, may be empty
+  /// @param to_beat the separation of the best face, less the tolerance of a tie
   EdgeQuery best_beyond_faces(const EdgeQuery& hinted, const FaceBounds& bounds, Real to_beat,
                               Real margin) {
     best_ = hinted;
@@ -163,7 +163,7 @@ class EdgeSearch {
 
   /// B's support vertex against the normal of a face of A (in B's frame), found once.
   Index support(Index face, const Vec3& normal) {
-    Index& vertex = support_[static_cast<std::size_t>(face)];
+    Index& vertex = support_[face];
     if (vertex == no_index) vertex = lowest_vertex(pair_.b, normal, last_support_);
     return last_support_ = vertex;
   }
@@ -182,7 +182,7 @@ class EdgeSearch {
   const Pair& pair_;
   EdgeQuery best_;
   Index last_support_ = 0;
-  std::array<Index, static_cast<std::size_t>(max_shape_faces)> support_;
+  std::array<Index, max_shape_faces> support_;
 };
 
 }  // namespace
@@ -205,7 +205,7 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
   const Pair ba(b, a);
   SeparatingAxis result;
 
-  // Last step's feature alone: for a pair that stays apart, all there is to do.
+  // Last step's feature first: a pair that stays apart needs nothing else.
   EdgeQuery hinted_edges;
   if (hint.feature == AxisFeature::FaceA) {
     result.face_a = query_face(ab, hint.face_a.face, hint.face_a.vertex);

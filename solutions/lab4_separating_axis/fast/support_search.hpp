@@ -1,17 +1,17 @@
 #pragma once
 /// @file support_search.hpp
-/// Lab 3 for the engine: the same vertex (or an equal one), without trace and counting.
+/// Lab 3 for the engine: the same support vertex, or one equally far, without path and count.
 
 #include "cs550/half_edge_mesh.hpp"
 
 namespace cs550 {
 
-/// The half-edge that leaves the same vertex next, clockwise: twins are neighbours in the array, so
-/// that one load does.
+/// The next half-edge that leaves the same vertex, clockwise. Twins are adjacent in the array, so
+/// this takes a single load.
 inline Index next_around_vertex(const HalfEdgeMesh& mesh, Index e) { return mesh.edge(e ^ 1).next; }
 
-/// The vertex with the smallest dot(vertex, direction). Few vertices are looked at one after the
-/// other, which the processor can foresee; more are climbed from `start`.
+/// The vertex with the smallest dot(vertex, direction). Small meshes are searched vertex by vertex,
+/// which the processor predicts well. Larger ones are climbed from `start`.
 inline Index lowest_vertex(const HalfEdgeMesh& mesh, const Vec3& direction, Index start) {
   constexpr Index few = 24;
   Index lowest = start;
@@ -28,7 +28,7 @@ inline Index lowest_vertex(const HalfEdgeMesh& mesh, const Vec3& direction, Inde
   Index here;
   do {
     here = lowest;
-    const Index first = mesh.vertex_edge[static_cast<std::size_t>(here)];
+    const Index first = mesh.vertex_edge[here];
     Index e = first;
     do {
       offer(mesh.edge(e).vertex);

@@ -1,121 +1,172 @@
 #pragma once
 /// @file batch.hpp
-/// Up to four constraints and their bodies in lanes: read from the arrays, solved, written back.
+/// Up to four constraints and their bodies, one in each lane: read from the arrays, solved, written
+/// back.
+///
+/// Members are addressed by pointers to members: the compiler checks their names and types and,
+/// once everything is inlined, knows where each of them is.
 
+#include <array>
 #include <cstddef>
 #include <cstring>
-#include <span>
 
 #include "cs550/contact_constraint.hpp"
 #include "lanes.hpp"
 
 namespace cs550 {
 
-/// Four structs of which the same four consecutive numbers are moved to and from lanes.
+/// The structs that fill the lanes.
 template <class T>
-class FourStructs {
- public:
-  explicit FourStructs(T* const (&items)[lane_count])
-      : items_{items[0], items[1], items[2], items[3]} {}
+using PerLane = std::array<T*, lane_count>;
 
-  /// The four numbers that begin `offset` bytes into each struct.
-  void read(std::size_t offset, Lanes& w0, Lanes& w1, Lanes& w2, Lanes& w3) const {
-    w0 = load(0, offset);
-    w1 = load(1, offset);
-    w2 = load(2, offset);
-    w3 = load(3, offset);
-    transpose(w0, w1, w2, w3);
+/// One number of each struct.
+template <class T>
+WideReal gather(const PerLane<T>& structs, Real T::*member) {
+  return WideReal{structs[0]->*member, structs[1]->*member, structs[2]->*member,
+                  structs[3]->*member};
+}
+template <class T, class Vector>
+WideReal gather(const PerLane<T>& structs, Vector T::*member, Index i) {
+  return WideReal{(structs[0]->*member)[i], (structs[1]->*member)[i], (structs[2]->*member)[i],
+                  (structs[3]->*member)[i]};
+}
+
+/// `count` consecutive Reals of each struct, transposed into wide ones. Four lanes of four numbers
+/// at a time are much faster than numbers one by one.
+template <class T, std::size_t count>
+class WideReals {
+ public:
+  /// @param first the member that the Reals begin with
+  template <class Member>
+  WideReals(const PerLane<T>& structs, Member T::*first)
+      : layout_(*structs[0]), first_(bytes_before(first)) {
+    for (std::size_t i = 0; i + lane_count <= count; i += lane_count) read(structs, i);
+    if (count % lane_count != 0) read(structs, count - lane_count);
   }
 
-  void write(std::size_t offset, Lanes w0, Lanes w1, Lanes w2, Lanes w3) const {
-    transpose(w0, w1, w2, w3);
-    store(0, offset, w0);
-    store(1, offset, w1);
-    store(2, offset, w2);
-    store(3, offset, w3);
+  WideReal operator()(Real T::*member) const { return *find(member); }
+  WideVec3 operator()(Vec3 T::*member) const { return vector(find(member)); }
+  WideMat2 operator()(Mat2 T::*member) const {
+    const WideReal* const m = find(member);
+    return {m[0], m[1], m[2], m[3]};
+  }
+  WideMat3 operator()(Mat3 T::*member) const {
+    const WideReal* const m = find(member);
+    return {{vector(m), vector(m + 3), vector(m + 6)}};
+  }
+  /// A Real of a struct that is itself a member.
+  template <class Inner>
+  WideReal operator()(Inner T::*member, Real Inner::*inner) const {
+    return *at(bytes_between(layout_, (layout_.*member).*inner));
   }
 
  private:
-  Lanes load(std::size_t item, std::size_t offset) const {
-    Lanes numbers;
-    std::memcpy(&numbers, reinterpret_cast<const std::byte*>(items_[item]) + offset,
-                sizeof numbers);
-    return numbers;
+  template <class Member>
+  static std::size_t bytes_between(const T& item, const Member& member) {
+    return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&member) -
+                                    reinterpret_cast<const std::byte*>(&item));
   }
-  void store(std::size_t item, std::size_t offset, Lanes numbers) const {
-    std::memcpy(reinterpret_cast<std::byte*>(items_[item]) + offset, &numbers, sizeof numbers);
+  template <class Member>
+  std::size_t bytes_before(Member T::*member) const {
+    return bytes_between(layout_, layout_.*member);
+  }
+  const WideReal* at(std::size_t bytes) const { return &reals_[(bytes - first_) / sizeof(Real)]; }
+  template <class Member>
+  const WideReal* find(Member T::*member) const {
+    return at(bytes_before(member));
+  }
+  static WideVec3 vector(const WideReal* reals) { return {reals[0], reals[1], reals[2]}; }
+
+  void read(const PerLane<T>& structs, std::size_t i) {
+    WideReal w[lane_count];
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const auto* item = reinterpret_cast<const std::byte*>(structs[lane]);
+      std::memcpy(&w[lane], item + first_ + i * sizeof(Real), sizeof w[lane]);
+    }
+    transpose(w[0], w[1], w[2], w[3]);
+    for (std::size_t k = 0; k < lane_count; ++k) reals_[i + k] = w[k];
   }
 
-  T* items_[lane_count];
+  const T& layout_;    ///< any of the structs
+  std::size_t first_;  ///< byte
+  std::array<WideReal, count> reals_;
 };
 
-// Numbers that are read together lie together; these lines break when the contract moves them apart.
-static_assert(offsetof(SolverBody, world_inverse_inertia) == 7 * sizeof(Real));
-static_assert(offsetof(SolverBody, delta_rotation) == 19 * sizeof(Real));
-static_assert(offsetof(ContactConstraint, separation) ==
-              offsetof(ContactConstraint, n) + 12 * sizeof(Real));
-static_assert(offsetof(ContactConstraint, normal_mass) ==
-              offsetof(ContactConstraint, separation) + 12);
-static_assert(offsetof(ContactConstraint, normal_impulse) ==
-              offsetof(ContactConstraint, impact_handled) + sizeof(Real));
-static_assert(offsetof(ContactConstraint, tangent_impulse) ==
-              offsetof(ContactConstraint, impact_handled) + 8);
+struct WideBody {
+  WideVec3 v, w;
+  WideReal inverse_mass;
+  WideMat3 inverse_inertia;
+  WideVec3 delta_position, delta_rotation;
 
-struct BodyLanes {
-  Vec3Lanes v, w;
-  Lanes inverse_mass;
-  Mat3Lanes inverse_inertia;
-  Vec3Lanes delta_position, delta_rotation;
+  explicit WideBody(const PerLane<SolverBody>& bodies)
+      : WideBody(AllReals(bodies, &SolverBody::v)) {}
 
-  explicit BodyLanes(const FourStructs<SolverBody>& from) {
-    auto& [c0, c1, c2] = inverse_inertia.column;
-    Lanes repeated;
-    from.read(0, v.x, v.y, v.z, w.x);
-    from.read(16, w.y, w.z, inverse_mass, c0.x);
-    from.read(32, c0.y, c0.z, c1.x, c1.y);
-    from.read(48, c1.z, c2.x, c2.y, c2.z);
-    from.read(64, delta_position.x, delta_position.y, delta_position.z, delta_rotation.x);
-    from.read(72, repeated, delta_rotation.x, delta_rotation.y, delta_rotation.z);
-  }
-
-  void store_velocities(const FourStructs<SolverBody>& to) const {
-    to.write(0, v.x, v.y, v.z, w.x);
-    to.write(16, w.y, w.z, inverse_mass, inverse_inertia.column[0].x);
+  void store_velocities(const PerLane<SolverBody>& bodies) const {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      bodies[lane]->v = {v.x[lane], v.y[lane], v.z[lane]};
+      bodies[lane]->w = {w.x[lane], w.y[lane], w.z[lane]};
+    }
   }
 
   /// SolverBody::apply().
-  void apply(const Vec3Lanes& impulse, const Vec3Lanes& r) {
+  void apply(const WideVec3& impulse, const WideVec3& r) {
     v = v + inverse_mass * impulse;
     w = w + inverse_inertia * r.cross(impulse);
   }
+
+ private:
+  using AllReals = WideReals<SolverBody, sizeof(SolverBody) / sizeof(Real)>;
+
+  explicit WideBody(const AllReals& body)
+      : v(body(&SolverBody::v)),
+        w(body(&SolverBody::w)),
+        inverse_mass(body(&SolverBody::inverse_mass)),
+        inverse_inertia(body(&SolverBody::world_inverse_inertia)),
+        delta_position(body(&SolverBody::delta_position)),
+        delta_rotation(body(&SolverBody::delta_rotation)) {}
 };
 
-struct ConstraintLanes {
-  Vec3Lanes n, u, r_a, r_b;
-  Lanes separation, friction, restitution, normal_mass;
-  Lanes uu, uv, vu, vv;  ///< tangent_mass, by columns
-  Lanes bias_rate, mass_scale, impulse_scale, approach_velocity;
-  Lanes impact_handled, normal_impulse;
-  Lanes tangent_u, tangent_v;
+struct WideConstraint {
+  using C = ContactConstraint;
 
-  explicit ConstraintLanes(const FourStructs<ContactConstraint>& from) {
-    constexpr std::size_t geometry = offsetof(ContactConstraint, n);
-    from.read(geometry, n.x, n.y, n.z, u.x);
-    from.read(geometry + 16, u.y, u.z, r_a.x, r_a.y);
-    from.read(geometry + 32, r_a.z, r_b.x, r_b.y, r_b.z);
-    from.read(offsetof(ContactConstraint, separation), separation, friction, restitution,
-              normal_mass);
-    from.read(offsetof(ContactConstraint, tangent_mass), uu, vu, uv, vv);
-    from.read(offsetof(ContactConstraint, softness), bias_rate, mass_scale, impulse_scale,
-              approach_velocity);
-    from.read(offsetof(ContactConstraint, impact_handled), impact_handled, normal_impulse,
-              tangent_u, tangent_v);
+  WideVec3 n, u, r_a, r_b;
+  WideReal separation, friction, restitution, normal_mass;
+  WideMat2 tangent_mass;
+  WideReal bias_rate, mass_scale, impulse_scale, approach_velocity;
+  WideReal normal_impulse, tangent_u, tangent_v;
+
+  explicit WideConstraint(const PerLane<C>& constraints)
+      : WideConstraint(Constants(constraints, &C::n), constraints) {}
+
+  void store_impulses(const PerLane<C>& constraints) const {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      constraints[lane]->normal_impulse = normal_impulse[lane];
+      constraints[lane]->tangent_impulse = {tangent_u[lane], tangent_v[lane]};
+    }
   }
 
-  void store_impulses(const FourStructs<ContactConstraint>& to) const {
-    to.write(offsetof(ContactConstraint, impact_handled), impact_handled, normal_impulse, tangent_u,
-             tangent_v);
-  }
+ private:
+  /// The Reals from n to approach_velocity: what a pass does not change.
+  using Constants =
+      WideReals<C, (offsetof(C, approach_velocity) - offsetof(C, n)) / sizeof(Real) + 1>;
+
+  WideConstraint(const Constants& constraint, const PerLane<C>& constraints)
+      : n(constraint(&C::n)),
+        u(constraint(&C::u)),
+        r_a(constraint(&C::r_a)),
+        r_b(constraint(&C::r_b)),
+        separation(constraint(&C::separation)),
+        friction(constraint(&C::friction)),
+        restitution(constraint(&C::restitution)),
+        normal_mass(constraint(&C::normal_mass)),
+        tangent_mass(constraint(&C::tangent_mass)),
+        bias_rate(constraint(&C::softness, &Softness::bias_rate)),
+        mass_scale(constraint(&C::softness, &Softness::mass_scale)),
+        impulse_scale(constraint(&C::softness, &Softness::impulse_scale)),
+        approach_velocity(constraint(&C::approach_velocity)),
+        normal_impulse(gather(constraints, &C::normal_impulse)),
+        tangent_u(gather(constraints, &C::tangent_impulse, 0)),
+        tangent_v(gather(constraints, &C::tangent_impulse, 1)) {}
 };
 
 }  // namespace cs550

@@ -1,11 +1,13 @@
 /// @file passes.cpp
-/// L7.8 for the engine: the constraints of a pass, four at a time, with the bits of the teaching form.
+/// L7.8 for the engine: a pass over the constraints, four at a time, with the bits of the teaching
+/// form.
 ///
-/// Constraints that share no movable body do not see each other: solved together they give what they give one
-/// after the other. So neighbours in the array are taken together as long as that holds, and bodies
-/// stay in registers while the constraints that follow belong to the same pairs; the world puts such constraints
-/// side by side (solve_order.cpp). Four chains of dependent operations then run at once, each of which
-/// alone would leave the processor waiting most of the time.
+/// Constraints that share no movable body do not affect each other: solved together they give the
+/// same result as one after the other. Neighbours in the array are therefore solved together as
+/// long as that holds, and the world puts such constraints side by side (solve_order.cpp). Bodies
+/// stay in registers while the constraints that follow belong to the same pairs. Four chains of
+/// dependent operations then run at once. Each of them alone would leave the processor waiting most
+/// of the time.
 
 #include <cstddef>
 #include <span>
@@ -33,13 +35,13 @@ class Visits {
   bool backwards_;
 };
 
-/// Up to four pairs of bodies, of which no two share a movable one; the lanes that are left hold bodies
-/// at rest.
+/// Up to four pairs of bodies, no two of which share a movable one. The remaining lanes hold a body
+/// of their own at rest.
 class Pairs {
  public:
   explicit Pairs(std::span<SolverBody> bodies) : bodies_(bodies) {}
 
-  /// Takes the pairs of as many constraints as it can, from the given one on. @returns how many
+  /// Takes the pairs of as many consecutive constraints as possible. @returns how many
   std::size_t take(const Visits& constraints, std::size_t first) {
     count_ = 0;
     while (first + count_ < constraints.size() && add(constraints[first + count_])) {
@@ -48,7 +50,7 @@ class Pairs {
     return count_;
   }
 
-  /// How many of the constraints from the given one on belong to the same pairs in turn.
+  /// How many of the constraints that follow belong to the same pairs, lane by lane.
   std::size_t repeats(const Visits& constraints, std::size_t first) const {
     std::size_t lane = 0;
     while (lane < count_ && first + lane < constraints.size() &&
@@ -59,11 +61,11 @@ class Pairs {
     return lane;
   }
 
-  FourStructs<SolverBody> bodies_a() const { return FourStructs<SolverBody>(a_); }
-  FourStructs<SolverBody> bodies_b() const { return FourStructs<SolverBody>(b_); }
+  const PerLane<SolverBody>& bodies_a() const { return a_; }
+  const PerLane<SolverBody>& bodies_b() const { return b_; }
 
  private:
-  SolverBody& body(Index i) const { return bodies_[static_cast<std::size_t>(i)]; }
+  SolverBody& body(Index i) const { return bodies_[i]; }
 
   bool add(const ContactConstraint& constraint) {
     SolverBody& a = body(constraint.body_a);
@@ -84,97 +86,97 @@ class Pairs {
 
   std::span<SolverBody> bodies_;
   std::size_t count_ = 0;
-  SolverBody* a_[lane_count] = {};
-  SolverBody* b_[lane_count] = {};
+  PerLane<SolverBody> a_{};
+  PerLane<SolverBody> b_{};
   SolverBody at_rest_;
 };
 
-void apply_pair(const ConstraintLanes& constraint, const Vec3Lanes& impulse, BodyLanes& a,
-                BodyLanes& b) {
+void apply_pair(const WideConstraint& constraint, const WideVec3& impulse, WideBody& a,
+                WideBody& b) {
   a.apply(-impulse, constraint.r_a);
   b.apply(impulse, constraint.r_b);
 }
 
-Vec3Lanes relative_velocity(const ConstraintLanes& constraint, const BodyLanes& a,
-                            const BodyLanes& b) {
+WideVec3 relative_velocity(const WideConstraint& constraint, const WideBody& a, const WideBody& b) {
   return b.v + b.w.cross(constraint.r_b) - a.v - a.w.cross(constraint.r_a);
 }
 
-Lanes present_separation(const ConstraintLanes& constraint, const BodyLanes& a,
-                         const BodyLanes& b) {
-  const Vec3Lanes moved = b.delta_position + b.delta_rotation.cross(constraint.r_b) -
-                          a.delta_position - a.delta_rotation.cross(constraint.r_a);
+WideReal present_separation(const WideConstraint& constraint, const WideBody& a,
+                            const WideBody& b) {
+  const WideVec3 moved = b.delta_position + b.delta_rotation.cross(constraint.r_b) -
+                         a.delta_position - a.delta_rotation.cross(constraint.r_a);
   return constraint.separation + constraint.n.dot(moved);
 }
 
-struct BiasLanes {
-  Lanes velocity, mass_scale, impulse_scale;
+struct WideBias {
+  WideReal velocity, mass_scale, impulse_scale;
 };
 
-BiasLanes contact_bias(const ConstraintLanes& constraint, Lanes separation,
-                       const ContactStep& step) {
-  const Lanes zero = all_lanes(0);
-  const Lanes fastest = all_lanes(-step.max_push_speed);
-  BiasLanes in_touch{zero, all_lanes(1), zero};
+WideBias contact_bias(const WideConstraint& constraint, WideReal separation,
+                      const ContactStep& step) {
+  const WideReal zero = all_lanes(0);
+  const WideReal fastest = all_lanes(-step.max_push_speed);
+  WideBias in_touch{zero, all_lanes(1), zero};
   if (step.use_bias && step.model == ContactModel::Soft) {
     in_touch.velocity = larger(constraint.bias_rate * separation, fastest);
     in_touch.mass_scale = constraint.mass_scale;
     in_touch.impulse_scale = constraint.impulse_scale;
   } else if (step.use_bias) {
-    const Lanes excess = smaller(separation + all_lanes(step.slop), zero);
+    const WideReal excess = smaller(separation + all_lanes(step.slop), zero);
     in_touch.velocity = larger(all_lanes(step.baumgarte / step.h) * excess, fastest);
   }
-  const LaneMask apart = separation > zero;
-  BiasLanes bias;
+  const WideMask apart = separation > zero;
+  WideBias bias;
   bias.velocity = apart ? separation / all_lanes(step.h) : in_touch.velocity;
   bias.mass_scale = apart ? all_lanes(1) : in_touch.mass_scale;
   bias.impulse_scale = apart ? zero : in_touch.impulse_scale;
   if (step.use_bias && step.model == ContactModel::Baumgarte) {
-    const LaneMask bounces =
+    const WideMask bounces =
         (constraint.restitution > zero) &
         (constraint.approach_velocity < all_lanes(-step.restitution_threshold));
-    const Lanes bounce = constraint.restitution * constraint.approach_velocity;
+    const WideReal bounce = constraint.restitution * constraint.approach_velocity;
     bias.velocity = bounces ? smaller(bias.velocity, bounce) : bias.velocity;
   }
   return bias;
 }
 
-void solve_normal(ConstraintLanes& constraint, BodyLanes& a, BodyLanes& b,
-                  const ContactStep& step) {
-  const BiasLanes bias = contact_bias(constraint, present_separation(constraint, a, b), step);
-  const Lanes jv = constraint.n.dot(relative_velocity(constraint, a, b));
-  const Lanes impulse = -bias.mass_scale * constraint.normal_mass * (jv + bias.velocity) -
-                        bias.impulse_scale * constraint.normal_impulse;
-  const Lanes before = constraint.normal_impulse;
+void solve_normal(WideConstraint& constraint, WideBody& a, WideBody& b, const ContactStep& step) {
+  const WideBias bias = contact_bias(constraint, present_separation(constraint, a, b), step);
+  const WideReal jv = constraint.n.dot(relative_velocity(constraint, a, b));
+  const WideReal impulse = -bias.mass_scale * constraint.normal_mass * (jv + bias.velocity) -
+                           bias.impulse_scale * constraint.normal_impulse;
+  const WideReal before = constraint.normal_impulse;
   constraint.normal_impulse = larger(before + impulse, all_lanes(0));
   apply_pair(constraint, (constraint.normal_impulse - before) * constraint.n, a, b);
 }
 
 /// The smaller eigenvalue of tangent_mass.
-Lanes sliding_mass(const ConstraintLanes& constraint) {
-  const Lanes half_trace = all_lanes(Real(0.5)) * (constraint.uu + constraint.vv);
-  const Lanes determinant = constraint.uu * constraint.vv - constraint.vu * constraint.uv;
+WideReal sliding_mass(const WideConstraint& constraint) {
+  const WideMat2& m = constraint.tangent_mass;
+  const WideReal half_trace = all_lanes(Real(0.5)) * (m.uu + m.vv);
+  const WideReal determinant = m.uu * m.vv - m.vu * m.uv;
   return half_trace - square_root(larger(all_lanes(0), half_trace * half_trace - determinant));
 }
 
-void solve_friction(ConstraintLanes& constraint, BodyLanes& a, BodyLanes& b) {
-  const Vec3Lanes v = constraint.n.cross(constraint.u);
-  const Vec3Lanes relative = relative_velocity(constraint, a, b);
-  const Lanes slip_u = constraint.u.dot(relative);
-  const Lanes slip_v = v.dot(relative);
-  const Lanes before_u = constraint.tangent_u;
-  const Lanes before_v = constraint.tangent_v;
-  const Lanes limit = constraint.friction * constraint.normal_impulse;
-  constraint.tangent_u = before_u - (constraint.uu * slip_u + constraint.uv * slip_v);
-  constraint.tangent_v = before_v - (constraint.vu * slip_u + constraint.vv * slip_v);
-  const LaneMask slides = square_root(constraint.tangent_u * constraint.tangent_u +
+void solve_friction(WideConstraint& constraint, WideBody& a, WideBody& b) {
+  const WideVec3 v = constraint.n.cross(constraint.u);
+  const WideVec3 relative = relative_velocity(constraint, a, b);
+  const WideReal slip_u = constraint.u.dot(relative);
+  const WideReal slip_v = v.dot(relative);
+  const WideReal before_u = constraint.tangent_u;
+  const WideReal before_v = constraint.tangent_v;
+  const WideReal limit = constraint.friction * constraint.normal_impulse;
+  const WideMat2& m = constraint.tangent_mass;
+  constraint.tangent_u = before_u - (m.uu * slip_u + m.uv * slip_v);
+  constraint.tangent_v = before_v - (m.vu * slip_u + m.vv * slip_v);
+  const WideMask slides = square_root(constraint.tangent_u * constraint.tangent_u +
                                       constraint.tangent_v * constraint.tangent_v) > limit;
   if (any(slides)) {
-    const Lanes mass = sliding_mass(constraint);
-    const Lanes u = before_u - mass * slip_u;
-    const Lanes w = before_v - mass * slip_v;
-    const Lanes length = square_root(u * u + w * w);
-    const Lanes scale = limit / length;
+    const WideReal mass = sliding_mass(constraint);
+    const WideReal u = before_u - mass * slip_u;
+    const WideReal w = before_v - mass * slip_v;
+    const WideReal length = square_root(u * u + w * w);
+    const WideReal scale = limit / length;
     constraint.tangent_u = slides ? (length > limit ? scale * u : u) : constraint.tangent_u;
     constraint.tangent_v = slides ? (length > limit ? scale * w : w) : constraint.tangent_v;
   }
@@ -184,16 +186,15 @@ void solve_friction(ConstraintLanes& constraint, BodyLanes& a, BodyLanes& b) {
       b);
 }
 
-/// Constraints of different lanes. Those beyond `count` have no mass.
+/// Solves `count` consecutive constraints, one per lane. The remaining lanes have no mass.
 [[gnu::flatten]] void solve_constraints(const Visits& visits, std::size_t first, std::size_t count,
-                                        BodyLanes& a, BodyLanes& b, const ContactStep& step) {
+                                        WideBody& a, WideBody& b, const ContactStep& step) {
   ContactConstraint idle;
-  ContactConstraint* items[lane_count];
+  PerLane<ContactConstraint> constraints;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    items[lane] = lane < count ? &visits[first + lane] : &idle;
+    constraints[lane] = lane < count ? &visits[first + lane] : &idle;
   }
-  const FourStructs<ContactConstraint> constraints(items);
-  ConstraintLanes constraint(constraints);
+  WideConstraint constraint(constraints);
   if (step.backwards) {
     solve_friction(constraint, a, b);
     solve_normal(constraint, a, b, step);
@@ -212,8 +213,8 @@ void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBo
   Pairs pairs(bodies);
   for (std::size_t i = 0; i < visits.size();) {
     std::size_t count = pairs.take(visits, i);
-    BodyLanes a(pairs.bodies_a());
-    BodyLanes b(pairs.bodies_b());
+    WideBody a(pairs.bodies_a());
+    WideBody b(pairs.bodies_b());
     do {
       solve_constraints(visits, i, count, a, b, step);
       i += count;
