@@ -110,8 +110,7 @@ void apply_restitution(std::span<ContactConstraint> constraints, std::span<Solve
       accumulate_normal(constraint, -constraint.normal_mass * (v_n - target), a, b);
     }
   }
-  for (ContactConstraint& constraint : constraints)
-    constraint.impact_handled = constraint.impact_handled || constraint.normal_impulse > 0;
+  for (ContactConstraint& constraint : constraints) constraint.mark_impact();
 }
 
 }  // namespace cs550

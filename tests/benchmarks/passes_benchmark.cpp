@@ -23,7 +23,7 @@ Bricks cubes_on_the_ground(int count) {
   bricks.step.soft = bricks.step.soft_static = soft_contact(30, 4, bricks.step.h);
   bricks.bodies.resize(static_cast<std::size_t>(count) + 1);
   for (int i = 0; i < count; ++i) {
-    SolverBody& body = bricks.bodies[static_cast<std::size_t>(i)];
+    SolverBody& body = bricks.bodies[i];
     body.inverse_mass = 1;
     body.world_inverse_inertia = 6 * Mat3::Identity();
   }
@@ -67,8 +67,8 @@ void constraints_one_by_one(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
     push_down(bricks);
     for (ContactConstraint& constraint : bricks.constraints) {
-      SolverBody& a = bricks.bodies[static_cast<std::size_t>(constraint.body_a)];
-      SolverBody& b = bricks.bodies[static_cast<std::size_t>(constraint.body_b)];
+      SolverBody& a = bricks.bodies[constraint.body_a];
+      SolverBody& b = bricks.bodies[constraint.body_b];
       solve_normal(constraint, a, b, bricks.step);
       solve_friction(constraint, a, b);
     }

@@ -79,7 +79,7 @@ struct ListAndTree {
 /// Links, boxes and heights of every node below the root.
 void expect_sound(const AabbTree& tree) {
   const auto nodes = tree.nodes();
-  const auto at = [nodes](Index i) { return nodes[static_cast<std::size_t>(i)]; };
+  const auto at = [nodes](Index i) { return nodes[i]; };
   int leaves = 0;
   std::vector<Index> below;
   if (tree.root() != no_index) {
@@ -217,7 +217,7 @@ TEST(AabbTree, StaysShallowWhateverTheOrderOfInsertion) {
 
   for (int lap = 0; lap < 20; ++lap) {
     for (Index leaf = 0; leaf < static_cast<Index>(scattered.nodes().size()); ++leaf) {
-      if (scattered.nodes()[static_cast<std::size_t>(leaf)].height != 0) continue;
+      if (scattered.nodes()[leaf].height != 0) continue;
       scattered.move(leaf, random_bounds(random, 50, 1));
     }
   }
@@ -238,7 +238,7 @@ TEST(AabbTree, LooksAtFewBoxesForASmallQuery) {
   for (const AabbTree::Node& node : tree.nodes()) {
     if (node.height > 0) sum += area(node.bounds);
   }
-  EXPECT_LT(sum / area(tree.nodes()[static_cast<std::size_t>(tree.root())].bounds), 30);
+  EXPECT_LT(sum / area(tree.nodes()[tree.root()].bounds), 30);
 }
 
 TEST(AabbTree, CopyContinuesIdentically) {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-// Every allocation of this program passes through here. In a file of its own, since a compiler that sees
-// one of the two operators beside its callers takes new and free for a mismatch.
+// Every allocation of this program passes through here. In a file of its own, since a compiler that
+// sees one of the two operators beside its callers takes new and free for a mismatch.
 
 namespace {
 std::atomic<long> allocations{0};

@@ -1,4 +1,5 @@
-// A pass over many constraints: whatever kernel the engine runs must leave the bits of one constraint after the other.
+// A pass over many constraints: the kernel that the engine runs must give the bits of solving one
+// constraint after the other.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +55,8 @@ ContactConstraint random_constraint(Random& random, Index a, Index b) {
   return constraint;
 }
 
-/// Bodies of which the last fifth is immovable, and constraints between any two of which one can move.
+/// Random bodies, the last fifth of them immovable, and constraints between pairs with at least one
+/// movable body.
 System random_system(Random& random, const ContactStep& step) {
   System system;
   const Index bodies = random.integer(2, 40);
@@ -69,13 +71,13 @@ System random_system(Random& random, const ContactStep& step) {
   return system;
 }
 
-/// The words of L7.8, with the constraint functions of L7.6 and L7.7.
+/// L7.8 as its contract puts it, with the functions of L7.6 and L7.7.
 void solve_one_by_one(System& system, const ContactStep& step) {
   const std::size_t count = system.constraints.size();
   for (std::size_t i = 0; i < count; ++i) {
     ContactConstraint& constraint = system.constraints[step.backwards ? count - 1 - i : i];
-    SolverBody& a = system.bodies[static_cast<std::size_t>(constraint.body_a)];
-    SolverBody& b = system.bodies[static_cast<std::size_t>(constraint.body_b)];
+    SolverBody& a = system.bodies[constraint.body_a];
+    SolverBody& b = system.bodies[constraint.body_b];
     if (step.backwards) solve_friction(constraint, a, b);
     solve_normal(constraint, a, b, step);
     if (!step.backwards) solve_friction(constraint, a, b);

@@ -49,7 +49,7 @@ World random_scene(Random& random, const std::vector<ShapePtr>& shapes) {
   for (int i = 0; i < count; ++i) {
     const int shape = random.integer(0, static_cast<int>(shapes.size()) - 1);
     const Vec3 place = random.point_in_box({1, 1, 1}) + Vec3(0, 0, Real(1.5));
-    BodyDef def = body_at(shapes[static_cast<std::size_t>(shape)], place);
+    BodyDef def = body_at(shapes[shape], place);
     def.pose.orientation = random.orientation();
     const Real speed = random.real(0, 5);
     def.linear_velocity = speed * random.unit_vector();

@@ -1,4 +1,5 @@
-// The order of the constraints: the same bits as in the order of the contacts, and groups without a shared body.
+// The order of the constraints: results to the bit as in the order of the contacts, and groups that
+// share no body.
 #include "engine/contacts/solve_order.hpp"
 
 #include <gtest/gtest.h>
@@ -13,12 +14,12 @@ namespace cs550::test {
 namespace {
 
 std::vector<RigidBody> bodies_of_kinds(Index movable, Index immovable) {
-  std::vector<RigidBody> bodies(static_cast<std::size_t>(movable + immovable));
+  std::vector<RigidBody> bodies(movable + immovable);
   for (Index i = 0; i < movable; ++i) {
-    bodies[static_cast<std::size_t>(i)].kind = BodyKind::Dynamic;
+    bodies[i].kind = BodyKind::Dynamic;
   }
   for (Index i = movable; i < movable + immovable; ++i) {
-    bodies[static_cast<std::size_t>(i)].kind = BodyKind::Static;
+    bodies[i].kind = BodyKind::Static;
   }
   return bodies;
 }
@@ -31,14 +32,14 @@ Contact contact_between(Index a, Index b, Index points) {
   return contact;
 }
 
-/// Which body pair each constraint of the order belongs to; −1 where no constraint went.
+/// The contact that each constraint of the order belongs to; −1 if a place is empty.
 std::vector<int> contact_of_constraint(const std::vector<Contact>& contacts,
                                        const SolveOrder& order) {
   std::vector<int> owner(order.place_of_point.size(), -1);
   std::size_t point = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     for (Index k = 0; k < contacts[i].manifold.points.size(); ++k) {
-      owner[static_cast<std::size_t>(order.place_of_point[point++])] = static_cast<int>(i);
+      owner[order.place_of_point[point++]] = static_cast<int>(i);
     }
   }
   return owner;
@@ -59,14 +60,14 @@ TEST(SolveOrder, ConstraintsOfAMovableBodyKeepTheirOrder) {
     SolveOrder order;
     arrange_constraints(contacts, bodies, order);
 
-    std::vector<Index> last_constraint(static_cast<std::size_t>(movable), no_index);
+    std::vector<Index> last_constraint(movable, no_index);
     std::size_t point = 0;
     for (const Contact& contact : contacts) {
       for (Index k = 0; k < contact.manifold.points.size(); ++k) {
         const Index constraint = order.place_of_point[point++];
         for (const Index body : {contact.body_a, contact.body_b}) {
           if (body >= movable) continue;
-          Index& last = last_constraint[static_cast<std::size_t>(body)];
+          Index& last = last_constraint[body];
           ASSERT_LT(last, constraint) << "body " << body;
           last = constraint;
         }
@@ -77,7 +78,7 @@ TEST(SolveOrder, ConstraintsOfAMovableBodyKeepTheirOrder) {
   }
 }
 
-/// Of each four constraints that follow each other, every one belongs to a contact of its own.
+/// Checks that any four consecutive constraints belong to four different contacts.
 void expect_full_lanes(const std::vector<Contact>& contacts, Index bodies_on_floor) {
   SolveOrder order;
   arrange_constraints(contacts, bodies_of_kinds(bodies_on_floor, 1), order);

@@ -30,7 +30,8 @@ World scattered_hulls(Random& random, int count) {
   return world;
 }
 
-/// Where a ray enters a convex body from outside, by clipping it with every face plane (Cyrus & Beck).
+/// Where a ray enters a convex body from outside, by clipping it with every face plane (Cyrus &
+/// Beck).
 std::optional<double> entry_distance(const PosedShape& body, const Eigen::Vector3d& origin,
                                      const Eigen::Vector3d& direction) {
   const Eigen::Quaterniond turn(body.pose.orientation.cast<double>());

@@ -1,50 +1,44 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/world/world_state.hpp"
+#include "engine/contacts/contact_constraints.hpp"
 
 /// @file cold_start.cpp
-/// A first guess for contacts that have no impulses of an earlier step to start from.
+/// A first guess for contacts that have no impulses from an earlier step.
 ///
-/// A pass over a box's four corners in turn tips the box a little: the first corner carries the whole
-/// weight until the others had their turn. Ten boxes that are put on each other at once need thousands
-/// of passes to forget that. So resting contacts begin with the load that they would carry if each
-/// pair of bodies touched in one point, the middle of its contact points: one unknown per pair, found
-/// by symmetric Gauss–Seidel sweeps, and shared out evenly among the points.
+/// A pass over a box's four corners in turn tips the box a little: the first corner carries the
+/// whole weight until the others have been solved. Ten boxes that are stacked at once need
+/// thousands of passes to recover. Resting contacts therefore start with the load that they would
+/// carry if each pair of bodies touched at one point, the middle of its contact points. That is one
+/// unknown per pair. It is found by symmetric Gauss–Seidel sweeps and shared evenly among the
+/// points.
 
 namespace cs550 {
 
 namespace {
 
-/// Sweeps end when none changes a velocity by more than this share of what gravity gives in a substep,
-/// or when they have cost this much. A load a thousand times heavier than its support takes thousands.
+/// Sweeps end when none changes a velocity by more than this fraction of what gravity adds in a
+/// substep, or at this cost. A load a thousand times heavier than its support takes thousands of
+/// sweeps.
 constexpr Real enough = Real(1e-5);
 constexpr std::size_t most_visits = 200'000;
 
-SolverBody& velocity_of(WorldState& world, Index body) {
-  return world.velocities[static_cast<std::size_t>(body)];
-}
-
-Real approach(WorldState& world, const ContactConstraint& constraint) {
-  const SolverBody& a = velocity_of(world, constraint.body_a);
-  const SolverBody& b = velocity_of(world, constraint.body_b);
+Real approach(std::span<const SolverBody> bodies, const ContactConstraint& constraint) {
+  const SolverBody& a = bodies[constraint.body_a];
+  const SolverBody& b = bodies[constraint.body_b];
   return constraint.n.dot(b.v + b.w.cross(constraint.r_b) - a.v - a.w.cross(constraint.r_a));
 }
 
-void push_apart(WorldState& world, const ContactConstraint& constraint, Real impulse) {
-  velocity_of(world, constraint.body_a).apply(-impulse * constraint.n, constraint.r_a);
-  velocity_of(world, constraint.body_b).apply(impulse * constraint.n, constraint.r_b);
-}
-
-const ContactConstraint& constraint_at(const WorldState& world, Index place) {
-  return world.constraints[static_cast<std::size_t>(place)];
+void push_apart(std::span<SolverBody> bodies, const ContactConstraint& constraint, Real impulse) {
+  bodies[constraint.body_a].apply(-impulse * constraint.n, constraint.r_a);
+  bodies[constraint.body_b].apply(impulse * constraint.n, constraint.r_b);
 }
 
 /// One constraint in the middle of those of a pair.
-ContactConstraint middle_constraint(WorldState& world, std::span<const Index> places) {
-  ContactConstraint middle = constraint_at(world, places[0]);
+ContactConstraint middle_constraint(const WorldState& world, std::span<const Index> places) {
+  ContactConstraint middle = world.constraints[places[0]];
   for (const Index place : places.subspan(1)) {
-    const ContactConstraint& constraint = constraint_at(world, place);
+    const ContactConstraint& constraint = world.constraints[place];
     middle.r_a += constraint.r_a;
     middle.r_b += constraint.r_b;
     middle.separation = std::min(middle.separation, constraint.separation);
@@ -53,76 +47,84 @@ ContactConstraint middle_constraint(WorldState& world, std::span<const Index> pl
   middle.r_b /= static_cast<Real>(places.size());
   middle.normal_mass =
       constraint_mass(contact_jacobian(middle.n, middle.r_a, middle.r_b),
-                      velocity_of(world, middle.body_a), velocity_of(world, middle.body_b));
+                      world.solver_bodies[middle.body_a], world.solver_bodies[middle.body_b]);
   return middle;
 }
 
 bool is_fresh(const WorldState& world, std::span<const Index> places) {
   return std::all_of(places.begin(), places.end(),
-                     [&](Index place) { return constraint_at(world, place).normal_impulse == 0; });
+                     [&](Index place) { return world.constraints[place].normal_impulse == 0; });
 }
 
-/// The pairs that are new and slow. @pre velocities are those of the bodies
+/// The pairs that are new and slow.
 void list_cold_pairs(WorldState& world) {
-  world.cold_pairs.clear();
+  world.cold_start.pairs.clear();
   const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
   for_constraints_of_contacts(world, [&](const Contact&, std::span<const Index> places) {
     if (places.empty() || !is_fresh(world, places)) return;
     const ContactConstraint middle = middle_constraint(world, places);
-    if (std::abs(approach(world, middle)) < slow) world.cold_pairs.push_back({places, middle});
+    if (std::abs(approach(world.solver_bodies, middle)) < slow) {
+      world.cold_start.pairs.push_back({places, middle});
+    }
   });
 }
 
-/// Leaves velocities as gravity and the impulses that are known will make them.
+/// The velocities that gravity and the known impulses will give the bodies.
 void predict_velocities(WorldState& world, Real h) {
+  std::vector<SolverBody>& bodies = world.cold_start.bodies;
+  bodies = world.solver_bodies;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const RigidBody& body = world.bodies[i];
-    if (body.kind == BodyKind::Dynamic) world.velocities[i].v += h * body.inverse_mass * body.force;
+    if (body.kind == BodyKind::Dynamic) bodies[i].v += h * body.inverse_mass * body.force;
   }
-  for (const ContactConstraint& constraint : world.constraints)
-    push_apart(world, constraint, constraint.normal_impulse);
+  for (const ContactConstraint& constraint : world.constraints) {
+    push_apart(bodies, constraint, constraint.normal_impulse);
+  }
 }
 
-/// Improves the load of one pair; returns how much velocity that changed (m/s).
-Real improve(WorldState& world, ContactConstraint& constraint, Real h) {
+/// Improves the load of one pair. @returns by how much a velocity changed (m/s)
+Real improve(std::span<SolverBody> bodies, ContactConstraint& constraint, Real h) {
   if (constraint.normal_mass == 0) return 0;
   const Real gap_speed = std::max(constraint.separation, Real(0)) / h;
   const Real before = constraint.normal_impulse;
-  const Real wanted = before - constraint.normal_mass * (approach(world, constraint) + gap_speed);
+  const Real wanted = before - constraint.normal_mass * (approach(bodies, constraint) + gap_speed);
   constraint.normal_impulse = std::max(Real(0), wanted);
-  push_apart(world, constraint, constraint.normal_impulse - before);
+  push_apart(bodies, constraint, constraint.normal_impulse - before);
   return std::abs(constraint.normal_impulse - before) / constraint.normal_mass;
+}
+
+/// Sweeps to and fro until the loads no longer change.
+void sweep(ColdStart& cold, Real tolerance, Real h) {
+  const std::size_t most_sweeps = most_visits / cold.pairs.size();
+  Real change = HUGE_VALF;
+  for (std::size_t sweep = 0; sweep < most_sweeps && change > tolerance; ++sweep) {
+    change = 0;
+    const auto visit = [&](ColdPair& pair) {
+      change = std::max(change, improve(cold.bodies, pair.middle, h));
+    };
+    if (sweep % 2 == 0) {
+      std::for_each(cold.pairs.begin(), cold.pairs.end(), visit);
+    } else {
+      std::for_each(cold.pairs.rbegin(), cold.pairs.rend(), visit);
+    }
+  }
 }
 
 }  // namespace
 
 void guess_cold_impulses(WorldState& world, Real h) {
+  ColdStart& cold = world.cold_start;
   list_cold_pairs(world);
-  auto& pairs = world.cold_pairs;
-  if (pairs.empty()) return;
+  if (cold.pairs.empty()) return;
   predict_velocities(world, h);
-
-  const Real tolerance = enough * h * world.settings.gravity.norm();
-  const std::size_t most_sweeps = most_visits / pairs.size();
-  Real change = HUGE_VALF;
-  for (std::size_t sweep = 0; sweep < most_sweeps && change > tolerance; ++sweep) {
-    change = 0;
-    const auto visit = [&](ColdPair& pair) {
-      change = std::max(change, improve(world, pair.middle, h));
-    };
-    if (sweep % 2 == 0) {
-      std::for_each(pairs.begin(), pairs.end(), visit);
-    } else {
-      std::for_each(pairs.rbegin(), pairs.rend(), visit);
+  sweep(cold, enough * h * world.settings.gravity.norm(), h);
+  for (const ColdPair& pair : cold.pairs) {
+    for (const Index place : pair.places) {
+      world.constraints[place].normal_impulse =
+          pair.middle.normal_impulse / static_cast<Real>(pair.places.size());
     }
   }
-  for (const ColdPair& pair : pairs) {
-    for (const Index place : pair.constraints) {
-      world.constraints[static_cast<std::size_t>(place)].normal_impulse =
-          pair.middle.normal_impulse / static_cast<Real>(pair.constraints.size());
-    }
-  }
-  pairs.clear();  // they look into this world's constraint order: a copy of the world must not
+  cold.pairs.clear();  // a copy of the world must not look into the arrays of this one
 }
 
 }  // namespace cs550

@@ -2,8 +2,6 @@
 
 namespace cs550 {
 
-Vec3 ContactConstraint::v() const { return n.cross(u); }
-
 Softness soft_contact(Real hertz, Real damping_ratio, Real h) {
   const Real omega = 2 * pi * hertz;
   const Real a1 = 2 * damping_ratio + h * omega;

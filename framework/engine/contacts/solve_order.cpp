@@ -8,8 +8,8 @@ namespace {
 
 Index point_count(const Contact& contact) { return contact.manifold.points.size(); }
 
-/// Every contact goes into the first group that comes after those of both its bodies (list
-/// scheduling), has room, and grows no longer by it: a lane that has run out of points idles.
+/// Puts every contact into the first group that comes after those of both its bodies (list
+/// scheduling), has room, and does not become longer: a lane that has run out of points idles.
 class Grouping {
  public:
   Grouping(std::span<const Contact> contacts, std::vector<ContactGroup>& groups)
@@ -17,7 +17,7 @@ class Grouping {
     groups_.clear();
   }
 
-  /// @param earliest the contact's bodies are busy before that group
+  /// @param earliest the first group after those of the contact's bodies
   Index place(Index contact, Index earliest) {
     Index group = std::max(earliest, first_open_);
     while (group < count() && !takes(at(group), contact)) ++group;
@@ -29,10 +29,8 @@ class Grouping {
 
  private:
   Index count() const { return static_cast<Index>(groups_.size()); }
-  ContactGroup& at(Index group) { return groups_[static_cast<std::size_t>(group)]; }
-  Index points_of(Index contact) const {
-    return point_count(contacts_[static_cast<std::size_t>(contact)]);
-  }
+  ContactGroup& at(Index group) { return groups_[group]; }
+  Index points_of(Index contact) const { return point_count(contacts_[contact]); }
   bool takes(const ContactGroup& group, Index contact) const {
     return !group.full() && points_of(contact) <= points_of(group[0]);
   }
@@ -48,8 +46,8 @@ void find_groups(std::span<const Contact> contacts, std::span<const RigidBody> b
   order.group_after_body.assign(bodies.size(), 0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (point_count(contacts[i]) == 0) continue;
-    const auto a = static_cast<std::size_t>(contacts[i].body_a);
-    const auto b = static_cast<std::size_t>(contacts[i].body_b);
+    const Index a = contacts[i].body_a;
+    const Index b = contacts[i].body_b;
     const Index earliest = std::max(order.group_after_body[a], order.group_after_body[b]);
     const Index group = grouping.place(static_cast<Index>(i), earliest);
     if (bodies[a].kind == BodyKind::Dynamic) order.group_after_body[a] = group + 1;
@@ -57,7 +55,7 @@ void find_groups(std::span<const Contact> contacts, std::span<const RigidBody> b
   }
 }
 
-/// @returns how many points there are
+/// Counts the points of all contacts and finds the number of each one's first point.
 Index number_points(std::span<const Contact> contacts, SolveOrder& order) {
   order.first_point.clear();
   Index points = 0;
@@ -73,21 +71,18 @@ Index number_points(std::span<const Contact> contacts, SolveOrder& order) {
 void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
                          SolveOrder& order) {
   find_groups(contacts, bodies, order);
-  order.place_of_point.resize(static_cast<std::size_t>(number_points(contacts, order)));
-  const auto points_of = [&](Index i) {
-    return point_count(contacts[static_cast<std::size_t>(i)]);
-  };
+  order.place_of_point.resize(number_points(contacts, order));
+  const auto points_of = [&](Index i) { return point_count(contacts[i]); };
   Index place = 0;
   for (ContactGroup& group : order.groups) {
-    // The longest first: the contacts that go on are then always the first ones.
+    // Longest first: the contacts that have points left are then always the first ones.
     std::sort(group.begin(), group.end(), [&](Index i, Index k) {
       return points_of(i) != points_of(k) ? points_of(i) > points_of(k) : i < k;
     });
     for (Index point = 0; point < points_of(group[0]); ++point) {
       for (const Index contact : group) {
         if (point >= points_of(contact)) break;
-        const Index k = order.first_point[static_cast<std::size_t>(contact)] + point;
-        order.place_of_point[static_cast<std::size_t>(k)] = place++;
+        order.place_of_point[order.first_point[contact] + point] = place++;
       }
     }
   }

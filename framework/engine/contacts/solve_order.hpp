@@ -1,6 +1,6 @@
 #pragma once
 /// @file solve_order.hpp
-/// In which order the constraints of a step are solved.
+/// The order in which the constraints of a step are solved.
 
 #include <span>
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace cs550 {
 
-/// Contacts that are solved side by side, by their place in the list.
+/// Contacts that are solved side by side, by their index in the list.
 using ContactGroup = StaticVector<Index, 4>;
 
-/// Where the constraint of each contact point goes, counted over all contacts in turn; and the room in which
-/// that is found.
+/// The index of the constraint of each contact point, with the points of all contacts counted in
+/// turn; and the working storage of arrange_constraints().
 struct SolveOrder {
   std::vector<Index> place_of_point;
 
@@ -24,10 +24,11 @@ struct SolveOrder {
   std::vector<Index> group_after_body;
 };
 
-/// Puts contacts that share no movable body into groups; of each group first the constraints of their first
-/// points, then those of their second ones, and so on, for solvers that take several at a time. Constraints
-/// that share a body keep their order, and the others do not see each other: a pass in this order
-/// leaves the very bits that a pass in the order of the contacts would.
+/// Orders the constraints for solvers that take several at a time. Contacts that share no movable
+/// body form groups. Within a group the constraints of all first points come first, then those of
+/// all second points, and so on. Constraints that share a body keep their order, and the others do
+/// not affect each other: a pass in this order gives the same bits as one in the order of the
+/// contacts.
 void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
                          SolveOrder& order);
 

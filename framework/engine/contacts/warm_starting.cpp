@@ -1,14 +1,15 @@
-/// @file contact.cpp
-/// Warm starting: last step's impulses, carried over to this step's points.
-
-#include "cs550/contact.hpp"
+/// @file warm_starting.cpp
+/// Warm starting: the impulses of the last step are the first guess of this one. They are stored in
+/// the contact points and carried from the old manifold to the new one.
 
 #include <algorithm>
+
+#include "engine/contacts/contact_constraints.hpp"
 
 namespace cs550 {
 namespace {
 
-/// Which old point each new point continues; no_index where there is none.
+/// For each new point the old point whose impulse it takes over; no_index if there is none.
 using Matches = StaticVector<Index, max_manifold_points>;
 
 bool is_taken(const Matches& matches, Index old) {
@@ -27,8 +28,8 @@ Matches match_features(const Manifold& before, const Manifold& now) {
   return matches;
 }
 
-/// The nearest old point, seen from A, that no new point continues yet.
-Index nearest_left(const Manifold& before, const Matches& matches, const ContactPoint& point) {
+/// The old point nearest to a new one, in A's frame, among those that are not taken.
+Index nearest_free(const Manifold& before, const Matches& matches, const ContactPoint& point) {
   Index nearest = no_index;
   Real smallest = HUGE_VALF;
   for (Index i = 0; i < before.points.size(); ++i) {
@@ -41,12 +42,12 @@ Index nearest_left(const Manifold& before, const Matches& matches, const Contact
   return nearest;
 }
 
-/// A corner that slides over an edge is called differently from then on. Were its impulse lost, the
-/// load would be dropped for a step, and a stack of boxes that stand edge on edge would shake.
+/// A corner that slides over an edge gets a new feature id. If its impulse were lost, the load
+/// would be dropped for a step, and a stack of boxes standing edge on edge would shake.
 Matches match_points(const Manifold& before, const Manifold& now) {
   Matches matches = match_features(before, now);
   for (Index i = 0; i < now.points.size(); ++i) {
-    if (matches[i] == no_index) matches[i] = nearest_left(before, matches, now.points[i]);
+    if (matches[i] == no_index) matches[i] = nearest_free(before, matches, now.points[i]);
   }
   return matches;
 }
@@ -70,6 +71,17 @@ void carry_impulses(const Manifold& before, Manifold& now) {
         last.tangent_impulse.x() * before.tangent + last.tangent_impulse.y() * v_before;
     point.tangent_impulse = {impulse.dot(now.tangent), impulse.dot(v_now)};
   }
+}
+
+void store_impulses(WorldState& world) {
+  for_constraints_of_contacts(world, [&](Contact& contact, std::span<const Index> places) {
+    auto place = places.begin();
+    for (ContactPoint& point : contact.manifold.points) {
+      const ContactConstraint& constraint = world.constraints[*place++];
+      point.normal_impulse = constraint.normal_impulse;
+      point.tangent_impulse = constraint.tangent_impulse;
+    }
+  });
 }
 
 }  // namespace cs550

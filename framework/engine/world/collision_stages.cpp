@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "cs550/clipping.hpp"
 #include "engine/world/stages.hpp"
 
@@ -9,10 +11,8 @@ void find_axes(WorldState& world, Real h) {
   PairList& pairs = world.pairs;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Contact& contact = pairs.contacts[i];
-    const Bounds& swept_bounds_a =
-        world.slots[static_cast<std::size_t>(contact.body_a)].swept_bounds;
-    const Bounds& swept_bounds_b =
-        world.slots[static_cast<std::size_t>(contact.body_b)].swept_bounds;
+    const Bounds& swept_bounds_a = world.slots[contact.body_a].swept_bounds;
+    const Bounds& swept_bounds_b = world.slots[contact.body_b].swept_bounds;
     if (!swept_bounds_a.overlaps(swept_bounds_b)) {
       pairs.axes[i].feature = AxisFeature::None;
       continue;
@@ -54,17 +54,15 @@ void count_contacts(WorldState& world) {
 
 }  // namespace
 
-void drop_manifolds(WorldState& world) {
-  for (Contact& contact : world.pairs.contacts) contact.manifold.points.clear();
-}
-
 void detect_collisions(WorldState& world, Real h) {
-  attempt(world, Stage::BroadPhase, [&] { update_pairs(world, h); });
-  bool done = attempt(world, Stage::Collide, [&] { find_axes(world, h); });
-  if (done && world.settings.check_stages) check_axes(world);
-  done = done && attempt(world, Stage::Manifolds, [&] { build_manifolds(world, h); });
-  if (!done) drop_manifolds(world);
-  if (done && world.settings.check_stages) check_manifolds(world);
+  run_stage(world, Stage::BroadPhase, update_pairs, h);
+  run_stage(world, Stage::Collide, find_axes, h);
+  if (world.settings.check_stages) check_axes(world);
+  // Without all axes there are no manifolds.
+  if (!world.unwritten.contains(Stage::Collide)) {
+    run_stage(world, Stage::Manifolds, build_manifolds, h);
+  }
+  if (world.settings.check_stages) check_manifolds(world);
   count_contacts(world);
 }
 

@@ -1,12 +1,12 @@
 #include <cmath>
 
-#include "engine/world/world_state.hpp"
+#include "engine/world/stages.hpp"
 
 namespace cs550 {
 
 namespace {
 
-/// Rounding of a normalised vector or quaternion, with room for one careless product.
+/// The rounding of a normalised vector or quaternion, with a margin for one product of such.
 constexpr Real unit_tolerance = Real(1e-3);
 
 bool is_unit(const Vec3& v) { return std::abs(v.norm() - 1) < unit_tolerance; }
@@ -18,7 +18,7 @@ void report(WorldState& world, Stage stage, int lab, Index body, const std::stri
                                 ", step " + std::to_string(world.step_count) + ": " + promise});
 }
 
-/// The promise that lab 1 broke for this body, or nothing.
+/// The promise that lab 1 broke for this body, or nullptr.
 const char* broken_promise(const RigidBody& body) {
   if (!body.pose.position.allFinite() || !body.linear_momentum.allFinite()) {
     return "position or linear momentum is not finite";
@@ -43,7 +43,7 @@ bool in_range(const FaceQuery& query, const HalfEdgeMesh& faces_of,
                     in_range(query.vertex, vertices_of.vertex_count()));
 }
 
-/// The promise that lab 4 broke for this axis, or nothing.
+/// The promise that lab 4 broke for this axis, or nullptr.
 const char* broken_promise(const SeparatingAxis& axis, const HalfEdgeMesh& a,
                            const HalfEdgeMesh& b) {
   if (!std::isfinite(axis.separation)) return "the separation is not finite";
@@ -58,7 +58,7 @@ const char* broken_promise(const SeparatingAxis& axis, const HalfEdgeMesh& a,
   return nullptr;
 }
 
-/// The promise that lab 5 broke for this manifold, or nothing.
+/// The promise that lab 5 broke for this manifold, or nullptr.
 const char* broken_promise(const Manifold& manifold) {
   if (manifold.points.empty()) return nullptr;
   if (!is_unit(manifold.normal)) return "the normal is not a unit vector";

@@ -1,8 +1,7 @@
 #pragma once
 /// @file stages.hpp
-/// How the stages of a step are run, and what each of them does to the world.
+/// The parts of a step, and how each is run: timed, and skipped if it is not written yet.
 
-#include <algorithm>
 #include <chrono>
 
 #include "cs550/not_implemented.hpp"
@@ -10,7 +9,7 @@
 
 namespace cs550 {
 
-/// Adds the time until its end of life to a stage's account.
+/// Adds its own lifetime to the time of a stage.
 class StageTimer {
  public:
   StageTimer(StepStats& stats, Stage stage)
@@ -25,48 +24,49 @@ class StageTimer {
   Clock::time_point start_;
 };
 
-/// Runs a stage; one that is not written yet is reported once per step, and the step goes on.
-template <class Run>
-bool attempt(WorldState& world, Stage stage, Run run) {
+/// Reports that a lab function is not written yet. Its stage is skipped until the step ends, and
+/// without one of the contact stages the step goes on without contacts.
+void skip_stage(WorldState& world, Stage stage, const NotImplemented& missing);
+
+/// Runs `part(world, arguments...)` of a stage, unless the stage is known to be unwritten.
+template <class Part, class... Arguments>
+void run_stage(WorldState& world, Stage stage, const Part& part, const Arguments&... arguments) {
+  if (world.unwritten.contains(stage)) return;
   const StageTimer timer(world.stats, stage);
   try {
-    run();
-    return true;
+    part(world, arguments...);
   } catch (const NotImplemented& missing) {
-    const auto same = [&](const StageProblem& known) { return known.message == missing.what(); };
-    if (std::none_of(world.problems.begin(), world.problems.end(), same)) {
-      world.problems.push_back({stage, missing.lab(), no_index, world.step_count, missing.what()});
-    }
-    return false;
+    skip_stage(world, stage, missing);
   }
 }
 
-template <class Visit>
-void for_dynamic_bodies(WorldState& world, Visit visit) {
-  for (RigidBody& body : world.bodies) {
-    if (body.kind == BodyKind::Dynamic) visit(body);
-  }
-}
-
-template <class Visit>
-void for_moving_bodies(WorldState& world, Visit visit) {
-  for (RigidBody& body : world.bodies) {
-    if (body.kind != BodyKind::Static) visit(body);
-  }
-}
-
-/// From bodies to contacts: pairs, axes, manifolds. Without manifolds where a stage is not written.
-/// @param h step (s)
+/// From bodies to contacts: pairs, axes, manifolds. @param h step (s)
 void detect_collisions(WorldState& world, Real h);
-/// Leaves the pairs, but no point in which they touch.
-void drop_manifolds(WorldState& world);
 
-/// What the solver is told of the world's settings. @param h substep (s)
+/// The parameters of a substep. @param h substep (s)
 ContactStep contact_step(const WorldSettings& settings, Real h);
-/// From contacts to constraints and velocities, which the substeps share.
+/// From contacts to constraints, with their masses and first impulses.
 void prepare(WorldState& world, const ContactStep& step);
-/// One substep. @param with_contacts whether there are constraints to solve; false once a solver's stage
-/// turns out not to be written
-void substep(WorldState& world, const ContactStep& step, bool& with_contacts);
+/// Moves the bodies by one substep and solves their contacts.
+void substep(WorldState& world, const ContactStep& step);
+/// integrate_pose() and refresh_velocity(), with a guard against turns that the midpoint iteration
+/// cannot follow. @param h substep (s) @pre velocities are up to date
+void turn_and_move(RigidBody& body, Real h, RotationMethod method);
+
+/// Checks of what a stage promised. Broken promises are reported in problems(), and their effect is
+/// undone.
+/// @{
+void check_bodies(WorldState& world);
+void check_axes(WorldState& world);
+void check_manifolds(WorldState& world);
+/// @}
+
+/// The audit of linear momentum: its change during a step, less the impulses from outside the
+/// dynamic bodies. Without settings.audit_momentum these do nothing. @param h step, or substep (s)
+/// @{
+void begin_audit(WorldState& world);
+void audit_substep(WorldState& world, Real h);
+void end_audit(WorldState& world, Real h);
+/// @}
 
 }  // namespace cs550

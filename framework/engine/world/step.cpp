@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/contacts/contact_constraints.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -10,15 +11,28 @@ namespace {
 void begin_step(WorldState& world) {
   world.stats = {};
   world.problems.clear();
+  world.unwritten.clear();
   world.began.clear();
   world.ended.clear();
   std::swap(world.ended, world.ended_by_removal);
+  world.solver_bodies.assign(world.bodies.size(), {});  // without displacement
   if (world.settings.check_stages) world.bodies_before = world.bodies;
+}
+
+void refresh_velocities(WorldState& world) {
+  for (RigidBody& body : world.bodies) {
+    if (body.kind != BodyKind::Static) refresh_velocity(body);
+  }
 }
 
 void apply_gravity(WorldState& world) {
   for_dynamic_bodies(world,
                      [&](RigidBody& body) { body.force += body.mass * world.settings.gravity; });
+}
+
+/// The naive solver sees separations only as they are when the step begins, so it gets one substep.
+int substep_count(const WorldSettings& settings) {
+  return settings.solver == SolverKind::Naive ? 1 : std::max(1, settings.substeps);
 }
 
 void clear_forces(WorldState& world) {
@@ -28,38 +42,39 @@ void clear_forces(WorldState& world) {
   }
 }
 
-/// What the error is measured against: the momenta, and at rest the weight that acts in a step.
-void audit_scale(WorldState& world, Real h) {
-  double sum = 0;
-  for_dynamic_bodies(world, [&](RigidBody& body) {
-    sum += static_cast<double>(body.linear_momentum.norm());
-    sum += static_cast<double>(body.mass * world.settings.gravity.norm() * h);
-  });
-  world.audit.largest_sum = std::max(world.audit.largest_sum, sum);
+void drop_contacts(WorldState& world) {
+  for (Contact& contact : world.pairs.contacts) contact.manifold.points.clear();
+  world.constraints.clear();
 }
 
 }  // namespace
 
+void skip_stage(WorldState& world, Stage stage, const NotImplemented& missing) {
+  world.unwritten.add(stage);
+  if (stage != Stage::Integrate) drop_contacts(world);
+  const auto is_same = [&](const StageProblem& known) { return known.message == missing.what(); };
+  if (std::any_of(world.problems.begin(), world.problems.end(), is_same)) return;
+  world.problems.push_back({stage, missing.lab(), no_index, world.step_count, missing.what()});
+}
+
 void advance(WorldState& world, Real h) {
   begin_step(world);
-  attempt(world, Stage::Integrate, [&] { for_moving_bodies(world, refresh_velocity); });
+  run_stage(world, Stage::Integrate, refresh_velocities);
   detect_collisions(world, h);
 
-  // The naive solver knows only separations as they were found: it gets one substep.
-  const int substeps =
-      world.settings.solver == SolverKind::Naive ? 1 : std::max(1, world.settings.substeps);
+  const int substeps = substep_count(world.settings);
   const ContactStep step = contact_step(world.settings, h / static_cast<Real>(substeps));
   apply_gravity(world);
-  bool with_contacts = attempt(world, Stage::Prepare, [&] { prepare(world, step); });
-  if (!with_contacts) world.constraints.clear();
-  for (int i = 0; i < substeps; ++i) substep(world, step, with_contacts);
+  run_stage(world, Stage::Prepare, prepare, step);
+  begin_audit(world);
+  for (int i = 0; i < substeps; ++i) substep(world, step);
+  end_audit(world, h);
 
-  if (!with_contacts) drop_manifolds(world);
   store_impulses(world);
+  note_touching(world);
   clear_forces(world);
   if (world.settings.check_stages) check_bodies(world);
-  if (world.settings.audit_momentum) audit_scale(world, h);
-  attempt(world, Stage::BroadPhase, [&] { enclose_bodies(world); });
+  run_stage(world, Stage::BroadPhase, enclose_bodies);
   ++world.step_count;
   world.time += static_cast<double>(h);
 }

@@ -1,94 +1,103 @@
 #include <algorithm>
 
 #include "cs550/naive_solver.hpp"
+#include "engine/contacts/contact_constraints.hpp"
+#include "engine/contacts/solver_bodies.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
 
 namespace {
 
-/// v_n⁰ is measured before this substep's gravity and warm start, until the impact has been handled.
+bool is_soft(const WorldSettings& settings) {
+  return settings.solver == SolverKind::Constraint && settings.contact_model == ContactModel::Soft;
+}
+
+/// v_n⁰, before this substep's gravity and warm start. It stays what it is once the impact is
+/// handled.
 void measure_approach(WorldState& world) {
   for (ContactConstraint& constraint : world.constraints) {
     if (constraint.impact_handled || constraint.restitution == 0) continue;
-    const SolverBody& a = world.velocities[static_cast<std::size_t>(constraint.body_a)];
-    const SolverBody& b = world.velocities[static_cast<std::size_t>(constraint.body_b)];
+    SolverBody a;
+    SolverBody b;
+    gather(world.bodies[constraint.body_a], a);
+    gather(world.bodies[constraint.body_b], b);
     constraint.approach_velocity =
         normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n);
   }
 }
 
-void warm_start_constraints(WorldState& world) {
+void integrate_momenta(WorldState& world, Real h) {
+  for_dynamic_bodies(world, [&](RigidBody& body) {
+    integrate_momentum(body, h);
+    refresh_velocity(body);
+  });
+}
+
+/// The substep starts with the impulses of the one before, or with none.
+void start_impulses(WorldState& world, std::span<SolverBody> bodies) {
+  const WorldSettings& settings = world.settings;
+  const bool warm = settings.warm_starting && settings.solver == SolverKind::Constraint;
   for (ContactConstraint& constraint : world.constraints) {
-    if (!world.settings.warm_starting) {
+    if (warm) {
+      warm_start(constraint, bodies[constraint.body_a], bodies[constraint.body_b]);
+    } else {
       constraint.normal_impulse = 0;
       constraint.tangent_impulse.setZero();
-      continue;
     }
-    warm_start(constraint, world.velocities[static_cast<std::size_t>(constraint.body_a)],
-               world.velocities[static_cast<std::size_t>(constraint.body_b)]);
   }
 }
 
-void mark_struck(WorldState& world) {
-  for (ContactConstraint& constraint : world.constraints)
-    constraint.impact_handled = constraint.impact_handled || constraint.normal_impulse > 0;
-}
-
-void solve_naive(WorldState& world) {
-  for (ContactConstraint& constraint : world.constraints) constraint.normal_impulse = 0;
-  for (int i = 0; i < world.settings.iterations; ++i) {
-    resolve_contacts_naive(world.constraints, world.velocities);
-  }
-}
-
-/// Passes of a substep go to and fro: two together are symmetric (see solve_contacts()).
-bool goes_backwards(int pass) { return pass % 2 == 1; }
-
-void solve(WorldState& world, ContactStep step) {
-  gather_solver_bodies(world, world.velocities);
+/// One pass of the chosen solver. The passes of a substep alternate in direction: two of them
+/// together are symmetric (see solve_contacts()).
+void solve_pass(WorldState& world, std::span<SolverBody> bodies, ContactStep step, int pass) {
   if (world.settings.solver == SolverKind::Naive) {
-    solve_naive(world);
+    resolve_contacts_naive(world.constraints, bodies);
   } else {
+    step.backwards = pass % 2 == 1;
+    solve_contacts(world.constraints, bodies, step);
+  }
+}
+
+void solve_with_bias(WorldState& world, const ContactStep& step) {
+  with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
     refresh_masses(world, step);
-    warm_start_constraints(world);
-    step.use_bias = true;
-    for (int i = 0; i < world.settings.iterations; ++i) {
-      step.backwards = goes_backwards(i);
-      solve_contacts(world.constraints, world.velocities, step);
+    start_impulses(world, bodies);
+    for (int pass = 0; pass < world.settings.iterations; ++pass) {
+      solve_pass(world, bodies, step, pass);
     }
-  }
-  write_back_momenta(world);
+  });
 }
 
-/// Takes out the speed that the bias put in, then lets impacts bounce.
-void relax(WorldState& world, ContactStep step) {
-  const bool soft = world.settings.solver == SolverKind::Constraint &&
-                    world.settings.contact_model == ContactModel::Soft;
-  if (soft) {
-    gather_solver_bodies(world, world.velocities);
-    step.use_bias = false;
-    for (int i = 0; i < world.settings.relax_iterations; ++i) {
-      step.backwards = goes_backwards(world.settings.iterations + i);
-      solve_contacts(world.constraints, world.velocities, step);
-    }
-    apply_restitution(world.constraints, world.velocities, step);
-    write_back_momenta(world);
-  } else {
-    mark_struck(world);
-  }
-}
-
-void move_bodies(WorldState& world, Real h) {
-  for_moving_bodies(world,
-                    [&](RigidBody& body) { turn_and_move(body, h, world.settings.rotation); });
-}
-
-/// What the bodies move in this substep is what separations change by. @pre before move_bodies()
-void add_displacements(WorldState& world, Real h) {
+/// Separations change by what the bodies move in this substep: displacements are counted first.
+void integrate_poses(WorldState& world, Real h) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    world.velocities[i].delta_position += h * world.bodies[i].linear_velocity;
-    world.velocities[i].delta_rotation += h * world.bodies[i].angular_velocity;
+    RigidBody& body = world.bodies[i];
+    if (body.kind == BodyKind::Static) continue;
+    world.solver_bodies[i].delta_position += h * body.linear_velocity;
+    world.solver_bodies[i].delta_rotation += h * body.angular_velocity;
+    turn_and_move(body, h, world.settings.rotation);
+  }
+}
+
+/// Removes the velocity that the bias has added.
+void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
+  step.use_bias = false;
+  const int first = world.settings.iterations;
+  for (int pass = first; pass < first + world.settings.relax_iterations; ++pass) {
+    solve_pass(world, bodies, step, pass);
+  }
+}
+
+/// Impacts bounce here if contacts are soft. The other models bounce in their passes.
+void relax_and_bounce(WorldState& world, const ContactStep& step) {
+  if (is_soft(world.settings)) {
+    with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
+      relax(world, bodies, step);
+      apply_restitution(world.constraints, bodies, step);
+    });
+  } else {
+    for (ContactConstraint& constraint : world.constraints) constraint.mark_impact();
   }
 }
 
@@ -112,40 +121,20 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 
 void prepare(WorldState& world, const ContactStep& step) {
   make_constraints(world);
-  world.velocities.assign(world.bodies.size(), SolverBody{});
-  gather_solver_bodies(world, world.velocities);
-  if (world.settings.solver == SolverKind::Constraint) {
-    prepare_contacts(world.constraints, world.velocities, step);
+  if (world.settings.solver == SolverKind::Naive) return;
+  with_solver_bodies(world, [&](std::span<const SolverBody> bodies) {
+    prepare_contacts(world.constraints, bodies, step);
     if (world.settings.warm_starting) guess_cold_impulses(world, step.h);
-  }
+  });
 }
 
-void substep(WorldState& world, const ContactStep& step, bool& with_contacts) {
-  const Real h = step.h;
-  const Eigen::Vector3d momentum_before =
-      world.settings.audit_momentum ? total_momentum(world) : Eigen::Vector3d::Zero();
-
-  with_contacts = with_contacts && attempt(world, Stage::Solve, [&] {
-                    gather_solver_bodies(world, world.velocities);
-                    measure_approach(world);
-                  });
-  attempt(world, Stage::Integrate, [&] {
-    for_dynamic_bodies(world, [&](RigidBody& body) {
-      integrate_momentum(body, h);
-      refresh_velocity(body);
-    });
-  });
-  with_contacts = with_contacts && attempt(world, Stage::Solve, [&] { solve(world, step); });
-  attempt(world, Stage::Integrate, [&] {
-    add_displacements(world, h);
-    move_bodies(world, h);
-  });
-  with_contacts = with_contacts && attempt(world, Stage::Solve, [&] { relax(world, step); });
-  if (!with_contacts) world.constraints.clear();
-
-  if (world.settings.audit_momentum) {
-    world.audit.unexplained += total_momentum(world) - momentum_before - outer_impulse(world, h);
-  }
+void substep(WorldState& world, const ContactStep& step) {
+  run_stage(world, Stage::Solve, measure_approach);
+  run_stage(world, Stage::Integrate, integrate_momenta, step.h);
+  run_stage(world, Stage::Solve, solve_with_bias, step);
+  run_stage(world, Stage::Integrate, integrate_poses, step.h);
+  run_stage(world, Stage::Solve, relax_and_bounce, step);
+  audit_substep(world, step.h);
 }
 
 }  // namespace cs550

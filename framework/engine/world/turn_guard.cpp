@@ -1,12 +1,12 @@
 #include <cmath>
 
-#include "engine/world/world_state.hpp"
+#include "engine/world/stages.hpp"
 
 /// @file turn_guard.cpp
 /// The implicit midpoint is solved by fixed-point iteration, which contracts only while
-/// ½·h·|ω|·I_max/I_min < 1. In substeps of 1/480 s a needle of 1 : 50 breaks that at 0.8 rad/s, and the
-/// lost solution can have any energy up to L²/(2·I_min). A free turn cannot gain energy: that is the
-/// guard.
+/// ½·h·|ω|·I_max/I_min < 1. In substeps of 1/480 s a needle of 1 : 50 breaks that at 0.8 rad/s, and
+/// the lost solution can have any energy up to L²/(2·I_min). A free turn cannot gain energy: that
+/// is the guard.
 
 namespace cs550 {
 
@@ -15,7 +15,7 @@ namespace {
 constexpr Real allowed_gain = Real(1.01);
 constexpr int smaller_turns = 8;
 
-/// @pre velocities are fresh
+/// @pre velocities are up to date
 Real turning_energy(const RigidBody& body) {
   return Real(0.5) * body.angular_velocity.dot(body.angular_momentum);
 }
@@ -40,7 +40,8 @@ void turn_and_move(RigidBody& body, Real h, RotationMethod method) {
   turn(body, h, method, smaller_turns);
   const Real gained = turning_energy(body);
   if (gained <= allowed_gain * energy) return;
-  // Better to lose momentum, which friction soon does anyway, than to throw the body out of the scene.
+  // Better to lose momentum, which friction soon does anyway, than to throw the body out of the
+  // scene.
   body.angular_momentum *= std::sqrt(energy / gained);
   refresh_velocity(body);
 }

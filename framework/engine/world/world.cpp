@@ -42,7 +42,7 @@ RigidBody make_body(const BodyDef& def) {
   return body;
 }
 
-/// The lowest free place, so that the same calls give the same order of bodies.
+/// The lowest free index, so that the same calls give the same order of bodies.
 std::size_t free_place(const WorldState& world) {
   std::size_t place = 0;
   if (world.alive_count == static_cast<int>(world.slot_count())) return world.slot_count();
@@ -53,8 +53,8 @@ std::size_t free_place(const WorldState& world) {
 /// Fowler–Noll–Vo hash, variant 1a, of the bytes of some numbers.
 class Fnv1a {
  public:
-  template <int Constraints>
-  void add(const Eigen::Matrix<Real, Constraints, 1, Eigen::DontAlign>& numbers) {
+  template <int Size>
+  void add(const Eigen::Matrix<Real, Size, 1, Eigen::DontAlign>& numbers) {
     unsigned char bytes[sizeof numbers];
     std::memcpy(bytes, numbers.data(), sizeof bytes);
     for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 0x100000001b3ULL;
@@ -120,8 +120,8 @@ BodyId World::add_body(const BodyDef& def) {
 
 void World::remove_body(BodyId id) {
   if (!is_alive(id)) return;
-  const auto i = static_cast<std::size_t>(id.index);
-  remove_pairs_of(*state_, id.index);
+  const Index i = id.index;
+  remove_pairs_of(*state_, i);
   state_->tree.remove(state_->slots[i].leaf);
   state_->slots[i] = {state_->slots[i].generation + 1, false, no_index, {}};
   state_->bodies[i] = make_immovable_body(BodyKind::Static, {});
@@ -131,20 +131,16 @@ void World::remove_body(BodyId id) {
 
 bool World::is_alive(BodyId id) const {
   return id.index >= 0 && id.index < static_cast<Index>(state_->slot_count()) &&
-         state_->slots[static_cast<std::size_t>(id.index)].alive && id == id_at(id.index);
+         state_->slots[id.index].alive && id == id_at(id.index);
 }
 
 int World::body_count() const { return state_->alive_count; }
 std::span<const RigidBody> World::bodies() const { return state_->bodies; }
 BodyId World::id_at(Index index) const { return state_->id_at(index); }
-const RigidBody& World::body(BodyId id) const {
-  return state_->bodies[static_cast<std::size_t>(id.index)];
-}
-RigidBody& World::body(BodyId id) { return state_->bodies[static_cast<std::size_t>(id.index)]; }
+const RigidBody& World::body(BodyId id) const { return state_->bodies[id.index]; }
+RigidBody& World::body(BodyId id) { return state_->bodies[id.index]; }
 const ShapePtr& World::shape(BodyId id) const { return definition(id).shape; }
-const BodyDef& World::definition(BodyId id) const {
-  return state_->definitions[static_cast<std::size_t>(id.index)];
-}
+const BodyDef& World::definition(BodyId id) const { return state_->definitions[id.index]; }
 PosedShape World::posed_shape(BodyId id) const { return state_->posed_shape(id.index); }
 
 void World::step(Real h) { advance(*state_, h); }

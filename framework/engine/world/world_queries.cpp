@@ -6,8 +6,8 @@ namespace cs550 {
 
 namespace {
 
-/// Clips a ray by the planes of a convex body (Cyrus & Beck 1978): the last plane that it enters is
-/// the face that it meets, if it has not left by another one before.
+/// Clips a ray by the planes of a convex body (Cyrus & Beck 1978). The ray hits the face whose plane
+/// it enters last, unless it leaves through another plane before.
 std::optional<RayHit> ray_against(const PosedShape& body, const Vec3& origin, const Vec3& direction,
                                   Real length) {
   const Vec3 local_origin = body.pose.to_body(origin);

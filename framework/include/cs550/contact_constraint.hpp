@@ -47,6 +47,8 @@ struct ContactConstraint {
 
   /// The second tangent, unit, world frame.
   Vec3 v() const;
+  /// Sets impact_handled if λ_n is positive; never clears it.
+  void mark_impact();
 };
 
 }  // namespace cs550

@@ -1,0 +1,29 @@
+#pragma once
+/// @file solver_bodies.hpp
+/// SolverBody[], the copy of the bodies that contact solvers work on.
+
+#include <span>
+
+#include "engine/world/world_state.hpp"
+
+namespace cs550 {
+
+/// Copies mass, inertia and velocities of a body. The displacement is kept.
+void gather(const RigidBody& body, SolverBody& solver_body);
+/// Does so for all bodies.
+void gather_solver_bodies(WorldState& world);
+/// Gives the bodies the momenta that belong to the velocities in SolverBody[]. Only the *change* is
+/// added, so that a body without contacts keeps P and L to the last bit.
+void write_back_momenta(WorldState& world);
+
+/// Runs `solve(bodies)` on SolverBody[] between gathering and writing back. Nothing else gathers or
+/// writes back the array. Without constraints there is nothing to solve.
+template <class Solve>
+void with_solver_bodies(WorldState& world, const Solve& solve) {
+  if (world.constraints.empty()) return;
+  gather_solver_bodies(world);
+  solve(std::span<SolverBody>(world.solver_bodies));
+  write_back_momenta(world);
+}
+
+}  // namespace cs550
