@@ -2,4 +2,4 @@
 file(GLOB figure_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cpp")
 add_executable(book_figures EXCLUDE_FROM_ALL ${figure_sources})
 target_link_libraries(book_figures PRIVATE cs550_engine cs550_drawing CLI11::CLI11 cs550_warnings)
-cs550_link_each_lab(book_figures fast reference assembled stub)  # in a students' copy: their own
+cs550_link_labs(book_figures fast reference assembled stub)  # in a students' copy: their own

@@ -44,7 +44,7 @@ std::string starter_version() {
 }
 
 bool compiles(int lab) {
-  if (build("student", "lab" + std::to_string(lab) + "_student_object")) return true;
+  if (build("student", "lab" + std::to_string(lab) + "_student_code")) return true;
   std::cerr << "cs550: lab " << lab << " does not compile: nothing was packed\n";
   return false;
 }

@@ -1,15 +1,18 @@
 # Everyone who includes a header of the contract agrees on these, or two files read the same struct
 # differently (alignment) or compute different bits (contraction).
 add_library(cs550_contract INTERFACE)
-target_include_directories(cs550_contract INTERFACE "${PROJECT_SOURCE_DIR}/framework/include")
+target_include_directories(cs550_contract INTERFACE
+                           "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework/include>"
+                           "$<INSTALL_INTERFACE:include>")
+target_compile_features(cs550_contract INTERFACE cxx_std_20)
 target_link_libraries(cs550_contract INTERFACE Eigen3::Eigen)
 target_compile_definitions(cs550_contract INTERFACE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MPL2_ONLY)
 # A compiler cache may hand the compiler relative names.
 cmake_path(RELATIVE_PATH PROJECT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_BINARY_DIR}"
            OUTPUT_VARIABLE way_to_root)
 target_compile_options(cs550_contract INTERFACE -ffp-contract=off
-                       "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/="
-                       "-ffile-prefix-map=${way_to_root}/=")
+                       "$<BUILD_INTERFACE:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>"
+                       "$<BUILD_INTERFACE:-ffile-prefix-map=${way_to_root}/=>")
 
 # Our own code.
 add_library(cs550_warnings INTERFACE)

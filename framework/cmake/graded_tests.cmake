@@ -6,49 +6,58 @@
 include(manifests)
 
 set(result_folder "${PROJECT_BINARY_DIR}/results")
-set(CS550_GRADED_VARIANTS student sanitized reference fast stub)
 add_custom_target(update_manifests)
 
 # Helpers that tests share, and the libraries that serve as oracles.
 file(GLOB support_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/helpers/*.cpp")
-if(support_sources)
-  add_library(cs550_test_support STATIC ${support_sources})
-  set(scope PUBLIC)
-  target_link_libraries(cs550_test_support PRIVATE cs550_warnings)
-  target_compile_definitions(cs550_test_support PRIVATE
-    CS550_PICTURES_DIR="${PROJECT_SOURCE_DIR}/build/results/pictures")
-else()
-  add_library(cs550_test_support INTERFACE)
-  set(scope INTERFACE)
-endif()
-target_include_directories(cs550_test_support ${scope} "${PROJECT_SOURCE_DIR}/tests")
-target_compile_definitions(cs550_test_support ${scope}
-                           CS550_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/fixtures"
-                           CS550_ASSETS="${PROJECT_SOURCE_DIR}/framework/assets")
-target_link_libraries(cs550_test_support ${scope} cs550_engine cs550_drawing cs550_autograder
-                      GTest::gtest PkgConfig::ccd cereal::cereal)
+add_library(cs550_test_support STATIC ${support_sources})
+target_link_libraries(cs550_test_support PRIVATE cs550_warnings
+  PUBLIC cs550_engine cs550_drawing cs550_autograder GTest::gtest PkgConfig::ccd cereal::cereal)
+target_include_directories(cs550_test_support PUBLIC "${PROJECT_SOURCE_DIR}/tests")
+target_compile_definitions(cs550_test_support
+  PRIVATE CS550_PICTURES_DIR="${PROJECT_SOURCE_DIR}/build/results/pictures"
+  PUBLIC CS550_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/fixtures"
+         CS550_ASSETS="${PROJECT_SOURCE_DIR}/framework/assets")
 
 cs550_precompiled_headers(precompiled_for_tests
   LIBRARIES cs550_test_support cs550_warnings
   HEADERS <cs550/math.hpp> <cs550/graded_test.hpp>)
 
+# The functions of every lab, by the reference or else the stub.
+set(lab_functions "${lab_folder}/lab_functions.inc")
+set(contract_code "")
+if(CS550_ISOLATE_LABS)
+  foreach(number IN LISTS CS550_LABS)
+    cs550_first_variant(variant ${number} reference stub)
+    list(APPEND contract_code lab${number}_${variant}_code)
+  endforeach()
+endif()
+list(TRANSFORM contract_code REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE contract_libraries)
+add_custom_command(OUTPUT "${lab_functions}"
+  COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/list_lab_functions.sh" "${CMAKE_NM}" "${lab_functions}" ${contract_libraries}
+  DEPENDS ${contract_code} "${CMAKE_CURRENT_LIST_DIR}/list_lab_functions.sh" VERBATIM)
+
+# The main of every graded executable.
+file(GLOB runner_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/autograder/runner/*.cpp")
+add_library(cs550_graded_main OBJECT EXCLUDE_FROM_ALL ${runner_sources} "${lab_functions}")
+target_include_directories(cs550_graded_main PRIVATE "${lab_folder}")
+target_link_libraries(cs550_graded_main PUBLIC cs550_autograder ${CMAKE_DL_LIBS} PRIVATE cs550_warnings)
+
 function(cs550_add_graded_lab number)
   set(folder "${PROJECT_SOURCE_DIR}/tests/${CS550_LAB${number}_NAME}")
-  file(GLOB visible CONFIGURE_DEPENDS "${folder}/*.cpp")
-  file(GLOB hidden CONFIGURE_DEPENDS "${folder}/hidden/*.cpp")
-  if(NOT visible AND NOT hidden)
+  file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp" "${folder}/hidden/*.cpp")
+  if(NOT sources)
     message(STATUS "Lab ${number} has no graded tests yet")
     return()
   endif()
-
   # Compiled once, linked with every variant.
-  add_library(lab${number}_tests OBJECT EXCLUDE_FROM_ALL ${visible} ${hidden})
-  target_link_libraries(lab${number}_tests PRIVATE cs550_test_support cs550_warnings)
+  add_library(lab${number}_tests OBJECT EXCLUDE_FROM_ALL ${sources})
+  target_link_libraries(lab${number}_tests PUBLIC cs550_test_support PRIVATE cs550_warnings)
   cs550_precompile(lab${number}_tests precompiled_for_tests)
 
   cs550_read_manifest(${number})
-  foreach(variant IN LISTS CS550_GRADED_VARIANTS)
-    if(variant IN_LIST CS550_LAB${number}_VARIANTS)
+  foreach(variant student sanitized reference fast stub)
+    if(TARGET lab${number}_${variant}_code)
       cs550_add_graded_executable(${number} ${variant})
       if(NOT variant MATCHES "^(sanitized|stub)$")
         cs550_register_graded_tests(${number} ${variant})
@@ -58,14 +67,18 @@ function(cs550_add_graded_lab number)
   cs550_add_manifest_update(${number})
 endfunction()
 
+# One mistake is marked once: the other labs are the reference. A students' copy has none and takes
+# the student's.
 function(cs550_add_graded_executable number variant)
   set(target lab${number}_${variant})
-  add_executable(${target} $<TARGET_OBJECTS:lab${number}_tests>
-                           $<TARGET_OBJECTS:cs550_graded_main>
-                           $<TARGET_OBJECTS:cs550_lab_table>)
-  target_link_libraries(${target} PRIVATE cs550_test_support)
+  add_executable(${target})
+  target_link_libraries(${target} PRIVATE lab${number}_tests cs550_graded_main)
   cs550_link_lab(${target} ${number} ${variant})
-  cs550_link_other_labs(${target} ${number})
+  foreach(other IN LISTS CS550_LABS)
+    if(NOT other EQUAL number)
+      cs550_link_lab(${target} ${other} reference assembled stub)
+    endif()
+  endforeach()
   if(variant STREQUAL "sanitized")
     target_link_libraries(${target} PRIVATE cs550_sanitizers)
   endif()
@@ -74,7 +87,8 @@ function(cs550_add_graded_executable number variant)
   endif()
 endfunction()
 
-# Exit code 77: blocked by an earlier lab, neither passed nor failed.
+# Registered from the manifest, not discovered: ctest knows the tests of a program that is not built,
+# and never runs a student's code to list them. Exit code 77: blocked by an earlier lab.
 function(cs550_register_graded_tests number variant)
   foreach(test IN LISTS CS550_LAB${number}_TESTS)
     set(name "${variant}.Lab${number}.${test}")

@@ -59,8 +59,8 @@ function(cs550_add_viewer target)
 endfunction()
 
 cs550_add_viewer(cs550_viewer)
-cs550_link_fast_labs(cs550_viewer)
+cs550_link_labs(cs550_viewer fast reference stub)
 
 cs550_add_viewer(cs550_viewer_student)
-cs550_link_student_labs(cs550_viewer_student)
+cs550_link_labs(cs550_viewer_student assembled reference)
 set_target_properties(cs550_viewer_student PROPERTIES EXCLUDE_FROM_ALL TRUE)

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lab4 {
-
-using namespace cs550;
+namespace cs550::lab4 {
 
 SeparatingAxis with_feature(AxisFeature feature, SeparatingAxis queries, const PosedShape& a,
                             const PosedShape& b) {
@@ -50,4 +48,4 @@ AxisFeature best_feature(const SeparatingAxis& queries, AxisFeature last, Real t
   return best;
 }
 
-}  // namespace lab4
+}  // namespace cs550::lab4

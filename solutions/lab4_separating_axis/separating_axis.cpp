@@ -101,6 +101,17 @@ SeparatingAxis retest(const PosedShape& a, const PosedShape& b, const Separating
 
 }  // namespace
 
+bool is_minkowski_face(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 bxa = b.cross(a);
+  const Vec3 dxc = d.cross(c);
+  const Real cba = c.dot(bxa);
+  const Real dba = d.dot(bxa);
+  const Real adc = a.dot(dxc);
+  const Real bdc = b.dot(dxc);
+  // Each arc's ends lie on both sides of the other's plane, and both arcs in the same hemisphere.
+  return cba * dba < 0 && adc * bdc < 0 && cba * bdc > 0;
+}
+
 FaceQuery query_face_directions(const PosedShape& a, const PosedShape& b) {
   const Pair pair(a, b);
   FaceQuery best = query_face(pair, 0, 0);

@@ -1,5 +1,5 @@
 /// @file sequential_impulses.cpp
-/// Lab 7, reference, L7.5 to L7.7 and L7.9: the impulses, one constraint after the other.
+/// Lab 7, reference, L7.5 to L7.9: the impulses, one constraint after the other.
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +90,22 @@ void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b)
   constraint.tangent_impulse = impulse;
   const Vec2 change = impulse - before;
   apply_pair(constraint, change.x() * constraint.u + change.y() * v, a, b);
+}
+
+void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
+                    const ContactStep& step) {
+  const auto body = [&](Index i) -> SolverBody& { return bodies[static_cast<std::size_t>(i)]; };
+  if (step.backwards) {
+    for (auto constraint = constraints.rbegin(); constraint != constraints.rend(); ++constraint) {
+      solve_friction(*constraint, body(constraint->body_a), body(constraint->body_b));
+      solve_normal(*constraint, body(constraint->body_a), body(constraint->body_b), step);
+    }
+  } else {
+    for (ContactConstraint& constraint : constraints) {
+      solve_normal(constraint, body(constraint.body_a), body(constraint.body_b), step);
+      solve_friction(constraint, body(constraint.body_a), body(constraint.body_b));
+    }
+  }
 }
 
 void apply_restitution(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,

@@ -11,6 +11,6 @@ execute_process(COMMAND "${CMAKE_COMMAND}" -S "${COPY}" -B "${COPY}/build" -G "$
                         "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${COPY}/build"
-                        --target ${TARGET} cs550_lab_table
+                        --target ${TARGET}
                 COMMAND_ERROR_IS_FATAL ANY)
 file(REMOVE_RECURSE "${COPY}")

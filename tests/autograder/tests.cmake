@@ -4,10 +4,9 @@ set(scripts "${CMAKE_CURRENT_LIST_DIR}")
 # Fake labs, run as programs by tests_autograder and tests_cli: one with tests of every ending, and one
 # whose mistake shows only where the sanitizers watch it.
 function(cs550_add_fake_lab name)
-  add_executable(${name} "${scripts}/fake_lab/${name}.cpp" $<TARGET_OBJECTS:cs550_graded_main>
-                         $<TARGET_OBJECTS:cs550_lab_table>)
-  target_link_libraries(${name} PRIVATE cs550_test_support cs550_warnings)
-  cs550_link_reference_labs(${name})
+  add_executable(${name} "${scripts}/fake_lab/${name}.cpp")
+  target_link_libraries(${name} PRIVATE cs550_graded_main cs550_test_support cs550_warnings)
+  cs550_link_labs(${name} reference stub)
 endfunction()
 cs550_add_fake_lab(fake_lab)
 cs550_add_fake_lab(fake_sanitized_lab)
@@ -16,16 +15,25 @@ target_link_libraries(fake_sanitized_lab PRIVATE cs550_sanitizers)
 set(isolated_labs "")
 if(CS550_ISOLATE_LABS)
   foreach(number IN LISTS CS550_LABS)
-    list(APPEND isolated_labs "${number}:${CS550_LAB${number}_TOPIC}")
+    string(APPEND isolated_labs "${CS550_LAB${number}_NAME} ")
   endforeach()
 endif()
-list(JOIN isolated_labs "," isolated_labs)
+target_sources(tests_autograder PRIVATE "${lab_functions}")
 target_compile_definitions(tests_autograder PRIVATE
   CS550_FAKE_LAB="$<TARGET_FILE:fake_lab>"
-  CS550_ISOLATED_LABS="${isolated_labs}"
   CS550_HEADERS="${PROJECT_SOURCE_DIR}/framework/include/cs550"
-  CS550_SYMBOL_LISTS="${lab_folder}")
+  CS550_ISOLATED_LABS="${isolated_labs}"
+  CS550_LAB_FUNCTIONS="${lab_functions}")
 add_dependencies(tests_autograder fake_lab)
+
+# Two fake labs with helpers of the same name; the first lacks a function.
+if(CS550_ISOLATE_LABS)
+  cs550_add_lab_code(101 one "${scripts}/isolation/lab101_one.cpp")
+  cs550_add_lab_code(101 fallback "${scripts}/isolation/lab101_fallback.cpp")
+  cs550_add_lab_code(102 other "${scripts}/isolation/lab102_other.cpp")
+  target_sources(tests_autograder PRIVATE "${scripts}/isolation/isolation_test.cpp")
+  target_link_libraries(tests_autograder PRIVATE lab101_one_code lab101_fallback_code lab102_other_code)
+endif()
 
 # What is not part of `all` is built by a test, so that a broken lab file fails here alone.
 function(cs550_test_builds number)
@@ -50,7 +58,9 @@ function(cs550_test_whose number variant whose)
   set(name whose.Lab${number}.${variant})
   add_test(NAME ${name}
            COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:lab${number}_${variant}>"
-                   -DLAB=${number} -DWHOSE=${whose} -P "${scripts}/check_whose.cmake")
+                   -DLAB=${number} -DWHOSE=${whose}
+                   "-DREPLACED=${PROJECT_SOURCE_DIR}/solutions/${CS550_LAB${number}_NAME}/fast/replaced.hpp"
+                   -P "${scripts}/check_whose.cmake")
   set_tests_properties(${name} PROPERTIES LABELS "autograder;lab${number}" TIMEOUT 60)
   if(whose STREQUAL "student")
     set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED starter_lab${number}
@@ -58,7 +68,7 @@ function(cs550_test_whose number variant whose)
   endif()
 endfunction()
 
-# The table of labs needs a rule for every lab; one lab's object stands for all.
+# One lab's code stands for all.
 function(cs550_test_partial_copy without target)
   add_test(NAME autograder.builds_without_${without}
            COMMAND "${CMAKE_COMMAND}" "-DROOT=${PROJECT_SOURCE_DIR}"
@@ -96,6 +106,6 @@ foreach(number IN LISTS CS550_LABS)
 endforeach()
 if(CS550_ISOLATE_LABS AND TARGET lab1_reference AND TARGET lab1_student)
   cs550_test_whose(1 sanitized student)
-  cs550_test_partial_copy(labs lab1_reference_object)
-  cs550_test_partial_copy(solutions lab1_assembled_object)
+  cs550_test_partial_copy(labs lab1_reference_code)
+  cs550_test_partial_copy(solutions lab1_assembled_code)
 endif()

@@ -2,7 +2,7 @@
 if(CS550_ISOLATE_LABS)
   add_test(NAME drawing.CallsNoLabFunction
            COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DARCHIVE=$<TARGET_FILE:cs550_drawing>"
-                   "-DSYMBOL_LISTS=${symbol_lists}"
+                   "-DLAB_FUNCTIONS=${lab_functions}"
                    -P "${CMAKE_CURRENT_LIST_DIR}/check_draws_only.cmake")
   set_tests_properties(drawing.CallsNoLabFunction PROPERTIES LABELS drawing TIMEOUT 60)
 endif()

@@ -17,7 +17,6 @@ import shlex
 import shutil
 import subprocess
 import sys
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -31,7 +30,7 @@ class Unusable(Exception):
 
 
 class Reference:
-    """How the build compiles a lab's reference and links it with the lab's graded tests."""
+    """A lab's graded tests on its reference, and how the build makes the reference's library."""
 
     def __init__(self, build, lab):
         target = f"lab{lab}_reference"
@@ -44,25 +43,24 @@ class Reference:
         for entry in json.loads((build / "compile_commands.json").read_text()):
             if f"CMakeFiles/{target}_code.dir/" in entry["command"]:
                 self.compile[Path(entry["file"])] = shlex.split(entry["command"])
-        self.objects = {source: command[command.index("-o") + 1]
-                        for source, command in self.compile.items()}
-        commands = run(["ninja", "-C", build, "--quiet", "-t", "commands", target]).splitlines()
-        own_objects = {f"labs/{target}.o", *self.objects.values()}
-        self.link = [word for word in shlex.split(commands[-1])
-                     if word not in own_objects and word not in (":", "&&")]
+        commands = run(["ninja", "-C", build, "--quiet", "-t", "commands", f"{target}_code"])
+        self.link = [word for word in shlex.split(commands.splitlines()[-1])
+                     if word not in (":", "&&")]
 
-    def compile_edited(self, original, edited, output):
+    def compile_edited(self, original, edited):
+        """Returns the name of the original's object and the new object."""
         command = list(self.compile[original])
-        command[command.index("-o") + 1] = output
+        place = command.index("-o") + 1
+        old, command[place] = command[place], edited.with_suffix(".o")
         command[command.index("-c") + 1] = edited
         # A mistake may leave a variable unused: no reason to refuse it.
         run([*command, "-w", "-iquote", original.parent], cwd=self.build)
+        return old, edited.with_suffix(".o")
 
-    def link_edited(self, edited_objects, output):
-        command = list(self.link)
-        command[command.index("-o") + 1] = output
-        objects = {**self.objects, **edited_objects}
-        run([command[0], *objects.values(), *command[1:]], cwd=self.build)
+    def link_edited(self, objects, library):
+        command = [objects.get(word, word) for word in self.link]
+        command[command.index("-o") + 1] = library
+        run(command, cwd=self.build)
 
 
 def run(command, cwd=None):
@@ -110,57 +108,41 @@ def sources_with_bodies(reference, bodies):
     return sources
 
 
-def make_program(reference, sources, folder):
+def make_library(reference, sources, folder):
     objects = {}
     for original, text in sources.items():
         edited = folder / original.name
         edited.write_text('#include "cs550/not_implemented.hpp"\n' + text)
-        objects[original] = edited.with_suffix(".o")
-        reference.compile_edited(original, edited, objects[original])
-    reference.link_edited(objects, folder / "program")
-    return folder / "program"
+        old, new = reference.compile_edited(original, edited)
+        objects[old] = new
+    reference.link_edited(objects, folder / "reference.so")
+    return folder / "reference.so"
 
 
-def read_results(file):
-    return json.loads(file.read_text())["tests"] if file.exists() else []
+def run_tests(reference, library, names, folder):
+    """One row per test. ctest ends a test that takes too long, and runs the others after a crash."""
+    lines = []
+    for name in names:
+        lines.append(f'add_test({name} "{reference.program}" "--gtest_filter={name}"'
+                     f' --results "{folder / name}.json")')
+        lines.append(f'set_tests_properties({name} PROPERTIES WORKING_DIRECTORY "{ROOT}"'
+                     f' ENVIRONMENT "LD_PRELOAD={library}" TIMEOUT {SECONDS_PER_TEST})')
+    (folder / "CTestTestfile.cmake").write_text("\n".join(lines))
+    try:
+        subprocess.run(["ctest", "--test-dir", folder, "-j1"], timeout=SECONDS_PER_MUTANT,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    except subprocess.TimeoutExpired:
+        raise Unusable(f"its tests take more than {SECONDS_PER_MUTANT} s") from None
+    return [row_of(folder / f"{name}.json") for name in names]
 
 
-def run_until_it_stops(program, names, results, deadline):
-    """Runs the tests; ends the program when one takes too long. Returns what was written."""
-    process = subprocess.Popen([program, "--gtest_filter=" + ":".join(names), "--results", results],
-                               cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    written, since = None, time.monotonic()
-    while process.poll() is None:
-        time.sleep(0.02)
-        now = time.monotonic()
-        stamp = results.stat().st_mtime_ns if results.exists() else None
-        if stamp != written:
-            written, since = stamp, now
-        if now - since > SECONDS_PER_TEST or now > deadline:
-            process.kill()
-            process.wait()
-    return read_results(results)
-
-
-def run_tests(program, names):
-    """One row per test. A test that crashes or does not end has failed; the others still run."""
-    deadline = time.monotonic() + SECONDS_PER_MUTANT
-    results = program.with_name("results.json")
-    rows, waiting = [], list(names)
-    while waiting:
-        results.unlink(missing_ok=True)
-        new_rows = run_until_it_stops(program, waiting, results, deadline)
-        if not new_rows:
-            raise Unusable("the program ends before its first test")
-        for row in new_rows:
-            if row["status"] == "running":
-                row.update(status="failed", message="crashed or did not end")
-        rows += new_rows
-        reached = {row["test"] for row in new_rows}
-        waiting = [name for name in waiting if name not in reached]
-        if waiting and time.monotonic() > deadline:
-            raise Unusable(f"its tests take more than {SECONDS_PER_MUTANT} s")
-    return rows
+def row_of(results):
+    if not results.exists():
+        raise Unusable("the program ends before its test")
+    row, = json.loads(results.read_text())["tests"]
+    if row["status"] == "running":
+        row.update(status="failed", message="crashed or did not end")
+    return row
 
 
 def faults(mutant, failed):
@@ -184,7 +166,7 @@ def run_edited(reference, name, sources, step=None):
     names = [f"Lab{reference.lab}.{test['name']}" for test in reference.tests
              if step in (None, test["step"])]
     try:
-        return run_tests(make_program(reference, sources, folder), names)
+        return run_tests(reference, make_library(reference, sources, folder), names, folder)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 

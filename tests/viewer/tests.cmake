@@ -16,7 +16,7 @@ add_dependencies(tests_viewer cs550_viewer)
 
 # As a student sees it on the first day. Without labs/ there are no starters to look at.
 foreach(number IN LISTS CS550_LABS)
-  if(NOT TARGET lab${number}_stub_object)
+  if(NOT TARGET lab${number}_stub_code)
     return()
   endif()
 endforeach()

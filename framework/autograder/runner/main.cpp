@@ -1,12 +1,13 @@
 #include <cs550/graded_test.hpp>
-#include <cs550/whose_code.hpp>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "manifest.hpp"
 #include "results.hpp"
+#include "whose_code.hpp"
 
 namespace {
 
@@ -18,7 +19,7 @@ constexpr const char* usage = R"(Runs the graded tests of one lab.
 
   --results FILE    write the results as JSON, kept up to date while the tests run
   --manifest        print the list of tests with their points and steps as JSON
-  --whose[=json]    print whose code each lab function is
+  --whose           print whose code each lab function is
   --gtest_filter=Lab3.Name    run one test; other GoogleTest options: --gtest_help
 
 Exit code: 0 all passed, 1 some failed, 2 wrong usage, 77 only blocked by an earlier lab.
@@ -44,10 +45,6 @@ std::optional<int> answer(const std::vector<std::string>& arguments, Options& op
       std::cout << whose_code_text();
       return AllPassed;
     }
-    if (argument == "--whose=json") {
-      std::cout << whose_code_json() << '\n';
-      return AllPassed;
-    }
     if (argument == "--results" && i + 1 < arguments.size()) {
       options.results = arguments[++i];
     } else if (argument.rfind("--gtest_", 0) != 0) {
@@ -58,15 +55,23 @@ std::optional<int> answer(const std::vector<std::string>& arguments, Options& op
   return std::nullopt;
 }
 
-/// In a students' copy a lab that does not compile is replaced by its starter: say so.
-void announce_stubs(int own_lab) {
-  int announced = own_lab;
+/// In a students' copy the starter fills in for a function that a lab lacks, and for all of a file that
+/// does not compile.
+void announce_stubs() {
+  std::map<int, std::string> missing;
+  bool all_stubs = true;  // the program of the starter itself
   for (const LabFunction& function : lab_functions()) {
-    if (function.lab != own_lab && function.lab != announced && whose(function) == "stub") {
-      announced = function.lab;
-      std::cout << "note: lab " << function.lab
-                << " does not compile or lacks a function; its starter stands in for it\n";
-    }
+    const bool stub = whose(function) == "stub";
+    all_stubs = all_stubs && stub;
+    if (!stub) continue;
+    std::string& names = missing[function.lab];
+    const std::string name = readable_name(function);
+    names += (names.empty() ? "" : ", ") + name.substr(0, name.find('('));
+  }
+  if (all_stubs) return;
+  for (const auto& [lab, names] : missing) {
+    std::cout << "note: lab " << lab << " does not define " << names
+              << ", or its file does not compile; the starter is used instead\n";
   }
 }
 
@@ -78,8 +83,7 @@ int main(int argc, char** argv) {
     return *code;
   }
   testing::InitGoogleTest(&argc, argv);
-  const std::vector<GradedTestInfo> tests = graded_tests();
-  announce_stubs(tests.empty() ? 0 : tests.front().lab());
+  announce_stubs();
 
   auto* results = new ResultsWriter(options.results);  // owned by GoogleTest
   testing::UnitTest::GetInstance()->listeners().Append(results);

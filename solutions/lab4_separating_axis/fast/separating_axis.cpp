@@ -236,8 +236,4 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
   return with_feature(best_feature(result, hint.feature, tolerance), result, a, b);
 }
 
-bool overlap(const PosedShape& a, const PosedShape& b) {
-  return find_separating_axis(a, b, {}, 0).separation <= 0;
-}
-
 }  // namespace cs550

@@ -1,4 +1,4 @@
-/// @file passes.cpp
+/// @file solve_contacts.cpp
 /// L7.8 for the engine: a pass over the constraints, four at a time, with the bits of the teaching
 /// form.
 ///

@@ -1,0 +1,153 @@
+# A lab is found by its number and topic. Its code has up to six variants, each a library
+# labN_<variant>_code:
+#   student    labs/labN_topic/*.cpp
+#   sanitized  the same files, compiled with the sanitizers
+#   assembled  the same files; one that does not compile counts as empty
+#   stub       .starters/labN_topic/*.cpp in a students' copy, else labs/labN_topic/*.cpp
+#   reference  solutions/labN_topic/*.cpp
+#   fast       solutions/labN_topic/fast/*.cpp: faster forms of some functions of the reference
+#
+#   cs550_lab(number topic)                    declares a lab; CS550_LABS lists those that have code
+#   cs550_link_lab(target number variant...)   links the first of the variants that exists
+#   cs550_link_labs(target variant...)         the same for every lab
+#
+# A function comes from the first library that defines it: from `fast`, else the reference; in a
+# students' copy from the student, else the stub.
+#
+# The libraries are shared ones. Each uses its own helpers (-Bsymbolic) and exports namespace cs550
+# only, so labs may have helpers of the same name; and the file that a function was loaded from tells
+# whose it is (whose_code.hpp). Link-time optimisation needs the objects themselves, and macOS has
+# another linker: there the objects are linked, without isolation.
+if(APPLE OR CS550_LTO)
+  set(CS550_ISOLATE_LABS FALSE)
+else()
+  set(CS550_ISOLATE_LABS TRUE)
+endif()
+set(CS550_LABS "")
+set(lab_folder "${PROJECT_BINARY_DIR}/labs")
+set(lab_exports "${lab_folder}/exports.map")
+file(CONFIGURE OUTPUT "${lab_exports}" CONTENT "{ global: _ZN5cs550*; local: *; };\n")
+if(EXISTS "${PROJECT_SOURCE_DIR}/.starters")
+  set(CS550_STUDENTS_COPY TRUE)
+else()
+  set(CS550_STUDENTS_COPY FALSE)
+endif()
+
+set(lab_headers <cs550/math.hpp> <vector>
+                "${PROJECT_SOURCE_DIR}/framework/autograder/common_expressions.hpp")
+cs550_precompiled_headers(precompiled_for_labs HEADERS ${lab_headers}
+  LIBRARIES cs550_contract cs550_isolable cs550_student_warnings)
+cs550_precompiled_headers(precompiled_for_sanitized_labs HEADERS ${lab_headers}
+  LIBRARIES cs550_contract cs550_isolable cs550_student_warnings cs550_sanitizers)
+
+macro(cs550_lab number topic)
+  set(CS550_LAB${number}_NAME lab${number}_${topic})
+  cs550_add_lab(${number} lab${number}_${topic})
+  if(TARGET lab${number}_stub_code OR TARGET lab${number}_reference_code)
+    list(APPEND CS550_LABS ${number})
+  else()
+    message(STATUS "Lab ${number} (${topic}) has no code yet: skipped")
+  endif()
+endmacro()
+
+function(cs550_add_lab number name)
+  set(solution "${PROJECT_SOURCE_DIR}/solutions/${name}")
+  file(GLOB student CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/labs/${name}/*.cpp")
+  file(GLOB stub CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/.starters/${name}/*.cpp")
+  file(GLOB reference CONFIGURE_DEPENDS "${solution}/*.cpp")
+  file(GLOB fast CONFIGURE_DEPENDS "${solution}/fast/*.cpp")
+  if(NOT stub)
+    set(stub "${student}")
+  endif()
+
+  foreach(variant student assembled)
+    cs550_add_lab_code(${number} ${variant} ${student})
+    cs550_compile_as_student(${number} ${variant} precompiled_for_labs)
+  endforeach()
+  cs550_add_lab_code(${number} sanitized ${student})
+  cs550_compile_as_student(${number} sanitized precompiled_for_sanitized_labs cs550_sanitizers)
+  cs550_add_lab_code(${number} stub ${stub})
+  cs550_add_lab_code(${number} reference ${reference})
+  cs550_add_lab_code(${number} fast ${fast})
+  foreach(variant stub reference fast)
+    if(TARGET lab${number}_${variant}_code)
+      target_link_libraries(lab${number}_${variant}_code PRIVATE cs550_warnings)
+      target_compile_options(lab${number}_${variant}_code PRIVATE -Wmissing-declarations)
+    endif()
+  endforeach()
+
+  if(CS550_STUDENTS_COPY)
+    cs550_tolerate_mistakes(lab${number}_assembled_code)
+    # It speaks of the files that are to be edited, wherever they were kept. The last mapping wins.
+    set(as_edited_file "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/"
+                       "-ffile-prefix-map=${way_to_root}/.starters/=labs/")
+    set_source_files_properties(${stub} PROPERTIES COMPILE_OPTIONS "${as_edited_file}")
+  endif()
+  # Where objects are linked, a definition gives way to another one only if it is weak.
+  if(fast AND NOT CS550_ISOLATE_LABS)
+    target_compile_options(lab${number}_reference_code PRIVATE "SHELL:-include ${solution}/fast/replaced.hpp")
+  endif()
+endfunction()
+
+function(cs550_add_lab_code number variant)
+  if(NOT ARGN)
+    return()
+  endif()
+  set(target lab${number}_${variant}_code)
+  if(CS550_ISOLATE_LABS)
+    add_library(${target} SHARED EXCLUDE_FROM_ALL ${ARGN})
+    target_link_options(${target} PRIVATE -Wl,-Bsymbolic "-Wl,--version-script=${lab_exports}")
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME lab${number}_${variant}
+                          LIBRARY_OUTPUT_DIRECTORY "${lab_folder}")
+  else()
+    add_library(${target} OBJECT EXCLUDE_FROM_ALL ${ARGN})
+  endif()
+  # What a lab calls of the engine comes with the executable, hence after the lab.
+  target_link_libraries(${target} PRIVATE cs550_contract cs550_isolable 
+    INTERFACE $<BUILD_INTERFACE:cs550_engine>)
+endfunction()
+
+function(cs550_compile_as_student number variant precompiled)
+  if(TARGET lab${number}_${variant}_code)
+    target_link_libraries(lab${number}_${variant}_code PRIVATE cs550_student_warnings ${ARGN})
+    cs550_precompile(lab${number}_${variant}_code ${precompiled})
+  endif()
+endfunction()
+
+# What does not compile counts as empty, and of what is defined twice the first counts: one lab must
+# not stop the others.
+function(cs550_tolerate_mistakes target)
+  set(launcher sh "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/empty_object_on_error.sh" ${CMAKE_CXX_COMPILER_LAUNCHER})
+  set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${launcher}")
+  target_link_options(${target} PRIVATE -Wl,-z,muldefs)
+endfunction()
+
+# The first of the wished-for variants that this lab has.
+function(cs550_first_variant result number)
+  foreach(variant IN LISTS ARGN)
+    if(TARGET lab${number}_${variant}_code)
+      set(${result} ${variant} PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "lab ${number} has no code among: ${ARGN}")
+endfunction()
+
+function(cs550_link_lab target number)
+  cs550_first_variant(variant ${number} ${ARGN})
+  target_link_libraries(${target} PRIVATE lab${number}_${variant}_code)
+  if(variant STREQUAL "fast")
+    target_link_libraries(${target} PRIVATE lab${number}_reference_code)
+  elseif(variant MATCHES "^(student|sanitized|assembled)$" AND CS550_STUDENTS_COPY AND CS550_ISOLATE_LABS)
+    target_link_libraries(${target} PRIVATE lab${number}_stub_code)
+  endif()
+  if(CS550_ISOLATE_LABS)
+    target_link_options(${target} PRIVATE -Wl,--no-as-needed)  # one lab may be called by another alone
+  endif()
+endfunction()
+
+function(cs550_link_labs target)
+  foreach(number IN LISTS CS550_LABS)
+    cs550_link_lab(${target} ${number} ${ARGN})
+  endforeach()
+endfunction()
