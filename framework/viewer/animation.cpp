@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -37,6 +38,15 @@ int run(const std::vector<std::string>& command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+/// Other programs are called `convert` too.
+bool convert_is_image_magick() {
+  FILE* const output = popen("convert -version 2>/dev/null </dev/null", "r");
+  if (output == nullptr) return false;
+  std::string version(64, '\0');
+  version.resize(std::fread(version.data(), 1, version.size(), output));
+  return pclose(output) == 0 && version.find("ImageMagick") != std::string::npos;
+}
+
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
@@ -66,15 +76,14 @@ void write_animation(const fs::path& folder, const fs::path& file, double rate) 
   if (by_ffmpeg != not_found) {
     throw std::runtime_error("ffmpeg could not write " + file.string());
   }
-  const int by_convert =
-      run({"convert", "-delay", std::to_string(std::lround(100 / rate)), "-loop", "0",
-           (folder / "*.png").string(), "-layers", "Optimize", file.string()});
-  if (by_convert == 0) return;
-  if (by_convert == not_found) {
+  if (!convert_is_image_magick()) {
     throw std::runtime_error(
         "--gif needs ffmpeg or ImageMagick; install the package ffmpeg or imagemagick");
   }
-  throw std::runtime_error("ImageMagick could not write " + file.string());
+  const int by_convert =
+      run({"convert", "-delay", std::to_string(std::lround(100 / rate)), "-loop", "0",
+           (folder / "*.png").string(), "-layers", "Optimize", file.string()});
+  if (by_convert != 0) throw std::runtime_error("ImageMagick could not write " + file.string());
 }
 
 }  // namespace cs550::viewer
