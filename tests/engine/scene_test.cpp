@@ -241,7 +241,8 @@ TEST(Scene, RefusesWithPlaceExpectationAndExample) {
                  {"/bodies/1/friction", "0 or more", "-1", "for example \"friction\": 0.6"});
   expect_refused(with_body("{" + shape + R"(, "restitution": 1.5})"),
                  {"/bodies/0/restitution", "0 to 1"});
-  expect_refused(with_body("{" + shape + R"(, "mass": 0})"), {"/bodies/0/mass", "from 1e-09 to 1e+12"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 0})"),
+                 {"/bodies/0/mass", "from 1e-09 to 1e+12"});
   expect_refused(with_body("{" + shape + R"(, "mass": 1, "density": 1})"), {"/bodies/0/density"});
   expect_refused(with_body("{" + shape + R"(, "position": [1, 2]})"),
                  {"/bodies/0/position", "three", "[1,2]", "[0.0, 0.0, 0.0]"});
@@ -273,8 +274,7 @@ TEST(Scene, RefusesWhatAParserWouldMisreadWithoutAWord) {
                  {"/bodies/0/position", "a second time"});
   expect_refused(R"({"schema": 1, "h": 1e30})", {"/h", "from 1e-06 to 1", "1e+30"});
   expect_refused(R"({"schema": 1, "h": 1e999})", {"/h", "1e308"});
-  expect_refused(with_body("{" + shape + R"(, "mass": 3e38})"),
-                 {"/bodies/0/mass", "1e+12"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 3e38})"), {"/bodies/0/mass", "1e+12"});
   expect_refused(with_body("{" + shape + R"(, "position": [0, 1e39, 0]})"),
                  {"/bodies/0/position", "from -1e6 to 1e6", "1e+39"});
   expect_refused(
