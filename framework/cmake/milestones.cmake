@@ -2,7 +2,7 @@
 # reference in framework/assets/trajectories/.
 #   milestones           on the reference; the target update_trajectories writes the records anew
 #   milestones_student   on the student's labs, all together
-cs550_given_library(cs550_milestones milestones cs550_engine)
+cs550_given_library(cs550_milestones milestones cs550_engine fmt::fmt)
 target_include_directories(cs550_milestones PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 
 function(cs550_add_milestone_program target)

@@ -9,9 +9,9 @@
 namespace cs550::milestones {
 namespace {
 
-constexpr double looks_per_second = 10;
+constexpr double observations_per_second = 10;
 
-/// The first complaint of a stage that the milestone needs; empty if there is none.
+/// The first problem of a stage that the milestone needs; empty if there is none.
 std::string first_problem(const World& world, int lab) {
   for (const StageProblem& problem : world.problems()) {
     if (problem.lab <= lab) return problem.message;
@@ -19,7 +19,7 @@ std::string first_problem(const World& world, int lab) {
   return {};
 }
 
-void look(const Milestone& milestone, const World& world, const Scene& scene, Track& track) {
+void observe(const Milestone& milestone, const World& world, const Scene& scene, Track& track) {
   track.observations.push_back(milestone.observe(world, scene));
   track.times.push_back(world.time());
 }
@@ -35,7 +35,7 @@ const std::vector<Milestone>& all_milestones() {
       {5, "over_the_edge", contact_patches},
       {6, "collisions", poses},
       {7, "incline", poses},
-      {7, "bounce", lowest_points, 2},  // how a box that lands flat turns is up to rounding
+      {7, "bounce", lowest_points, 2},  // later, rounding decides how a box that lands flat turns
       {7, "standing_wall", heap},
   };
   return milestones;
@@ -49,8 +49,8 @@ std::vector<Milestone> milestones_of(int lab) {
 }
 
 Track run(const Milestone& milestone, const Scene& scene) {
-  const int steps_per_look =
-      std::max(1, static_cast<int>(std::lround(1 / (looks_per_second * scene.h))));
+  const int steps_per_observation =
+      std::max(1, static_cast<int>(std::lround(1 / (observations_per_second * scene.h))));
   const int steps = milestone.seconds > 0
                         ? static_cast<int>(std::lround(milestone.seconds / scene.h))
                         : scene.steps;
@@ -58,12 +58,12 @@ Track run(const Milestone& milestone, const Scene& scene) {
   World world = make_world(scene);
   world.settings().check_stages = true;
   try {
-    look(milestone, world, scene, track);
+    observe(milestone, world, scene, track);
     for (int step = 1; step <= steps; ++step) {
       world.step(scene.h);
       track.problem = first_problem(world, milestone.lab);
       if (!track.problem.empty()) break;
-      if (step % steps_per_look == 0) look(milestone, world, scene, track);
+      if (step % steps_per_observation == 0) observe(milestone, world, scene, track);
     }
   } catch (const NotImplemented& missing) {
     track.problem = missing.what();

@@ -12,8 +12,8 @@
 namespace cs550::milestones {
 namespace {
 
-// Two sound engines differ by rounding, and by the order in which they add; what a wrong formula
-// does is a hundred times larger within seconds.
+// Two correct engines differ by rounding and by the order of their sums. The error of a wrong
+// formula is a hundred times larger within seconds.
 constexpr double length_tolerance = 0.05;  // m; a body is about half a metre
 constexpr double angle_tolerance = 0.15;   // rad
 
@@ -40,7 +40,7 @@ void append_pose(const std::string& name, const Pose& pose, Observation& seen) {
   seen.push_back({name + ": orientation", "rad", numbers(pose.orientation), angle_tolerance});
 }
 
-/// Calls visit(a, b) for the places of every two bodies of which at least one moves.
+/// Calls visit(a, b) with the indices of every two bodies of which at least one moves.
 void for_each_pair(const Scene& scene, const std::function<void(std::size_t, std::size_t)>& visit) {
   const auto is_static = [&](std::size_t i) { return scene.bodies[i].kind == BodyKind::Static; };
   for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
@@ -63,7 +63,7 @@ double depth(const Manifold& manifold) {
   return static_cast<double>(deepest);
 }
 
-/// Whether a body is where it began, but for what settling and rounding do.
+/// Whether a body is where it started, within the effects of settling and rounding.
 bool still_stands(const RigidBody& body, const BodyDef& start) {
   const Real room = start.shape->smallest_half_extent / 2;
   constexpr Real ten_degrees = pi / 18;
@@ -81,8 +81,8 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
     sum += (a[i] + b[i]) * (a[i] + b[i]);
   }
   if (a.size() != 4) return std::sqrt(difference);
-  // q and -q are the same orientation; |q - p| = 2 sin(angle / 4). Of a NaN, std::min would make
-  // whatever its other argument is.
+  // q and -q are the same orientation; |q - p| = 2 sin(angle / 4). std::min would replace a NaN by
+  // its other argument.
   if (std::isnan(difference)) return difference;
   return 4 * std::asin(std::min(1.0, std::sqrt(std::min(difference, sum)) / 2));
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// @file observation.hpp
-/// What is compared between a student's engine and the recorded reference: named quantities of a
-/// world at one moment.
+/// Named quantities of a world at one moment, to compare a student's engine with the recorded
+/// reference.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace cs550::milestones {
 
-/// One measured value, and how far another sound engine may be from it.
+/// A measured value, with a tolerance for other correct engines.
 struct Quantity {
   std::string name;            ///< "teapot: position"
   std::string unit;            ///< of the values
@@ -20,15 +20,15 @@ struct Quantity {
   bool is_orientation() const { return values.size() == 4; }
 };
 
-/// All quantities of one moment, always the same ones in the same order.
+/// All quantities of one moment, always in the same order.
 using Observation = std::vector<Quantity>;
 
-/// How far two values of a quantity are apart: the length of their difference, or the angle between
-/// two orientations (rad). NaN if either has one.
+/// The distance of two values of a quantity: the length of their difference, or the angle between
+/// two orientations (rad). NaN if either contains one.
 double distance(const std::vector<double>& a, const std::vector<double>& b);
 
-/// What to look at. The later ones call functions of the labs themselves, so that a stage can be
-/// seen before the stages that use it exist.
+/// What is observed. Some observations call a lab's functions directly, so that a stage can be
+/// checked before the stages that use it are written.
 /// @{
 /// Position and orientation of every body that moves.
 Observation poses(const World& world, const Scene& scene);
@@ -36,13 +36,13 @@ Observation poses(const World& world, const Scene& scene);
 Observation meshes_and_poses(const World& world, const Scene& scene);
 /// The lowest point of every body, by lab 3's support().
 Observation lowest_points(const World& world, const Scene& scene);
-/// How far every two bodies are apart, by lab 4's find_separating_axis().
+/// The separation of every two bodies, by lab 4's find_separating_axis().
 Observation separations(const World& world, const Scene& scene);
 /// Number and middle of the contact points of every two bodies, and the depth of the deepest, by
 /// lab 5's build_manifold().
 Observation contact_patches(const World& world, const Scene& scene);
-/// What can be said of a heap of bodies, whose poses are chaotic: energy, mean height, and how many
-/// still are where they began.
+/// For a heap of bodies, whose poses are chaotic: energy, mean height, and the number of bodies
+/// that have not moved from their start.
 Observation heap(const World& world, const Scene& scene);
 /// @}
 

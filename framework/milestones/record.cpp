@@ -1,7 +1,8 @@
 #include "record.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
-#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -28,10 +29,8 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 std::string in_words(const std::vector<double>& values) {
-  std::ostringstream text;
-  text << std::setprecision(5);
-  for (const double value : values) text << (text.tellp() > 0 ? ", " : "") << value;
-  return values.size() > 1 ? '(' + text.str() + ')' : text.str();
+  const std::string text = fmt::format("{:.5g}", fmt::join(values, ", "));
+  return values.size() > 1 ? '(' + text + ')' : text;
 }
 
 /// The largest distance of all quantities, as a share of its tolerance.
@@ -41,24 +40,20 @@ struct Worst {
 };
 
 std::string departure(const Quantity& mine, const std::vector<double>& recorded, double time) {
-  std::ostringstream text;
-  text << std::setprecision(3) << "it departs from the record at t = " << time
-       << " s: " << mine.name << "\nexpected " << in_words(recorded) << ", got "
-       << in_words(mine.values);
-  if (!mine.is_orientation()) text << ' ' << mine.unit;
-  text << "; apart by " << distance(mine.values, recorded) << ' ' << mine.unit << ", allowed are "
-       << mine.tolerance << ' ' << mine.unit;
-  return text.str();
+  const std::string unit = mine.is_orientation() ? "" : ' ' + mine.unit;
+  return fmt::format(
+      "differs from the record at t = {:.3g} s: {}\n"
+      "expected {}{}, got {}{}\n"
+      "difference {:.3g} {}, tolerance {:.3g} {}",
+      time, mine.name, in_words(recorded), unit, in_words(mine.values), unit,
+      distance(mine.values, recorded), mine.unit, mine.tolerance, mine.unit);
 }
 
 std::string agreement(const Worst& worst, double until) {
-  std::ostringstream text;
-  text << std::setprecision(2) << "it agrees with the record for all of its " << until << " s";
-  if (!worst.name.empty()) {
-    text << "\nfarthest from it: " << worst.name << ", by " << static_cast<int>(100 * worst.share)
-         << " % of what is allowed";
-  }
-  return text.str();
+  const std::string text = fmt::format("agrees with the record for all of its {:.2g} s", until);
+  if (worst.name.empty()) return text;
+  return fmt::format("{}\nlargest difference: {}, {} % of its tolerance", text, worst.name,
+                     static_cast<int>(100 * worst.share));
 }
 
 }  // namespace
@@ -88,15 +83,11 @@ Record to_record(const Track& track) {
 }
 
 std::string to_csv(const Record& record) {
-  std::ostringstream text;
-  text << std::setprecision(6);
-  const auto write_row = [&](const auto& row) {
-    for (std::size_t i = 0; i < row.size(); ++i) text << (i > 0 ? ";" : "") << row[i];
-    text << '\n';
-  };
-  write_row(record.columns);
-  for (const std::vector<double>& row : record.rows) write_row(row);
-  return text.str();
+  std::string text = fmt::format("{}\n", fmt::join(record.columns, ";"));
+  for (const std::vector<double>& row : record.rows) {
+    text += fmt::format("{:.6g}\n", fmt::join(row, ";"));
+  }
+  return text;
 }
 
 Record read_record(const std::filesystem::path& file) {
@@ -111,14 +102,16 @@ Record read_record(const std::filesystem::path& file) {
     record.rows.push_back(row);
   }
   if (record.rows.empty() || !stream.eof()) {
-    throw std::runtime_error(file.string() + " is no record of a run");
+    throw std::runtime_error(
+        file.string() +
+        " is not a valid record: every row needs as many numbers as there are columns");
   }
   return record;
 }
 
 Comparison compare(const Track& track, const Record& record, double share) {
   if (!track.observations.empty() && to_record(track).columns != record.columns) {
-    return {false, 0, "the record has other columns than the run: it must be made anew"};
+    return {false, 0, "the record and the run have different columns. Record the reference again."};
   }
   Worst worst;
   double until = 0;
@@ -139,7 +132,8 @@ Comparison compare(const Track& track, const Record& record, double share) {
   }
   if (!track.problem.empty()) return {false, until, track.problem};
   if (track.times.size() != record.rows.size()) {
-    return {false, until, "the record is of another length: it must be made anew"};
+    return {false, until,
+            "the record and the run have different lengths. Record the reference again."};
   }
   return {true, until, agreement(worst, until)};
 }

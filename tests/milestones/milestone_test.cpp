@@ -51,7 +51,7 @@ TEST(Comparison, AgreesWithItself) {
   EXPECT_DOUBLE_EQ(same.until, 1);
 }
 
-TEST(Comparison, SaysWhereARunDepartsFirstAndByHowMuch) {
+TEST(Comparison, ReportsTheFirstDifferenceAndItsSize) {
   Track track = constant_track();
   track.observations[4][0].values = {1.019};  // within the tolerance
   track.observations[7][0].values = {1.25};
@@ -59,7 +59,8 @@ TEST(Comparison, SaysWhereARunDepartsFirstAndByHowMuch) {
   const Comparison comparison = compare(track, to_record(constant_track()));
   EXPECT_FALSE(comparison.agrees);
   EXPECT_DOUBLE_EQ(comparison.until, track.times[6]);
-  for (const char* part : {"t = 0.7 s", "crate: height", "expected 1, got 1.25 m", "by 0.25 m"}) {
+  for (const char* part :
+       {"t = 0.7 s", "crate: height", "expected 1 m, got 1.25 m", "difference 0.25 m"}) {
     EXPECT_NE(comparison.sentence.find(part), std::string::npos) << comparison.sentence;
   }
 }
@@ -70,7 +71,7 @@ TEST(Comparison, NanDeparts) {
   EXPECT_FALSE(compare(track, to_record(constant_track())).agrees);
 }
 
-TEST(Comparison, ARunThatEndsEarlySaysWhy) {
+TEST(Comparison, ARunThatEndsEarlyReportsItsProblem) {
   Track track = constant_track();
   track.times.resize(5);
   track.observations.resize(5);

@@ -1,4 +1,5 @@
-// Runs the milestones on the labs that it is linked with, and compares them with the records.
+// Runs the milestones on the labs that this program is linked with, and compares them with the
+// records.
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <fstream>
@@ -17,7 +18,7 @@ Scene scene_of(const Milestone& milestone) {
   return found.scene;
 }
 
-/// `lab4_ghosts: Four shapes fly ...`, then what came of it.
+/// Prints `lab4_ghosts: Four shapes fly ...`, then the result.
 bool show(const Milestone& milestone, double share) {
   std::cout << milestone.name() << std::flush;
   Comparison outcome;
@@ -30,12 +31,12 @@ bool show(const Milestone& milestone, double share) {
   }
   std::cout << '\n' << (outcome.agrees ? "reached: " : "not reached: ") << outcome.sentence << '\n';
   if (!outcome.agrees) {
-    std::cout << "to look at it: ./cs550 view " << milestone.scene << " --student\n";
+    std::cout << "To watch it: ./cs550 view " << milestone.scene << " --student\n";
   }
   return outcome.agrees;
 }
 
-void write_anew(const Milestone& milestone) {
+void update_record(const Milestone& milestone) {
   const Track track = run(milestone, scene_of(milestone));
   if (!track.problem.empty()) throw std::runtime_error(milestone.name() + ": " + track.problem);
   std::ofstream stream(record_file(milestone));
@@ -47,13 +48,14 @@ void write_anew(const Milestone& milestone) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("What each lab adds to the assembled engine, compared with the recorded reference");
+  CLI::App app(
+      "Compares the scenes that each lab adds to the assembled engine with the recorded reference");
   int lab = 0;
   bool update = false;
   double share = 1;
-  app.add_option("--lab", lab, "only this lab's");
-  app.add_flag("--update", update, "write the records anew");
-  app.add_option("--share", share, "how much of the tolerances may be used, from 0 to 1");
+  app.add_option("--lab", lab, "run this lab's milestones only");
+  app.add_flag("--update", update, "record the reference again");
+  app.add_option("--share", share, "share of the tolerances that may be used, from 0 to 1");
   CLI11_PARSE(app, argc, argv);
   try {
     const std::vector<Milestone> milestones = lab > 0 ? milestones_of(lab) : all_milestones();
@@ -61,7 +63,7 @@ int main(int argc, char** argv) {
     bool all_reached = true;
     for (const Milestone& milestone : milestones) {
       if (update) {
-        write_anew(milestone);
+        update_record(milestone);
       } else {
         all_reached = show(milestone, share) && all_reached;
       }
