@@ -1,5 +1,6 @@
 #include <cs550/graded_test.hpp>
 #include <cs550/not_implemented.hpp>
+#include <cs550/test_report.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,11 +16,22 @@ std::vector<GradedTestInfo>& registry() {
   return tests;
 }
 
+/// A test whose own step is unwritten has failed. One that needs another step is blocked by it.
 void report_unfinished(const GradedTestInfo& test, const NotImplemented& unfinished) {
-  if (unfinished.lab() < test.lab()) {
-    GTEST_SKIP() << "blocked by lab " << unfinished.lab() << ": " << unfinished.what();
+  if (unfinished.step() != test.step) {
+    testing::Test::RecordProperty("blocked_by", unfinished.step());
+    const bool is_own_lab = unfinished.lab() == test.lab();
+    GTEST_SKIP() << "blocked by "
+                 << (is_own_lab ? unfinished.step() : "lab " + std::to_string(unfinished.lab()))
+                 << ": " << unfinished.what();
   }
   ADD_FAILURE_AT(test.file.c_str(), test.line) << unfinished.what();
+}
+
+void report_exception(const GradedTestInfo& test, const std::string& what) {
+  ADD_FAILURE_AT(test.file.c_str(), test.line)
+      << "uncaught exception in " << test.step << ": " << what << '\n'
+      << noted_case();
 }
 
 }  // namespace
@@ -53,11 +65,9 @@ void GradedTest::TestBody() {
   } catch (const testing::AssertionException&) {
     // The expectation that ended the test has been reported.
   } catch (const std::exception& error) {
-    ADD_FAILURE_AT(info_.file.c_str(), info_.line)
-        << "uncaught exception in " << info_.step << ": " << error.what();
+    report_exception(info_, error.what());
   } catch (...) {
-    ADD_FAILURE_AT(info_.file.c_str(), info_.line)
-        << "uncaught exception in " << info_.step << ", of a type that is no std::exception";
+    report_exception(info_, "its type is not derived from std::exception");
   }
 }
 

@@ -1,11 +1,11 @@
 // The program behind ./cs550. The launcher builds it, so that it need not be installed.
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <string>
 
-#include "verb.hpp"
+#include "cli/verb.hpp"
 
 namespace {
 
@@ -19,32 +19,44 @@ struct Verb {
 
 constexpr Verb verbs[] = {
 #define CS550_VERB(name, preset, packages, arguments, summary) {#name, summary, declare_##name},
+#define CS550_INSTRUCTOR CS550_VERB
 #define CS550_SCRIPT(...)
-#define CS550_PLANNED(...)
-#include "verbs.def"
+#include "cli/verbs.def"
 #undef CS550_VERB
+#undef CS550_INSTRUCTOR
 #undef CS550_SCRIPT
-#undef CS550_PLANNED
 };
 
-/// A name as it is typed: `gradescope-zip` for gradescope_zip.
-std::string typed(std::string name) {
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
+/// CLI11's help without what it adds to an option: types, ranges, exclusions.
+class Help : public CLI::Formatter {
+ public:
+  Help() { column_width(20); }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_option_text().empty() ? "" : ' ' + option->get_option_text();
+  }
+};
+
+int refuse(const CLI::App& app, const CLI::ParseError& error) {
+  const auto verbs_found = app.get_subcommands();
+  const std::string verb = verbs_found.empty() ? "VERB" : verbs_found.front()->get_name();
+  std::cerr << "cs550: " << error.what() << "\n./cs550 " << verb
+            << " --help explains the options.\n";
+  return Misused;
 }
 
 int run(int argc, char** argv) {
   CLI::App app("A 3D rigid-body physics engine in seven labs", "./cs550");
+  app.formatter(std::make_shared<Help>());
   app.require_subcommand(1);
   std::map<const CLI::App*, Action> actions;
   for (const Verb& verb : verbs) {
-    CLI::App* part = app.add_subcommand(typed(verb.name), verb.summary);
+    CLI::App* part = app.add_subcommand(verb.name, verb.summary);
     actions[part] = verb.declare(*part);
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? Good : Misused;
+    return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);
   }
   return actions.at(app.get_subcommands().front())();
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// @file verb.hpp
-/// What a verb of ./cs550 is. A new one is a line in verbs.def and a file that defines its
-/// declare_<name>().
+/// The verbs of ./cs550 that this program implements. A new one is a line in verbs.def and a file
+/// in verbs/ that defines its declare_<name>().
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -11,17 +11,17 @@ namespace cs550::cli {
 /// The exit codes of every verb.
 enum ExitCode { Good = 0, Failed = 1, Misused = 2 };
 
-/// What a verb does once its command line is understood; returns an ExitCode.
+/// Runs a verb whose command line was parsed; returns an ExitCode.
 using Action = std::function<int()>;
 
 // declare_demo(CLI::App&), declare_lab(CLI::App&) and so on: each adds the verb's options to its
-// part of the command line and returns what they lead to.
+// part of the command line and returns its action.
 #define CS550_VERB(name, preset, packages, arguments, summary) Action declare_##name(CLI::App& app);
+#define CS550_INSTRUCTOR CS550_VERB
 #define CS550_SCRIPT(...)
-#define CS550_PLANNED(...)
-#include "verbs.def"
+#include "cli/verbs.def"
 #undef CS550_VERB
+#undef CS550_INSTRUCTOR
 #undef CS550_SCRIPT
-#undef CS550_PLANNED
 
 }  // namespace cs550::cli

@@ -1,5 +1,5 @@
-/// What the runner of graded tests says about each kind of ending, seen from outside: the fake lab
-/// runs as a program of its own, as a student's does.
+/// The runner's verdict on each way in which a test can end. The fake lab runs as a program of its
+/// own, as a student's does.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -29,7 +29,7 @@ Outcome run_fake_lab(const std::string& arguments) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
 }
 
-/// Runs one test and returns what the results file says about it.
+/// Runs one test and returns its row of the results file.
 class GradedTestVerdict : public testing::Test {
  protected:
   nlohmann::json verdict(const std::string& test) {
@@ -38,7 +38,10 @@ class GradedTestVerdict : public testing::Test {
     return results["tests"].at(0);
   }
 
-  void TearDown() override { std::filesystem::remove(file); }
+  void TearDown() override {
+    std::filesystem::remove(file);
+    std::filesystem::remove(file.string() + ".case");
+  }
 
   const std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) /
@@ -81,10 +84,19 @@ TEST_F(GradedTestVerdict, UnwrittenStepSaysSoAndNothingElse) {
 TEST_F(GradedTestVerdict, UnfinishedEarlierLabBlocksRatherThanFails) {
   const nlohmann::json test = verdict("ReachesAnEarlierLab");
   EXPECT_EQ(test["status"], "blocked");
+  EXPECT_EQ(test["blocked_by"], "L2.3");
   EXPECT_EQ(test["earned"], 0);
   const std::string message = test["message"];
   EXPECT_NE(message.find("blocked by lab 2: not implemented: L2.3 merge"), std::string::npos);
   EXPECT_EQ(run.exit_code, 77);
+}
+
+TEST_F(GradedTestVerdict, UnwrittenLaterStepOfTheLabBlocksToo) {
+  const nlohmann::json test = verdict("ReachesALaterStep");
+  EXPECT_EQ(test["status"], "blocked");
+  EXPECT_EQ(test["blocked_by"], "L5.4");
+  const std::string message = test["message"];
+  EXPECT_EQ(message.rfind("blocked by L5.4: not implemented: L5.4 reduce", 0), 0U) << message;
 }
 
 TEST_F(GradedTestVerdict, ExceptionIsNamedWithItsStep) {
@@ -128,12 +140,12 @@ TEST(GradedTestProgram, PointsAndStepReachTheXmlReport) {
 TEST(GradedTestProgram, ManifestListsEveryTestInOrder) {
   const nlohmann::json manifest = nlohmann::json::parse(run_fake_lab("--manifest").output);
   EXPECT_EQ(manifest["lab"], 5);
-  EXPECT_EQ(manifest["points"]["visible"], 25);
-  ASSERT_EQ(manifest["tests"].size(), 9U);
+  EXPECT_EQ(manifest["points"]["visible"], 26);
+  ASSERT_EQ(manifest["tests"].size(), 10U);
   EXPECT_EQ(manifest["tests"].at(0)["name"], "Passes");
   EXPECT_EQ(manifest["tests"].at(0)["long"], false);
-  EXPECT_EQ(manifest["tests"].at(4)["name"], "Throws");
-  EXPECT_EQ(manifest["tests"].at(4)["long"], true);
+  EXPECT_EQ(manifest["tests"].at(5)["name"], "Throws");
+  EXPECT_EQ(manifest["tests"].at(5)["long"], true);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cli/crash_report.hpp"
+#include "cli/grading/crash_report.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <regex>
 #include <string>
 
-#include "cli/formula_text.hpp"
+#include "cli/handout/formula_text.hpp"
 
 namespace {
 

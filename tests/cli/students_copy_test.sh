@@ -1,8 +1,8 @@
 #!/bin/sh
 # students_copy_test.sh PROGRAM ROOT COPY [COMPILER-LAUNCHER]
-# Makes the students' copy of ROOT in COPY and looks at it as a curious student would: no line and no
-# renamed algorithm of a reference is in it, its tests are the visible ones, its history is its own, and
-# its labs build even though one of them is broken.
+# Makes the students' copy of ROOT in COPY and checks that it contains no line and no renamed algorithm of a
+# reference, that its tests are the visible ones, that it has its own history, and that a broken lab does
+# not stop the others.
 set -eu
 program=$1 root=$2 copy=$3 launcher=${4-}
 list=$copy.lines
@@ -11,13 +11,13 @@ mkdir -p "$list"
 CS550_ROOT=$root "$program" starter "$copy"
 
 wrong() { echo "WRONG: $1" >&2; shift; for line; do echo "  $line" >&2; done; exit 1; }
-# Lines of code that are long enough to be someone's own.
+# Lines of code that are too long to be equal by chance.
 long_lines() { sed 's/^[[:space:]]*//; s/[[:space:]]*$//' | grep -aE '^.{30,}$' | sort -u; }
-committed() { git -C "$root" archive HEAD "$@" | tar -xOf -; }
+committed() { git -C "$root" grep -hI '' HEAD -- "$@"; }
 
 echo "No line of a reference:"
 committed solutions | long_lines >"$list/reference"
-# What given code, starters and tests say as well (a loop over all faces) is no secret.
+# A line that given code, starters or tests contain too (a loop over all faces) is no secret.
 committed labs framework tests ':!tests/mutants' | long_lines >"$list/given"
 comm -23 "$list/reference" "$list/given" >"$list/secret"
 find "$copy" -name .git -prune -o -type f -print0 | sort -z | xargs -0 cat | long_lines >"$list/copy"
@@ -46,7 +46,12 @@ for lab in "$copy"/labs/lab*; do
 done
 found=$(cd "$copy" && find solutions tests -name hidden -o -name mutants -o -path 'solutions/*') 2>/dev/null || true
 [ -z "$found" ] || wrong "the copy has" "$found"
-[ ! -e "$copy/solutions" ] || wrong "the copy has a folder solutions/"
+for path in solutions .ci .gitattributes CONTRIBUTING.md docs/instructors.md tests/cli; do
+  [ ! -e "$copy/$path" ] || wrong "the copy has $path"
+done
+version=$(cat "$copy/.starters/version")
+[ "${version#* }" = "$(git -C "$root" rev-parse --short=12 HEAD)" ] || wrong "its version is $version"
+! "$copy/cs550" help | grep -q starter || wrong "its help lists a verb for instructors"
 
 echo "A history of its own:"
 history=$(git -C "$copy" log --all --format='%an %ae %s')

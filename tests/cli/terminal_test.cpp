@@ -1,7 +1,7 @@
-/// Text as it stands in a terminal of 80 columns.
+/// Text in a terminal of 80 columns.
 #include <gtest/gtest.h>
 
-#include "cli/terminal.hpp"
+#include "cli/system/terminal.hpp"
 
 namespace {
 

@@ -1,17 +1,16 @@
 # Tests of the program behind ./cs550: of its parts, and of the whole, which needs a repository to
 # work on.
-cs550_add_own_tests(cli nlohmann_json::nlohmann_json Threads::Threads)
+cs550_add_own_tests(cli nlohmann_json::nlohmann_json fmt::fmt Threads::Threads)
 target_compile_definitions(tests_cli PRIVATE
   CS550_FAKE_LAB="$<TARGET_FILE:fake_lab>"
   CS550_FAKE_SANITIZED_LAB="$<TARGET_FILE:fake_sanitized_lab>")
 add_dependencies(tests_cli fake_lab fake_sanitized_lab)
-target_sources(tests_cli PRIVATE "${PROJECT_SOURCE_DIR}/framework/cli/crash_report.cpp"
-                                 "${PROJECT_SOURCE_DIR}/framework/cli/formula_text.cpp"
-                                 "${PROJECT_SOURCE_DIR}/framework/cli/graded_run.cpp"
-                                 "${PROJECT_SOURCE_DIR}/framework/cli/process.cpp"
-                                 "${PROJECT_SOURCE_DIR}/framework/cli/project.cpp"
-                                 "${PROJECT_SOURCE_DIR}/framework/cli/terminal.cpp"
-                                 "${PROJECT_SOURCE_DIR}/framework/cli/verdict.cpp")
+set(cli "${PROJECT_SOURCE_DIR}/framework/cli")
+target_sources(tests_cli PRIVATE
+  "${cli}/grading/crash_report.cpp" "${cli}/grading/graded_run.cpp" "${cli}/grading/graded_tests.cpp"
+  "${cli}/grading/lab_report.cpp" "${cli}/handout/formula_text.cpp" "${cli}/handout/handout.cpp"
+  "${cli}/system/files.cpp" "${cli}/system/process.cpp" "${cli}/system/project.cpp"
+  "${cli}/system/terminal.cpp")
 
 if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutions")
   add_test(NAME cli.students_copy

@@ -1,44 +1,62 @@
 #!/bin/sh
 # usage_test.sh PROGRAM ROOT SCRATCH
-# Wrong words end with code 2 and a sentence that fits a terminal, and leave no file behind.
+# A wrong command line exits with code 2, prints a message of at most 80 columns, and leaves no file.
 set -eu
 program=$1 root=$2 scratch=$3
 rm -rf "$scratch"
 mkdir -p "$scratch/out"
 cd "$scratch/out"
 
-wrong() { echo "WRONG: $1" >&2; cat "$scratch/said" >&2; exit 1; }
+wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
 refuses() {
   code=0
-  CS550_ROOT=$root "$program" "$@" >"$scratch/said" 2>&1 </dev/null || code=$?
-  [ $code = 2 ] || wrong "'$*' ended with code $code, should be 2"
-  [ -s "$scratch/said" ] || wrong "'$*' said nothing"
-  ! grep -qE '^.{81}' "$scratch/said" || wrong "'$*' said a line of more than 80 columns"
+  CS550_ROOT=$root "$program" "$@" >"$scratch/printed" 2>&1 </dev/null || code=$?
+  [ $code = 2 ] || wrong "'$*' exited with code $code, expected 2"
+  [ -s "$scratch/printed" ] || wrong "'$*' printed nothing"
+  ! grep -qE '^.{81}' "$scratch/printed" || wrong "'$*' printed a line of more than 80 columns"
   [ -z "$(ls -A .)" ] || wrong "'$*' left $(ls -A .)"
 }
-says() { grep -qF "$1" "$scratch/said" || wrong "should say: $1"; }
+prints() { grep -qF "$1" "$scratch/printed" || wrong "expected in the message: $1"; }
 
 refuses lab
 refuses lab three
-says "there is no lab three"
-says "Lab 1: integration"
+prints "there is no lab three"
+prints "Lab 1: integration"
 refuses lab 99
-says "Lab 1: integration"
+prints "Lab 1: integration"
 refuses lab 3 --step L4.1
-says "L3.1"
+prints "L3.1"
 refuses lab 3 --hint 9
 refuses lab 3 --reset --run
 refuses lab 3 --asan --debug
 refuses submit three
-says "Lab 1: integration"
+prints "Lab 1: integration"
 refuses submit 0
-says "Lab 1: integration"
+prints "Lab 1: integration"
 refuses submit 3 --out .
-says "is a folder"
+prints "is a folder"
 refuses submit 3 --out absent/lab3.zip
-says "there is no folder"
+prints "there is no folder"
 refuses starter
 refuses starter --release-solutions many copy
 refuses progress --lsit
-echo "every wrong word is refused"
+
+# The launcher.
+cd "$root"
+misuses() {
+  code=0
+  ./cs550 "$@" >"$scratch/printed" 2>&1 </dev/null || code=$?
+  [ $code = 2 ] || wrong "./cs550 $* exited with code $code, expected 2"
+}
+misuses
+misuses prgress
+prints "there is no verb 'prgress'"
+prints "progress  print your points"
+misuses build fast
+prints "release student test"
+misuses doctor --install editor
+prints "viewer"
+misuses test -R Lab3
+prints "test -- -R Lab3"
+echo "every wrong command line is refused"
 rm -rf "$scratch"

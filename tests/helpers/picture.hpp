@@ -10,11 +10,10 @@
 namespace cs550::test {
 
 /// Writes the picture of the running test, build/results/pictures/Lab3.Name.svg or another folder
-/// that the environment variable CS550_PICTURES names. Never throws: where the picture cannot be
-/// drawn or written there is none.
-/// @param draw returns SVG; called only if the test has no picture yet
-/// @return the file, relative to the working directory if it lies below; empty if there is none, or
-/// an earlier failure of the test has written it
+/// that the environment variable CS550_PICTURES names. Never throws: a picture that cannot be drawn
+/// or written is left out.
+/// @param draw returns SVG, which replaces the test's picture
+/// @return the file, relative to the working directory if it is below it; empty if there is none
 std::string write_picture(const std::function<std::string()>& draw);
 
 /// Two drawings side by side. Their titles should say what they show, not which is which. Both show

@@ -1,7 +1,8 @@
 #pragma once
 /// @file story.hpp
-/// Checks that tell, when they fail, what happened: the property in words, the steps that led there,
-/// what was expected and what came out with units, and what most likely went wrong.
+/// Checks that explain their failure: the property in words, the case, what was expected and found
+/// with units, and the likely causes. The failed checks of a test become one block
+/// (test_report.hpp).
 
 #include <cstdint>
 #include <functional>
@@ -9,20 +10,24 @@
 #include <string>
 #include <vector>
 
+#include <cs550/test_report.hpp>
+
 #include "cs550/math.hpp"
 
 namespace cs550::test {
 
-/// Where a check stands in the test's source.
+/// The line of a check in the test's source.
 struct SourceLine {
   const char* file;
   int line;
-  // Implicit, and defaulted here, so that it is the caller's line that is caught.
+  // Implicit, and defaulted here, so that it is the caller's line.
   SourceLine(const char* at_file = __builtin_FILE(), int at_line = __builtin_LINE())
       : file(at_file), line(at_line) {}
 };
 
 /// One property and the case in which it is checked. Copy a story to vary a case in a loop.
+/// Describe the case before you call the student's code: if that crashes or never returns, the
+/// report shows the case that was described last.
 class Story {
  public:
   /// @param property a sentence: "Free fall follows x₀ + v₀·t + ½·g·t²"
@@ -40,11 +45,12 @@ class Story {
   Story& seed(std::uint32_t seed);
   /// What most likely went wrong, in the student's terms.
   Story& likely(const std::string& cause);
-  /// A picture as SVG, drawn only when a check of this story fails: what the function refers to must
-  /// live until then. The first failure of a test writes its picture (picture.hpp).
+  /// A picture as SVG, drawn only when a check of this story fails: what the function refers to
+  /// must live until then. Of a test's failing cases the simplest is drawn (picture.hpp).
   Story& picture(std::function<std::string()> draw);
 
-  // Each check returns whether it held, so that a loop can stop at its first failure.
+  // Each check returns whether it held, so that a loop can stop at its first failure. The sign of a
+  // tolerance does not matter, so that it can be a share of an expected value of any sign.
 
   bool expect(const std::string& what, bool holds, SourceLine at = {});
   /// |got − expected| ≤ tolerance; false for NaN.
@@ -60,12 +66,11 @@ class Story {
   template <class Got, class Expected>
   bool expect_equal(const std::string& what, const Got& got, const Expected& expected,
                     SourceLine at = {}) {
-    if (got == expected) return true;
-    report(what, show(got, ""), show(expected, ""), at);
-    return false;
+    return got == expected ? passed() : failed(what, show(got, ""), show(expected, ""), at);
   }
 
   static std::string show(const Vec3& value, const std::string& unit = "");
+  static std::string show(const Quat& value, const std::string& unit = "");
   static std::string show(bool value, const std::string& unit = "");
   static std::string show(const char* value, const std::string& unit = "");
   template <class Value>
@@ -77,13 +82,12 @@ class Story {
   }
 
  private:
-  void report(const std::string& what, const std::string& got, const std::string& expected,
+  // How a check ends; they return whether it held.
+  static bool passed();
+  bool failed(const std::string& what, const std::string& got, const std::string& expected,
               SourceLine at) const;
 
-  std::string property_;
-  std::vector<std::string> givens_;
-  std::vector<std::string> actions_;
-  std::vector<std::string> causes_;
+  autograder::TestCase case_;
   std::function<std::string()> draw_;
 };
 

@@ -1,4 +1,5 @@
 #include <cs550/graded_test.hpp>
+#include <cs550/test_report.hpp>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -17,12 +18,14 @@ enum ExitCode { AllPassed = 0, SomeFailed = 1, BadUsage = 2, OnlyBlocked = 77 };
 
 constexpr const char* usage = R"(Runs the graded tests of one lab.
 
-  --results FILE    write the results as JSON, kept up to date while the tests run
+  --results FILE    write the results as JSON, kept up to date while the tests run;
+                    FILE.case describes the running test, and stays if the program crashes
   --manifest        print the list of tests with their points and steps as JSON
-  --whose           print whose code each lab function is
+  --whose           print for each lab function whose code it is
   --gtest_filter=Lab3.Name    run one test; other GoogleTest options: --gtest_help
 
-Exit code: 0 all passed, 1 some failed, 2 wrong usage, 77 only blocked by an earlier lab.
+Exit code: 0 all passed, 1 some failed, 2 wrong usage, 77 none failed, but some are blocked by an
+unwritten step.
 )";
 
 struct Options {
@@ -85,6 +88,8 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   announce_stubs();
 
+  std::optional<CaseFile> case_file;
+  if (!options.results.empty()) case_file.emplace(options.results + ".case");
   auto* results = new ResultsWriter(options.results);  // owned by GoogleTest
   testing::UnitTest::GetInstance()->listeners().Append(results);
   const bool passed = RUN_ALL_TESTS() == 0;

@@ -6,7 +6,8 @@
 
 namespace cs550::autograder {
 
-/// {lab, points {visible, hidden}, tests [{name, points, step, hidden, long}]}, ending in a newline.
+/// {lab, points {visible, hidden}, tests [{name, points, step, hidden, long}]}, ending in a
+/// newline.
 std::string manifest();
 
 }  // namespace cs550::autograder

@@ -1,6 +1,7 @@
 #include "results.hpp"
 
 #include <cs550/graded_test.hpp>
+#include <cs550/test_report.hpp>
 #include <fstream>
 #include <iostream>
 #include <utility>
@@ -26,20 +27,22 @@ std::string status(const testing::TestResult& result) {
   return result.Skipped() ? "blocked" : "passed";
 }
 
-/// All that the test's assertions said, without GoogleTest's own first word and, in some versions, its
-/// line break at the end.
-std::string message(const testing::TestResult& result) {
-  const std::string noise = "Failed\n";
-  std::string text;
-  for (int i = 0; i < result.total_part_count(); ++i) {
-    std::string part = result.GetTestPartResult(i).message();
-    if (part.compare(0, noise.size(), noise) == 0) {
-      part.erase(0, noise.size());
-    }
-    while (!part.empty() && part.back() == '\n') part.pop_back();
-    text += (text.empty() ? "" : "\n") + part;
-  }
+/// Its failed checks, in one block, and all other reasons.
+std::string message() {
+  std::string text = summary(failed_checks());
+  for (const std::string& other : other_failures()) text += other + '\n';
+  while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
+}
+
+/// The unwritten step that ended the test, if that is not its own.
+std::string blocker(const testing::TestResult& result) {
+  for (int i = 0; i < result.test_property_count(); ++i) {
+    if (result.GetTestProperty(i).key() == std::string("blocked_by")) {
+      return result.GetTestProperty(i).value();
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -49,6 +52,7 @@ ResultsWriter::ResultsWriter(std::filesystem::path file) : file_(std::move(file)
 void ResultsWriter::OnTestProgramStart(const testing::UnitTest&) { write(); }
 
 void ResultsWriter::OnTestStart(const testing::TestInfo& test) {
+  note_case({});
   const GradedTestInfo info = graded_info(test);
   rows_.push_back({{"test", std::string(test.test_suite_name()) + "." + test.name()},
                    {"step", info.step},
@@ -66,7 +70,8 @@ void ResultsWriter::OnTestEnd(const testing::TestInfo& test) {
   const testing::TestResult& result = *test.result();
   Json& row = rows_.back();
   row["status"] = status(result);
-  row["message"] = message(result);
+  row["message"] = message();
+  if (row["status"] == "blocked") row["blocked_by"] = blocker(result);
   row["seconds"] = static_cast<double>(result.elapsed_time()) / 1000.0;
   if (row["status"] == "passed") {
     row["earned"] = row["points"];

@@ -11,8 +11,9 @@
 namespace cs550::autograder {
 
 /// Keeps a JSON file up to date with the tests that have run: {points, earned, tests [{test, step,
-/// points, earned, status, message, seconds, hidden, long}]}. status is passed, failed, blocked, or
-/// running; a file that still says "running" was left by a test that crashed or was stopped.
+/// points, earned, status, message, seconds, hidden, long}]}. status is passed, failed, blocked
+/// (with blocked_by, the unwritten step) or running; a test that crashed or was stopped is left as
+/// running.
 class ResultsWriter : public testing::EmptyTestEventListener {
  public:
   /// @param file the file to write; its folder is made. Empty: only count.

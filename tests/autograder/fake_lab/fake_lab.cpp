@@ -1,6 +1,7 @@
 /// Graded tests with every kind of ending, for graded_test_test.cpp. "Lab5" stands for any lab.
 #include <cs550/graded_test.hpp>
 #include <cs550/not_implemented.hpp>
+#include <cs550/test_report.hpp>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -14,11 +15,16 @@ GRADED_TEST(Lab5, ReachesAnUnwrittenStep, 4, "L5.2") { throw NotImplemented("L5.
 
 GRADED_TEST(Lab5, ReachesAnEarlierLab, 3, "L5.2") { throw NotImplemented("L2.3", "merge"); }
 
+GRADED_TEST(Lab5, ReachesALaterStep, 1, "L5.2") { throw NotImplemented("L5.4", "reduce"); }
+
 GRADED_TEST(Lab5, Throws, 2, "L5.3", Long) { throw std::out_of_range("index 9 of 4"); }
 
 GRADED_TEST(Lab5, ThrowsANumber, 2, "L5.3") { throw 7; }
 
-GRADED_TEST(Lab5, Crashes, 1, "L5.3") { std::abort(); }
+GRADED_TEST(Lab5, Crashes, 1, "L5.3") {
+  cs550::autograder::note_case({"A polygon is clipped", {"3 corners"}, {}, {"an empty polygon"}});
+  std::abort();
+}
 
 GRADED_TEST(Lab5, Leaves, 1, "L5.3") { std::exit(3); }
 

@@ -1,0 +1,200 @@
+#include "cli/grading/graded_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <future>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "cli/grading/crash_report.hpp"
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+/// `--gtest_filter=Lab3.A:Lab3.B`
+std::string filter(int lab, const std::vector<GradedTest>& tests) {
+  std::string filter = "--gtest_filter=";
+  for (const GradedTest& test : tests) {
+    filter += "Lab" + std::to_string(lab) + '.' + test.name + ':';
+  }
+  return filter;
+}
+
+/// The rows of the results file, by the name of the test.
+std::map<std::string, Json> read_results(const fs::path& file) {
+  std::map<std::string, Json> rows;
+  std::ifstream stream(file);
+  if (!stream) return rows;
+  const Json document = Json::parse(stream, nullptr, false);
+  if (document.is_discarded()) return rows;
+  for (const Json& row : document.at("tests")) {
+    const std::string name = row.at("test");
+    rows[name.substr(name.find('.') + 1)] = row;
+  }
+  return rows;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Verdict to_verdict(const GradedTest& test, const Json& row) {
+  return {test, verdict_kind(row.at("status")), row.at("message"), row.at("seconds"),
+          row.value("blocked_by", "")};
+}
+
+/// The files that a graded program writes.
+struct Outputs {
+  fs::path results;       ///< JSON, up to date whatever happens to the program
+  fs::path running_case;  ///< what the running test described last, padded with zeros
+  fs::path printed;
+
+  explicit Outputs(const std::string& draft)
+      : results(draft + ".json"), running_case(draft + ".json.case"), printed(draft + ".txt") {}
+  void remove() const {
+    for (const fs::path& file : {results, running_case, printed}) fs::remove(file);
+  }
+};
+
+/// What to try when a test has no verdict of its own.
+std::string advice(int lab, const Ending& ending) {
+  return ending.stopped
+             ? fmt::format("try  ./cs550 lab {} --debug  and Ctrl-C: gdb shows where it loops", lab)
+             : fmt::format("try  ./cs550 lab {} --asan", lab);
+}
+
+/// How the program ended, in which case, and what to try.
+Verdict ended_the_program(int lab, const GradedTest& test, const Ending& ending,
+                          const Outputs& outputs) {
+  const std::string report = crash_report(text_of(outputs.printed));
+  std::string running_case = text_of(outputs.running_case);
+  running_case.erase(std::min(running_case.find('\0'), running_case.size()));
+  const std::string more = report + running_case;
+  // A sanitizer ends the program by itself: its report is more useful than the exit code.
+  const bool sanitizer = !report.empty() && ending.signal == 0 && !ending.stopped;
+  if (sanitizer) return {test, Verdict::Kind::Failed, more, 0};
+  return {test, Verdict::Kind::Failed, ending.in_words() + '\n' + more + advice(lab, ending), 0};
+}
+
+std::vector<Verdict> in_order_of(const std::vector<GradedTest>& tests,
+                                 const std::vector<Verdict>& verdicts) {
+  std::vector<Verdict> ordered;
+  ordered.reserve(tests.size());
+  for (const GradedTest& test : tests) {
+    ordered.push_back(*std::find_if(verdicts.begin(), verdicts.end(), [&](const Verdict& verdict) {
+      return verdict.test.name == test.name;
+    }));
+  }
+  return ordered;
+}
+
+/// Reports a file that has not changed for too long: the graded program writes it at the start and
+/// at the end of each test.
+class Watch {
+ public:
+  Watch(fs::path file, Clock::duration patience) : file_(std::move(file)), patience_(patience) {}
+
+  bool is_stuck() {
+    std::error_code absent;
+    const fs::file_time_type written = fs::last_write_time(file_, absent);
+    if (!absent && written != written_) {
+      written_ = written;
+      since_ = Clock::now();
+    }
+    return Clock::now() - since_ > patience_;
+  }
+
+ private:
+  fs::path file_;
+  Clock::duration patience_;
+  fs::file_time_type written_;
+  Clock::time_point since_ = Clock::now();
+};
+
+std::size_t processors() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+/// Deals the tests out like cards: neighbours, which often take equally long, go to different
+/// hands. No hand is empty.
+std::vector<std::vector<GradedTest>> deal(const std::vector<GradedTest>& tests, std::size_t hands) {
+  std::vector<std::vector<GradedTest>> shares(std::min(hands, tests.size()));
+  for (std::size_t i = 0; i < tests.size(); ++i) shares[i % hands].push_back(tests[i]);
+  return shares;
+}
+
+/// Runs tests one after the other. When one ends the program, that is its verdict, and the program
+/// is started again for the tests after it.
+std::vector<Verdict> run_share(const fs::path& program, int lab,
+                               const std::vector<GradedTest>& tests, std::chrono::seconds patience,
+                               const Outputs& outputs) {
+  std::vector<Verdict> verdicts;
+  std::vector<GradedTest> waiting = tests;
+  while (!waiting.empty()) {
+    outputs.remove();
+    Watch watch(outputs.results, patience);
+    const Ending ending = run({program, filter(lab, waiting), "--results", outputs.results},
+                              {project_root(), outputs.printed, [&] { return watch.is_stuck(); }});
+
+    const std::map<std::string, Json> rows = read_results(outputs.results);
+    std::vector<GradedTest> not_reached;
+    bool one_ended_it = false;
+    for (const GradedTest& test : waiting) {
+      const auto row = rows.find(test.name);
+      if (row == rows.end()) {
+        not_reached.push_back(test);
+      } else if (row->second.at("status") == "running") {
+        verdicts.push_back(ended_the_program(lab, test, ending, outputs));
+        one_ended_it = true;
+      } else {
+        verdicts.push_back(to_verdict(test, row->second));
+      }
+    }
+    if (!one_ended_it) {  // it ended before or after the tests, and would do so again
+      for (const GradedTest& test : not_reached) {
+        verdicts.push_back(ended_the_program(lab, test, ending, outputs));
+      }
+      not_reached.clear();
+    }
+    waiting = not_reached;
+  }
+  outputs.remove();
+  return verdicts;
+}
+
+}  // namespace
+
+std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
+                                      const std::vector<GradedTest>& tests,
+                                      std::chrono::seconds patience) {
+  const fs::path folder = project_root() / "build/results";
+  fs::create_directories(folder);
+  const std::string draft = "lab" + std::to_string(lab) + '.' + std::to_string(getpid()) + '.';
+
+  const std::vector<std::vector<GradedTest>> shares = deal(tests, processors());
+  std::vector<std::future<std::vector<Verdict>>> runs;
+  runs.reserve(shares.size());
+  for (const std::vector<GradedTest>& share : shares) {
+    runs.push_back(std::async(std::launch::async, run_share, program, lab, share, patience,
+                              Outputs((folder / (draft + std::to_string(runs.size()))).string())));
+  }
+  std::vector<Verdict> verdicts;
+  for (std::future<std::vector<Verdict>>& run : runs) {
+    const std::vector<Verdict> share = run.get();
+    verdicts.insert(verdicts.end(), share.begin(), share.end());
+  }
+  return in_order_of(tests, verdicts);
+}
+
+}  // namespace cs550::cli

@@ -1,0 +1,21 @@
+#pragma once
+/// @file graded_run.hpp
+/// Running a lab's graded tests on a student's code, whatever that code does.
+
+#include <chrono>
+#include <filesystem>
+#include <vector>
+
+#include "cli/grading/graded_tests.hpp"
+
+namespace cs550::cli {
+
+/// Runs tests of lab `lab` in a graded program, as many at a time as there are processors. A test
+/// that crashes or hangs is a failure; the others still run.
+/// @param patience longest time for one test
+/// @return the verdicts in the order of the tests
+std::vector<Verdict> run_graded_tests(const std::filesystem::path& program, int lab,
+                                      const std::vector<GradedTest>& tests,
+                                      std::chrono::seconds patience);
+
+}  // namespace cs550::cli

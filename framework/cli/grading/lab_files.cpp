@@ -1,0 +1,134 @@
+#include "cli/grading/lab_files.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "cli/system/files.hpp"
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Texts by the names of their files.
+using Texts = std::map<fs::path, std::string>;
+
+fs::path lab_folder(const std::string& lab_name) { return project_root() / "labs" / lab_name; }
+
+bool is_code(const fs::path& file) {
+  return file.extension() == ".cpp" || file.extension() == ".hpp";
+}
+
+std::vector<fs::path> code_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::exists(folder)) return files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && is_code(entry.path())) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Texts texts_in(const fs::path& folder) {
+  Texts texts;
+  for (const fs::path& file : code_in(folder)) texts[file.filename()] = read_text(file);
+  return texts;
+}
+
+/// Throws std::runtime_error where git does not know the folder.
+Texts committed_texts(const fs::path& folder) {
+  const std::string tree = "HEAD:./" + fs::relative(folder, project_root()).string() + '/';
+  std::istringstream names(output_of({"git", "ls-tree", "--name-only", tree}, project_root()));
+  Texts texts;
+  for (std::string name; std::getline(names, name);) {
+    if (is_code(name)) texts[name] = output_of({"git", "show", tree + name}, project_root());
+  }
+  return texts;
+}
+
+Texts starter_of(const std::string& lab_name) {
+  if (Texts pristine = texts_in(project_root() / ".starters" / lab_name); !pristine.empty()) {
+    return pristine;
+  }
+  try {
+    return committed_texts(lab_folder(lab_name));
+  } catch (const std::exception&) {
+    throw std::runtime_error("no starter of labs/" + lab_name +
+                             " was found, neither in .starters/ nor in git's last commit");
+  }
+}
+
+fs::path first_free_backup(const fs::path& file) {
+  for (int n = 1;; ++n) {
+    fs::path backup = file.string() + ".bak-" + std::to_string(n);
+    if (!fs::exists(backup)) return backup;
+  }
+}
+
+void append(std::vector<fs::path>& files, const std::vector<fs::path>& more) {
+  files.insert(files.end(), more.begin(), more.end());
+}
+
+/// What every graded program is built from.
+const std::vector<fs::path>& given_files() {
+  static const std::vector<fs::path> files = [] {
+    std::vector<fs::path> all;
+    for (const char* folder : {"framework", "tests/helpers", "tests/fixtures"}) {
+      append(all, files_below(project_root() / folder));
+    }
+    return all;
+  }();
+  return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> lab_files(const std::string& lab_name) {
+  return code_in(lab_folder(lab_name));
+}
+
+bool has_reference(const std::string& lab_name) {
+  return fs::exists(project_root() / "solutions" / lab_name);
+}
+
+std::string fingerprint(const std::string& lab_name) {
+  std::vector<fs::path> files = given_files();
+  append(files, files_below(project_root() / "tests" / lab_name));
+  append(files, files_below(project_root() / "solutions"));
+  for (const std::string& other : lab_names()) {
+    const bool is_earlier = lab_number(other) < lab_number(lab_name);
+    if (other == lab_name || (is_earlier && !has_reference(other))) append(files, lab_files(other));
+  }
+  return fingerprint_of(files);
+}
+
+bool is_untouched(const std::string& lab_name) {
+  try {
+    return texts_in(lab_folder(lab_name)) == starter_of(lab_name);
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+std::vector<fs::path> reset_to_starter(const std::string& lab_name) {
+  const Texts starter = starter_of(lab_name);
+  const fs::path folder = lab_folder(lab_name);
+  std::vector<fs::path> backups;
+  for (const auto& [name, text] : texts_in(folder)) {
+    const auto pristine = starter.find(name);
+    if (pristine != starter.end() && pristine->second == text) continue;
+    backups.push_back(first_free_backup(folder / name));
+    fs::rename(folder / name, backups.back());
+  }
+  for (const auto& [name, text] : starter) {
+    if (!fs::exists(folder / name)) write_text(folder / name, text);
+  }
+  return backups;
+}
+
+}  // namespace cs550::cli

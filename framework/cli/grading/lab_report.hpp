@@ -1,0 +1,44 @@
+#pragma once
+/// @file lab_report.hpp
+/// Printing the verdicts on a lab, and the hint that goes with one.
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/grading/graded_tests.hpp"
+
+namespace cs550::cli {
+
+/// Prints one line for each test. A failed test also prints its report, unless its step comes after
+/// the first step that fails: a mistake in one step often fails all later ones.
+class LabReport {
+ public:
+  /// @param everything print the reports of later steps too
+  explicit LabReport(bool everything) : everything_(everything) {}
+
+  void print(const std::vector<Verdict>& verdicts);
+
+  /// Points and tests passed. @param elsewhere points that the instructor grades
+  void print_total(int elsewhere) const;
+
+ private:
+  void print_reason(const Verdict& verdict);
+  std::string with_new_causes(const std::string& message);
+  bool is_after_first_failure(const Verdict& verdict) const;
+
+  bool everything_;
+  std::vector<Verdict> verdicts_;                ///< printed so far
+  std::string first_failing_step_;               ///< empty while none fails
+  std::map<std::string, std::string> reported_;  ///< the test that first had a message
+  std::set<std::string> causes_;                 ///< printed so far
+  bool shortened_ = false;
+};
+
+/// Prints a hint for a test that did not pass: for its step, or for the step that blocks it.
+/// @param number 1, 2, 3; 0: the next one
+/// @return an ExitCode
+int give_hint(const Verdict& failure, int number);
+
+}  // namespace cs550::cli

@@ -1,0 +1,172 @@
+#include "cli/grading/lab_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "cli/grading/graded_run.hpp"
+#include "cli/grading/lab_files.hpp"
+#include "cli/system/files.hpp"
+#include "cli/system/project.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using std::chrono::seconds;
+
+namespace {
+
+fs::path result_file(const std::string& lab_name) {
+  return project_root() / "build/results" / fmt::format("lab{}.json", lab_number(lab_name));
+}
+
+/// Makes the sanitizers print the calls that led to undefined behaviour or to a failed assertion.
+void ask_sanitizers_for_places() {
+  constexpr int keep_the_users = 0;
+  setenv("UBSAN_OPTIONS", "print_stacktrace=1", keep_the_users);
+  setenv("ASAN_OPTIONS", "handle_abort=1", keep_the_users);
+}
+
+/// A picture shows how a test failed: one of a test that passes is out of date.
+void remove_picture(int lab, const GradedTest& test) {
+  fs::remove(project_root() / "build/results/pictures" /
+             fmt::format("Lab{}.{}.svg", lab, test.name));
+}
+
+Json to_json(const LabResult& result) {
+  Json tests = Json::array();
+  for (const Verdict& verdict : result.verdicts) {
+    tests.push_back({{"test", verdict.test.name},
+                     {"step", verdict.test.step},
+                     {"points", verdict.test.points},
+                     {"long", verdict.test.is_long},
+                     {"earned", verdict.earned()},
+                     {"status", to_string(verdict.kind)},
+                     {"message", verdict.message},
+                     {"seconds", verdict.seconds},
+                     {"blocked_by", verdict.blocked_by}});
+  }
+  return {{"lab", result.lab_name},
+          {"fingerprint", result.fingerprint},
+          {"points", result.points()},
+          {"earned", result.earned()},
+          {"compile_error", result.compile_error},
+          {"tests", tests}};
+}
+
+LabResult from_json(const Json& json) {
+  LabResult result{json.at("lab"), json.at("fingerprint"), json.at("compile_error"), {}};
+  for (const Json& row : json.at("tests")) {
+    result.verdicts.push_back({{row.at("test"), row.at("step"), row.at("points"), row.at("long")},
+                               verdict_kind(row.at("status")),
+                               row.at("message"),
+                               row.at("seconds"),
+                               row.at("blocked_by")});
+  }
+  return result;
+}
+
+}  // namespace
+
+int LabResult::earned() const {
+  int sum = 0;
+  for (const Verdict& verdict : verdicts) sum += verdict.earned();
+  return sum;
+}
+
+int LabResult::points() const {
+  int sum = 0;
+  for (const Verdict& verdict : verdicts) sum += verdict.test.points;
+  return sum;
+}
+
+std::optional<Verdict> LabResult::next_failure() const {
+  std::optional<Verdict> next;
+  for (const Verdict& verdict : verdicts) {
+    if (verdict.kind == Verdict::Kind::Passed) continue;
+    const bool comes_first = !next || is_earlier_step(verdict.test.step, next->test.step);
+    const bool is_clearer = next && verdict.test.step == next->test.step &&
+                            next->kind == Verdict::Kind::Blocked &&
+                            verdict.kind == Verdict::Kind::Failed;
+    if (comes_first || is_clearer) next = verdict;
+  }
+  return next;
+}
+
+std::optional<LabResult> remembered_result(const std::string& lab_name) {
+  std::ifstream stream(result_file(lab_name));
+  if (!stream) return std::nullopt;
+  try {
+    LabResult result = from_json(Json::parse(stream));
+    if (result.fingerprint == fingerprint(lab_name)) return result;
+  } catch (const Json::exception&) {
+    // Damaged, or written by another version: graded again.
+  }
+  return std::nullopt;
+}
+
+void remember(const LabResult& result) {
+  write_text(result_file(result.lab_name), to_json(result).dump(2) + '\n');
+}
+
+LabResult result_of(const std::string& lab_name) {
+  if (const std::optional<LabResult> known = remembered_result(lab_name)) return *known;
+  const int lab = lab_number(lab_name);
+  const std::string error = build_quietly(graded_target(lab, Grading::Plain));
+  LabResult result = result_of_compile_error(lab_name, error);
+  if (error.empty()) result.verdicts = grade(lab, Grading::Plain, graded_tests(lab_name));
+  remember(result);
+  return result;
+}
+
+LabResult result_of_compile_error(const std::string& lab_name, const std::string& error) {
+  LabResult result = result_of_starter(lab_name);
+  result.compile_error = error;
+  return result;
+}
+
+LabResult result_of_starter(const std::string& lab_name) {
+  LabResult result{lab_name, fingerprint(lab_name), "", {}};
+  for (const GradedTest& test : graded_tests(lab_name)) {
+    result.verdicts.push_back({test, Verdict::Kind::Failed, "", 0});
+  }
+  return result;
+}
+
+std::string graded_target(int lab, Grading grading) {
+  const std::string variant = grading == Grading::Sanitized ? "sanitized" : "student";
+  return "lab" + std::to_string(lab) + '_' + variant;
+}
+
+std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests) {
+  const bool sanitized = grading == Grading::Sanitized;
+  if (sanitized) ask_sanitizers_for_places();
+  const int slowdown = sanitized ? 5 : 1;
+  const fs::path program = built_program("student", graded_target(lab, grading));
+  std::vector<Verdict> verdicts =
+      run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5});
+  const std::vector<Verdict> slow =
+      run_graded_tests(program, lab, only(tests, true), slowdown * seconds{60});
+  verdicts.insert(verdicts.end(), slow.begin(), slow.end());
+  for (const Verdict& verdict : verdicts) {
+    if (verdict.kind == Verdict::Kind::Passed) remove_picture(lab, verdict.test);
+  }
+  std::stable_sort(verdicts.begin(), verdicts.end(), [](const Verdict& a, const Verdict& b) {
+    return is_earlier_step(a.test.step, b.test.step);
+  });
+  return verdicts;
+}
+
+std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long) {
+  std::vector<GradedTest> chosen;
+  std::copy_if(tests.begin(), tests.end(), std::back_inserter(chosen),
+               [is_long](const GradedTest& test) { return test.is_long == is_long; });
+  return chosen;
+}
+
+}  // namespace cs550::cli

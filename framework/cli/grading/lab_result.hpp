@@ -1,0 +1,55 @@
+#pragma once
+/// @file lab_result.hpp
+/// The result of a lab: graded when anything that it depends on has changed, else remembered in
+/// build/results/labN.json.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/grading/graded_tests.hpp"
+
+namespace cs550::cli {
+
+struct LabResult {
+  std::string lab_name;
+  std::string fingerprint;    ///< of everything that was graded
+  std::string compile_error;  ///< the compiler's first error; empty when it compiled
+  std::vector<Verdict> verdicts;
+
+  int earned() const;
+  int points() const;
+  bool is_finished() const { return earned() == points(); }
+  /// A test of the first step with a test that did not pass: a failed one rather than a blocked
+  /// one. None when all passed or none was run.
+  std::optional<Verdict> next_failure() const;
+};
+
+/// The result on file, if it is still valid.
+std::optional<LabResult> remembered_result(const std::string& lab_name);
+
+/// Writes the result to its file.
+void remember(const LabResult& result);
+
+/// The remembered result, else a new one: builds quietly and runs all graded tests.
+LabResult result_of(const std::string& lab_name);
+
+/// The result before anything is written: no test was run, none passed.
+LabResult result_of_starter(const std::string& lab_name);
+
+/// The result of a lab that does not compile: 0 points, with the reason.
+LabResult result_of_compile_error(const std::string& lab_name, const std::string& error);
+
+/// Which build of the student's code is graded.
+enum class Grading { Plain, Sanitized };
+
+/// The program that grades a lab.
+std::string graded_target(int lab, Grading grading);
+
+/// Runs tests in that program, each with a time limit, and removes the pictures of those that pass.
+std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests);
+
+/// The short tests, or the long ones.
+std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long);
+
+}  // namespace cs550::cli

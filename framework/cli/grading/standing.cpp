@@ -1,0 +1,111 @@
+#include "cli/grading/standing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/grading/lab_files.hpp"
+#include "cli/system/files.hpp"
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+#include "cli/system/terminal.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr const char* program = "milestones_student";
+
+fs::path milestone_file() { return project_root() / "build/results/engine.json"; }
+
+/// Of all labs together: a change in any may change the engine.
+std::vector<std::string> fingerprints(const std::vector<LabResult>& labs) {
+  std::vector<std::string> list;
+  list.reserve(labs.size());
+  for (const LabResult& lab : labs) list.push_back(lab.fingerprint);
+  return list;
+}
+
+std::optional<std::set<int>> remembered_milestones(const std::vector<LabResult>& labs) {
+  std::ifstream stream(milestone_file());
+  if (!stream) return std::nullopt;
+  const Json json = Json::parse(stream, nullptr, false);
+  const bool valid = json.is_object() && json.at("lab_files") == Json(fingerprints(labs));
+  return valid ? std::optional(json.at("reached").get<std::set<int>>()) : std::nullopt;
+}
+
+bool reaches(int lab) {
+  constexpr std::chrono::seconds patience{60};
+  const fs::path output = milestone_file().replace_extension(".txt");
+  const Clock::time_point start = Clock::now();
+  const Ending ending =
+      run({built_program("student", program), "--lab", std::to_string(lab)},
+          {project_root(), output, [&] { return Clock::now() > start + patience; }});
+  fs::remove(output);
+  return ending.good();
+}
+
+/// The milestones of these labs that the student's engine reaches: run again when a lab or the
+/// framework has changed, else remembered.
+std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
+  if (const std::optional<std::set<int>> known = remembered_milestones(labs)) return *known;
+  std::set<int> reached;
+  if (!labs.empty() && build_quietly(program).empty()) {
+    for (const LabResult& lab : labs) {
+      const int number = lab_number(lab.lab_name);
+      if (has_milestone(number) && reaches(number)) reached.insert(number);
+    }
+  }
+  write_text(milestone_file(),
+             Json{{"lab_files", fingerprints(labs)}, {"reached", reached}}.dump(2) + '\n');
+  return reached;
+}
+
+/// The labs that were begun, up to the first that was not: the engine can run no further.
+std::vector<LabResult> begun(const Standing& standing) {
+  std::vector<LabResult> labs;
+  for (const LabResult& lab : standing.labs) {
+    if (standing.untouched.count(lab.lab_name) != 0) break;
+    labs.push_back(lab);
+  }
+  return labs;
+}
+
+}  // namespace
+
+Standing look_at_labs() {
+  Standing standing;
+  for (const std::string& name : lab_names()) {
+    const bool untouched = is_untouched(name);
+    if (untouched) standing.untouched.insert(name);
+    const bool is_next = !standing.next;
+    if (untouched && !is_next) {
+      standing.labs.push_back(result_of_starter(name));
+      continue;
+    }
+    if (!remembered_result(name)) show_status("Grading " + title(name) + " ...");
+    standing.labs.push_back(result_of(name));
+    if (is_next && !standing.labs.back().is_finished()) standing.next = standing.labs.size() - 1;
+  }
+  show_status("Running your engine ...");
+  standing.milestones = milestones_reached(begun(standing));
+  show_status("");
+  return standing;
+}
+
+bool has_milestone(int lab) {
+  const std::string start = fmt::format("lab{}_", lab);
+  const auto records = fs::directory_iterator(project_root() / "framework/assets/trajectories");
+  return std::any_of(begin(records), end(records), [&start](const fs::directory_entry& record) {
+    return record.path().filename().string().rfind(start, 0) == 0;
+  });
+}
+
+}  // namespace cs550::cli

@@ -1,0 +1,93 @@
+#include "cli/system/process.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+namespace cs550::cli {
+namespace {
+
+constexpr int cannot_start = 127;
+constexpr std::chrono::milliseconds glance{5};  ///< short beside the time of a test run
+
+std::vector<char*> as_arguments(const std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
+/// In the child: only calls that are safe after fork().
+[[noreturn]] void start(char* const* arguments, const char* folder, const char* output) {
+  if (*folder != '\0' && chdir(folder) != 0) _exit(cannot_start);
+  if (*output != '\0') {
+    const int file = open(output, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (file < 0) _exit(cannot_start);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+  }
+  execvp(arguments[0], arguments);
+  _exit(cannot_start);
+}
+
+}  // namespace
+
+std::string Ending::in_words() const {
+  if (stopped) return "stopped: it did not end in time (an endless loop?)";
+  if (signal != 0) return std::string("crashed: ") + strsignal(signal);
+  return "the program exited during the test, with exit code " + std::to_string(exit_code);
+}
+
+Ending run(const std::vector<std::string>& command, const Surroundings& surroundings) {
+  const std::vector<char*> arguments = as_arguments(command);
+  const pid_t child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child == 0) {
+    start(arguments.data(), surroundings.folder.c_str(), surroundings.output.c_str());
+  }
+
+  Ending ending;
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) != child) {
+    if (!ending.stopped && surroundings.is_stuck()) {
+      ending.stopped = true;
+      kill(child, SIGKILL);
+    }
+    std::this_thread::sleep_for(glance);
+  }
+  if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
+  if (WIFEXITED(status)) ending.exit_code = WEXITSTATUS(status);
+  if (ending.exit_code == cannot_start) {
+    throw std::system_error(ENOENT, std::generic_category(), command.front());
+  }
+  return ending;
+}
+
+std::string output_of(const std::vector<std::string>& command,
+                      const std::filesystem::path& folder) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("cs550." + std::to_string(getpid()) + ".txt");
+  const Ending ending = run(command, {folder, file});
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::filesystem::remove(file);
+  if (!ending.good()) throw std::runtime_error(command.front() + " failed: " + text);
+  return text;
+}
+
+void become(const std::vector<std::string>& command) {
+  execvp(command.front().c_str(), as_arguments(command).data());
+  throw std::system_error(errno, std::generic_category(), command.front());
+}
+
+}  // namespace cs550::cli

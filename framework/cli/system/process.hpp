@@ -1,0 +1,43 @@
+#pragma once
+/// @file process.hpp
+/// Running other programs.
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cs550::cli {
+
+/// How a program ended.
+struct Ending {
+  int exit_code = 0;     ///< meaningful when signal is 0
+  int signal = 0;        ///< that killed it, or 0
+  bool stopped = false;  ///< whether we killed it, since it made no progress
+
+  bool good() const { return exit_code == 0 && signal == 0; }
+  /// For a program that should not have ended: "crashed: Segmentation fault".
+  std::string in_words() const;
+};
+
+/// Where a program runs, and until when.
+struct Surroundings {
+  std::filesystem::path folder;  ///< its working directory; empty: ours
+  std::filesystem::path output;  ///< file for its standard output and error; empty: ours
+  /// Called every few milliseconds: whether the program is stuck and must be killed.
+  std::function<bool()> is_stuck = [] { return false; };
+};
+
+/// Runs a program to its end. The first word is the program, found along PATH.
+/// Throws std::system_error when it cannot be started.
+Ending run(const std::vector<std::string>& command, const Surroundings& surroundings = {});
+
+/// What a program prints. Throws std::runtime_error, with what it printed, when it fails.
+std::string output_of(const std::vector<std::string>& command,
+                      const std::filesystem::path& folder = {});
+
+/// Replaces this process by another program. Throws std::system_error when it cannot be started.
+[[noreturn]] void become(const std::vector<std::string>& command);
+
+}  // namespace cs550::cli

@@ -1,0 +1,110 @@
+#include "cli/system/project.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+#include "cli/system/process.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The compiler starts in the build folder: "../../labs/..." becomes "labs/...".
+std::string from_the_root(const std::string& line) {
+  const std::size_t start = line.find_first_not_of("./");
+  return line[0] == '.' && start != std::string::npos ? line.substr(start) : line;
+}
+
+}  // namespace
+
+fs::path project_root() {
+  if (const char* root = std::getenv("CS550_ROOT")) return root;
+  for (fs::path folder = fs::current_path(); folder != folder.root_path();
+       folder = folder.parent_path()) {
+    if (fs::exists(folder / "framework/cli/verbs.def")) return folder;
+  }
+  throw std::runtime_error(fs::current_path().string() +
+                           " is not inside the repository: run ./cs550 there");
+}
+
+int lab_number(const std::string& lab_name) { return std::stoi(lab_name.substr(3)); }
+
+std::vector<std::string> lab_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(project_root() / "tests")) {
+    const std::string name = entry.path().filename();
+    if (name.rfind("lab", 0) == 0 && name.size() > 3 && std::isdigit(name[3]) != 0) {
+      names.push_back(name);
+    }
+  }
+  std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    return lab_number(a) < lab_number(b);
+  });
+  return names;
+}
+
+std::string lab_name(int number) {
+  for (const std::string& name : lab_names()) {
+    if (lab_number(name) == number) return name;
+  }
+  return {};
+}
+
+std::string title(const std::string& lab_name) {
+  const std::size_t topic = lab_name.find('_');
+  std::string title = "Lab " + lab_name.substr(3, topic - 3) + ": " + lab_name.substr(topic + 1);
+  std::replace(title.begin(), title.end(), '_', ' ');
+  return title;
+}
+
+std::string fault_of_lab_number(const std::string& word) {
+  std::string fault = "there is no lab " + word + ". The labs:";
+  for (const std::string& lab : lab_names()) {
+    if (std::to_string(lab_number(lab)) == word) return {};
+    fault.append("\n  ").append(title(lab));
+  }
+  return fault;
+}
+
+std::string lab_of_step(const std::string& step) { return lab_name(std::stoi(step.substr(1))); }
+
+bool is_students_copy() { return fs::exists(project_root() / ".starters"); }
+
+std::string starter_version(const fs::path& copy) {
+  std::ifstream file(copy / starter_version_file);
+  std::string version;
+  std::getline(file, version);
+  return version;
+}
+
+bool build(const std::string& preset, const std::string& target) {
+  return run({project_root() / "cs550", "build", preset, target}).exit_code == 0;
+}
+
+std::string build_quietly(const std::string& target) {
+  const fs::path output = project_root() / "build/results" / (target + ".log");
+  fs::create_directories(output.parent_path());
+  const Ending ending = run({project_root() / "cs550", "build", "student", target}, {{}, output});
+  fs::remove(output);
+  return ending.good() ? "" : first_build_error();
+}
+
+std::string first_build_error() {
+  std::ifstream lines(project_root() / "build/student.log");
+  std::string last = "the build failed";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("error: ") != std::string::npos) return from_the_root(line);
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+fs::path built_program(const std::string& preset, const std::string& name) {
+  return project_root() / "build" / preset / "bin" / name;
+}
+
+}  // namespace cs550::cli

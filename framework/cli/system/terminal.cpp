@@ -1,0 +1,120 @@
+#include "cli/system/terminal.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+namespace cs550::cli {
+namespace {
+
+/// https://no-color.org: any value but an empty one asks for plain text.
+bool shows_colours() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0') &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+const char* escape_code(Colour colour) {
+  switch (colour) {
+    case Colour::Red:
+      return "31";
+    case Colour::Green:
+      return "32";
+    case Colour::Yellow:
+      return "33";
+    case Colour::Bold:
+      return "1";
+    case Colour::Faint:
+      return "2";
+  }
+  return "0";
+}
+
+/// How many characters a UTF-8 text shows: its bytes but for those that continue a character.
+std::size_t columns(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
+}
+
+/// The column in which the text of a line begins, after its indentation and a label: "  likely
+/// compare ...".
+std::size_t start_of_text(const std::string& line) {
+  constexpr std::size_t last_column_of_labels = 16;
+  const std::size_t label = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t text = line.find_first_not_of(' ', line.find("  ", label));
+  return text < last_column_of_labels ? text : label;
+}
+
+}  // namespace
+
+std::string coloured(std::string_view text, Colour colour) {
+  static const bool show = shows_colours();
+  if (!show) return std::string(text);
+  return std::string("\033[") + escape_code(colour) + 'm' + std::string(text) + "\033[0m";
+}
+
+std::string indented(std::string_view text, std::size_t spaces) {
+  constexpr std::size_t last_column = 80;
+  const std::size_t width = last_column - spaces;
+  std::istringstream lines{std::string(text)};
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t start = start_of_text(line);
+    while (columns(line) > width) {
+      const std::size_t space = line.rfind(' ', width);
+      if (space == std::string::npos || space <= start) break;
+      result += std::string(spaces, ' ') + line.substr(0, space) + '\n';
+      line.replace(0, space + 1, std::string(start, ' '));
+    }
+    result += (line.empty() ? "" : std::string(spaces, ' ')) + line + '\n';
+  }
+  return result;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, text.size()), ' ');
+}
+
+void show_status(const std::string& text) {
+  if (isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
+}
+
+void ProgressBar::show(int done) {
+  const Clock::time_point now = Clock::now();
+  if (now < next_ || isatty(STDERR_FILENO) == 0) return;
+  next_ = now + std::chrono::milliseconds(100);
+  visible_ = true;
+
+  constexpr int width = 40;
+  const int filled = static_cast<int>(static_cast<long>(done) * width / total_);
+  std::cerr << "\r[" << std::string(filled, '#') << std::string(width - filled, ' ') << "] step "
+            << done << " of " << total_ << std::flush;
+}
+
+ProgressBar::~ProgressBar() {
+  if (visible_) show_status("");
+}
+
+KeyByKey::KeyByKey() {
+  tcgetattr(STDIN_FILENO, &before_);
+  termios now = before_;
+  now.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+  tcsetattr(STDIN_FILENO, TCSANOW, &now);
+}
+
+KeyByKey::~KeyByKey() { tcsetattr(STDIN_FILENO, TCSANOW, &before_); }
+
+char KeyByKey::wait() {
+  constexpr int milliseconds = 200;
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  if (poll(&input, 1, milliseconds) <= 0) return 0;
+  char key = 'q';
+  return read(STDIN_FILENO, &key, 1) == 1 ? key : 'q';
+}
+
+}  // namespace cs550::cli

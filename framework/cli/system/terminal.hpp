@@ -1,0 +1,65 @@
+#pragma once
+/// @file terminal.hpp
+/// What a terminal adds to plain output: colours, lines of at most 80 columns, a progress bar,
+/// single keys.
+
+#include <termios.h>
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace cs550::cli {
+
+enum class Colour { Red, Green, Yellow, Bold, Faint };
+
+/// The text in a colour; plain when standard output is no terminal, or NO_COLOR is set.
+std::string coloured(std::string_view text, Colour colour);
+
+/// Every line of the text with `spaces` spaces before it, ending in a newline; empty for no text.
+/// A line longer than 80 columns is broken between two words.
+std::string indented(std::string_view text, std::size_t spaces);
+
+/// The text filled up to `width` columns with spaces.
+std::string padded(const std::string& text, std::size_t width);
+
+/// On a terminal: a line about what is running, which the next output replaces. Empty text clears
+/// it.
+void show_status(const std::string& text);
+
+/// How far a long run has come: one line on standard error that changes in place. Nothing is shown
+/// where standard error is no terminal, or in the first half second.
+class ProgressBar {
+ public:
+  explicit ProgressBar(int total) : total_(total) {}
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// @param done steps, of the total
+  void show(int done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  int total_;
+  Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(500);
+  bool visible_ = false;
+};
+
+/// While this object lives, keys are read one by one and are not echoed.
+class KeyByKey {
+ public:
+  KeyByKey();
+  ~KeyByKey();
+  KeyByKey(const KeyByKey&) = delete;
+  KeyByKey& operator=(const KeyByKey&) = delete;
+
+  /// The next key, or 0 when none comes within 0.2 s; 'q' when the terminal is gone.
+  static char wait();
+
+ private:
+  termios before_{};
+};
+
+}  // namespace cs550::cli

@@ -1,0 +1,103 @@
+// ./cs550 demo: runs a scene through the assembled engine, and prints a summary of the run.
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+#include "cli/system/terminal.hpp"
+#include "cli/verb.hpp"
+#include "cli/verbs/run_record.hpp"
+#include "cli/verbs/view.hpp"
+
+namespace cs550::cli {
+namespace {
+
+struct DemoOptions {
+  std::string scene = "wall";
+  std::filesystem::path csv;
+  int steps = 0;  ///< 0: the scene's own number
+  bool no_picture = false;
+};
+
+double timed_step(World& world, Real h) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  world.step(h);
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void run_scene(World& world, const Scene& scene, int steps, RunRecord& record,
+               std::optional<TrajectoryCsv>& trajectory) {
+  ProgressBar progress(steps);
+  if (trajectory) trajectory->add(world, scene);
+  for (int step = 0; step < steps; ++step) {
+    record.add_step(world, timed_step(world, scene.h));
+    if (trajectory) trajectory->add(world, scene);
+    progress.show(step + 1);
+  }
+  if (trajectory) trajectory->commit();
+}
+
+/// A picture of the scene after an eighth of the run, when most happens. It is optional.
+void take_picture(const Scene& scene, const std::string& name, int steps) {
+  constexpr int moment = 8;
+  if (!has_viewer()) {
+    std::cout << "\nFor a picture: ./cs550 view " << name << " (installs the packages it needs)\n";
+    return;
+  }
+  std::vector<std::string> command = viewer_command(false, "release");
+  if (command.empty()) return;
+  const std::filesystem::path file = project_root() / "build/results" / (scene.name + ".png");
+  const std::filesystem::path log = file.string() + ".txt";
+  std::filesystem::create_directories(file.parent_path());
+  command.insert(command.end(), {name, "--steps", std::to_string(steps / moment), "--ui", "off",
+                                 "--snapshot", file.string()});
+  if (run(command, {{}, log}).good()) {
+    std::cout << "\nPicture: " << std::filesystem::relative(file).string()
+              << "\nIn motion: ./cs550 view " << name << '\n';
+  } else {
+    std::cout << "\nThe picture could not be made; the viewer's output is in " << log.string()
+              << '\n';
+  }
+}
+
+int run_demo(const DemoOptions& options) {
+  SceneResult found = find_scene(options.scene);
+  if (!found) {
+    std::cerr << "cs550: " << found.error << '\n';
+    return Misused;
+  }
+  Scene& scene = found.scene;
+  scene.settings.audit_momentum = true;
+
+  std::optional<TrajectoryCsv> trajectory;
+  if (!options.csv.empty()) trajectory.emplace(options.csv);
+  World world = make_world(scene);
+  RunRecord record(scene, world);
+  const int steps = options.steps > 0 ? options.steps : scene.steps;
+  run_scene(world, scene, steps, record, trajectory);
+  record.print(std::cout);
+  if (!options.no_picture) take_picture(scene, options.scene, steps);
+  return record.good() ? Good : Failed;
+}
+
+}  // namespace
+
+Action declare_demo(CLI::App& app) {
+  const auto options = std::make_shared<DemoOptions>();
+  app.add_option("SCENE", options->scene,
+                 "name of a shipped scene, or a scene file; by default wall");
+  app.add_option("--csv", options->csv, "write the trajectory of every moving body to a file")
+      ->option_text("FILE");
+  app.add_option("--steps", options->steps, "number of steps; by default the scene's own")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1000000));
+  app.add_flag("--no-picture", options->no_picture, "print the summary only");
+  return [options] { return run_demo(*options); };
+}
+
+}  // namespace cs550::cli

@@ -1,0 +1,239 @@
+// ./cs550 lab N: the graded tests of one lab on the student's code, and help with the failing ones.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include "cli/grading/lab_files.hpp"
+#include "cli/grading/lab_report.hpp"
+#include "cli/grading/lab_result.hpp"
+#include "cli/handout/handout.hpp"
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+#include "cli/system/terminal.hpp"
+#include "cli/verb.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::seconds gdb_patience{
+    60};  ///< without a terminal, where nobody presses Ctrl-C
+
+struct LabOptions {
+  int lab = 0;
+  std::string name;  ///< of the lab's folders
+  std::string step;
+  bool wants_hint = false;
+  int hint = 0;  ///< 0: the next one
+  bool asan = false;
+  bool debug = false;
+  bool reset = false;
+  bool run = false;
+  bool all = false;  ///< print every report
+};
+
+std::vector<GradedTest> of_step(const std::vector<GradedTest>& tests, const std::string& step) {
+  std::vector<GradedTest> chosen;
+  std::copy_if(tests.begin(), tests.end(), std::back_inserter(chosen),
+               [&](const GradedTest& test) { return step.empty() || test.step == step; });
+  return chosen;
+}
+
+/// @pre the tests come step by step
+std::string steps_of(const std::vector<GradedTest>& tests) {
+  std::string list;
+  std::string last;
+  for (const GradedTest& test : tests) {
+    if (test.step != last) list += (list.empty() ? "" : ", ") + test.step;
+    last = test.step;
+  }
+  return list;
+}
+
+/// The first test that did not pass, in the debugger. Without a terminal it only prints the calls
+/// that led to the failure.
+int debug_first_failure(int lab, const LabResult& result) {
+  const std::optional<Verdict> failure = result.next_failure();
+  if (!failure) {
+    std::cout << "Every test passes: there is nothing to debug.\n";
+    return Good;
+  }
+  if (failure->kind == Verdict::Kind::Blocked) {
+    std::cout << fmt::format("{} needs {}, which is not written yet: there is nothing to debug.\n",
+                             failure->test.name, failure->blocked_by);
+    return Failed;
+  }
+  if (!run({project_root() / "cs550", "doctor", "--install", "debug"}).good()) return Failed;
+  const std::string target = graded_target(lab, Grading::Plain);
+  if (!build("debug", target)) return Failed;
+  std::vector<std::string> gdb{
+      "gdb", "-q", "-iex", "set debuginfod enabled off", "-x", "framework/cli/debug.gdb"};
+  const bool can_ask = isatty(STDIN_FILENO) != 0;
+  if (!can_ask) gdb.insert(gdb.end(), {"-batch", "-ex", "backtrace"});
+  gdb.insert(gdb.end(), {"--args", built_program("debug", target), "--gtest_break_on_failure",
+                         "--gtest_filter=*." + failure->test.name});
+  std::cout << "gdb runs " << failure->test.name
+            << " up to its failure. To step through your own function: `break`\n"
+               "and its name, `run`, then `next` or `step`. `quit` leaves gdb.\n"
+            << std::flush;
+  fs::current_path(project_root());
+  if (can_ask) become(gdb);
+  const auto start = std::chrono::steady_clock::now();
+  const auto is_stuck = [&] { return std::chrono::steady_clock::now() - start > gdb_patience; };
+  if (run(gdb, {{}, {}, is_stuck}).stopped) {
+    std::cout << "The test does not end. In a terminal, Ctrl-C shows where it loops.\n";
+  }
+  return Failed;
+}
+
+/// Without the reference, a mistake in an earlier lab fails tests of this one.
+void warn_of_earlier_labs(int lab) {
+  for (const std::string& earlier : lab_names()) {
+    const int number = lab_number(earlier);
+    if (number >= lab || has_reference(earlier) || is_untouched(earlier)) continue;
+    show_status("Checking " + title(earlier) + " ...");
+    const LabResult result = result_of(earlier);
+    show_status("");
+    const std::optional<Verdict> failure = result.next_failure();
+    if (!failure) continue;
+    const std::string fault =
+        result.compile_error.empty() ? "fails " + failure->step_to_mend() : "does not compile";
+    std::cout << coloured(fmt::format("Lab {} itself {}: fix that first.", number, fault),
+                          Colour::Yellow)
+              << fmt::format(" (./cs550 lab {})\n\n", number);
+  }
+}
+
+bool any_failed(const std::vector<Verdict>& verdicts) {
+  return std::any_of(verdicts.begin(), verdicts.end(),
+                     [](const Verdict& verdict) { return verdict.kind == Verdict::Kind::Failed; });
+}
+
+int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
+  const Grading grading = options.asan ? Grading::Sanitized : Grading::Plain;
+  const bool is_whole_lab = options.step.empty();
+  const bool is_remembered = is_whole_lab && !options.asan;
+  if (!build("student", graded_target(options.lab, grading))) {
+    if (is_remembered) remember(result_of_compile_error(options.name, first_build_error()));
+    return Failed;
+  }
+
+  std::cout << coloured(title(options.name), Colour::Bold) << "\n\n" << std::flush;
+  LabResult result = result_of_starter(options.name);
+  result.verdicts.clear();
+  LabReport report(options.all);
+  for (const bool is_long : {false, true}) {
+    const std::vector<GradedTest> chosen = only(tests, is_long);
+    if (chosen.empty()) continue;
+    if (is_long) std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;
+    const std::vector<Verdict> verdicts = grade(options.lab, grading, chosen);
+    if (any_failed(verdicts) && !any_failed(result.verdicts)) warn_of_earlier_labs(options.lab);
+    report.print(verdicts);
+    result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
+  }
+  report.print_total(is_whole_lab ? points_graded_elsewhere(options.name) : 0);
+  if (is_remembered) remember(result);
+
+  if (options.debug) return debug_first_failure(options.lab, result);
+  return result.next_failure() ? Failed : Good;
+}
+
+/// A hint for the given step, else for the first one with a failing test.
+int run_hint(const LabOptions& options) {
+  if (!options.step.empty()) return show_hint(options.name, options.step, options.hint);
+  const LabResult result = result_of(options.name);
+  if (!result.compile_error.empty()) {
+    std::cerr << title(options.name) << " does not compile:\n" << indented(result.compile_error, 2);
+    return Failed;
+  }
+  if (const std::optional<Verdict> failure = result.next_failure()) {
+    return give_hint(*failure, options.hint);
+  }
+  std::cout << "Every test of lab " << options.lab << " passes: no hint is needed.\n";
+  return Good;
+}
+
+int reset_lab(const LabOptions& options) {
+  const std::vector<fs::path> backups = reset_to_starter(options.name);
+  if (backups.empty()) {
+    std::cout << "labs/" << options.name << " is the starter already: nothing was changed.\n";
+    return Good;
+  }
+  std::cout << "labs/" << options.name << " is the starter again. Your files were kept as\n";
+  for (const fs::path& backup : backups) {
+    std::cout << "  " << fs::relative(backup, project_root()).string() << '\n';
+  }
+  return Good;
+}
+
+/// Compares the engine made of the student's labs with the recorded reference.
+int run_engine(const LabOptions& options) {
+  if (!build("student", "milestones_student")) return Failed;
+  std::cout << coloured("Your own engine, labs 1 to " + std::to_string(options.lab), Colour::Bold)
+            << "\n\n"
+            << std::flush;
+  const Ending ending =
+      run({built_program("student", "milestones_student"), "--lab", std::to_string(options.lab)});
+  if (ending.signal != 0) std::cout << "\nnot reached: " << ending.in_words() << '\n';
+  return ending.good() ? Good : Failed;
+}
+
+int run_lab(LabOptions options) {
+  options.name = lab_name(options.lab);
+  if (options.reset) return reset_lab(options);
+  if (options.run) return run_engine(options);
+  const std::vector<GradedTest> all = graded_tests(options.name);
+  const std::vector<GradedTest> tests = of_step(all, options.step);
+  if (tests.empty()) {
+    std::cerr << "cs550: lab " << options.lab << " has no step " << options.step
+              << ". Its steps: " << steps_of(all) << '\n';
+    return Misused;
+  }
+  return options.wants_hint ? run_hint(options) : grade_lab(options, tests);
+}
+
+}  // namespace
+
+Action declare_lab(CLI::App& app) {
+  const auto options = std::make_shared<LabOptions>();
+  app.add_option("N", options->lab, "number of the lab")->required()->check(fault_of_lab_number);
+  auto* step = app.add_option("--step", options->step, "run the tests of one step only: L3.2")
+                   ->option_text("STEP");
+  auto* hint = app.add_option("--hint", options->hint,
+                              "print the next hint for the first failing step,\n"
+                              "or hint 1, 2 or 3")
+                   ->expected(0, 1)
+                   ->check(CLI::Range(1, 3))
+                   ->option_text("[NUMBER]");
+  auto* all = app.add_flag("--all", options->all,
+                           "print the reports of all failing tests, not only those\n"
+                           "of the first failing step");
+  auto* asan = app.add_flag("--asan", options->asan,
+                            "run the tests with checks for memory errors and\n"
+                            "undefined behaviour");
+  auto* debug = app.add_flag("--debug", options->debug,
+                             "run the tests, then open gdb where the first one fails");
+  auto* reset = app.add_flag("--reset", options->reset,
+                             "restore the starter; your files are kept as .bak-1, ...");
+  auto* run = app.add_flag("--run", options->run,
+                           "run the lab's scenes in your own engine and compare\n"
+                           "them with the recorded reference");
+  debug->excludes(asan);
+  for (CLI::Option* other : {all, asan, debug, reset, run}) hint->excludes(other);
+  for (CLI::Option* other : {step, all, asan, debug, run}) reset->excludes(other);
+  for (CLI::Option* other : {step, all, asan, debug}) run->excludes(other);
+  return [options, hint] {
+    options->wants_hint = hint->count() > 0;
+    return run_lab(*options);
+  };
+}
+
+}  // namespace cs550::cli

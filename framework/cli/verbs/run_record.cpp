@@ -1,0 +1,158 @@
+#include "cli/verbs/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <system_error>
+
+#include "cli/system/terminal.hpp"
+
+namespace cs550::cli {
+namespace {
+
+void line(std::ostream& out, const std::string& what, const std::string& how_much) {
+  constexpr std::size_t column = 16;
+  out << padded(what, column) << how_much << '\n';
+}
+
+/// In quotes, so that a name may contain a comma (RFC 4180).
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + "\"";
+}
+
+void write(std::ostream& stream, const Vec3& vector) {
+  for (int i = 0; i < 3; ++i) stream << ',' << vector[i];
+}
+
+void write(std::ostream& stream, const Quat& q) {
+  stream << ',' << q.w() << ',' << q.x() << ',' << q.y() << ',' << q.z();
+}
+
+}  // namespace
+
+RunRecord::RunRecord(const Scene& scene, const World& world)
+    : scene_(scene), world_(world), energy_at_start_(energy(world, substep())) {}
+
+void RunRecord::add_step(const World& world, double seconds) {
+  ++steps_;
+  seconds_ += seconds;
+  const StepStats& stats = world.stats();
+  for (std::size_t i = 0; i < stage_seconds_.size(); ++i) stage_seconds_[i] += stats.seconds[i];
+  most_contacts_ = std::max(most_contacts_, stats.contacts);
+  most_points_ = std::max(most_points_, stats.points);
+  deepest_ = std::max(deepest_, -stats.deepest_separation);
+  for (const StageProblem& problem : world.problems()) {
+    const auto same = [&](const StageProblem& known) { return known.message == problem.message; };
+    if (std::none_of(problems_.begin(), problems_.end(), same)) problems_.push_back(problem);
+  }
+}
+
+bool RunRecord::good() const {
+  return problems_.empty() && !too_deep() && std::isfinite(energy(world_, substep()).total());
+}
+
+bool RunRecord::too_deep() const {
+  return scene_.max_penetration > 0 && deepest_ > scene_.max_penetration;
+}
+
+Real RunRecord::substep() const {
+  return scene_.h / static_cast<Real>(std::max(1, scene_.settings.substeps));
+}
+
+void RunRecord::print(std::ostream& out) const {
+  const auto bodies = world_.bodies();
+  const auto dynamic = std::count_if(bodies.begin(), bodies.end(), [](const RigidBody& body) {
+    return body.kind == BodyKind::Dynamic;
+  });
+  const StepStats& last = world_.stats();
+  const Energy now = energy(world_, substep());
+
+  out << scene_.name << ": " << scene_.title << "\n\n";
+  line(out, "bodies", fmt::format("{}, {} of them dynamic", world_.body_count(), dynamic));
+  line(out, "contacts", fmt::format("{} at the end, {} at most", last.contacts, most_contacts_));
+  line(out, "points", fmt::format("{} at the end, {} at most", last.points, most_points_));
+  line(out, "steps",
+       fmt::format("{} of {:.4g} ms, {:.4g} s simulated", steps_,
+                   1000 * static_cast<double>(scene_.h), world_.time()));
+  print_times(out);
+  line(out, "energy",
+       fmt::format("{:.6g} J at the start, {:.6g} J at the end", energy_at_start_.total(),
+                   now.total()));
+  line(out, "momentum error", fmt::format("{:.2g} of the sum of |P|", world_.momentum_error()));
+  const std::string bound =
+      scene_.max_penetration > 0
+          ? fmt::format(", bound {:.4g} mm", 1000 * static_cast<double>(scene_.max_penetration))
+          : "";
+  line(out, "penetration",
+       fmt::format("{:.3g} mm at most{}", 1000 * static_cast<double>(deepest_), bound));
+  line(out, "state hash", fmt::format("{:016x}", world_.state_hash()));
+  print_verdict(out);
+}
+
+void RunRecord::print_times(std::ostream& out) const {
+  const double per_step = 1000.0 / std::max(1, steps_);
+  line(out, "time", fmt::format("{:<8.3f}ms/step, {:.3g} s in all", seconds_ * per_step, seconds_));
+  for (std::size_t i = 0; i < stage_seconds_.size(); ++i) {
+    line(out, std::string("  ") + to_string(static_cast<Stage>(i)),
+         fmt::format("{:<8.3f}ms/step", stage_seconds_[i] * per_step));
+  }
+}
+
+void RunRecord::print_verdict(std::ostream& out) const {
+  if (good()) return;
+  out << '\n';
+  if (!problems_.empty()) out << coloured("Stages that failed:", Colour::Red) << '\n';
+  for (const StageProblem& problem : problems_) {
+    out << fmt::format("  {}, lab {}, step {}:\n", to_string(problem.stage), problem.lab,
+                       problem.step)
+        << indented(problem.message, 4);
+  }
+  if (!std::isfinite(energy(world_, substep()).total())) {
+    out << coloured("The energy at the end is not finite: a body was lost.", Colour::Red) << '\n';
+  }
+  if (too_deep()) {
+    out << coloured("The penetration exceeds the scene's bound.", Colour::Red) << '\n';
+  }
+}
+
+TrajectoryCsv::TrajectoryCsv(std::filesystem::path file)
+    : file_(std::move(file)), unfinished_(file_.string() + ".unfinished"), stream_(unfinished_) {
+  if (std::filesystem::is_directory(file_)) stream_.setstate(std::ios::failbit);
+  if (!stream_) throw std::runtime_error("cannot write " + file_.string());
+  stream_.precision(std::numeric_limits<Real>::max_digits10);
+  stream_ << "step,time_s,body,name,x_m,y_m,z_m,qw,qx,qy,qz,"
+             "vx_mps,vy_mps,vz_mps,wx_radps,wy_radps,wz_radps\n";
+}
+
+TrajectoryCsv::~TrajectoryCsv() {
+  std::error_code gone_already;
+  std::filesystem::remove(unfinished_, gone_already);
+}
+
+void TrajectoryCsv::add(const World& world, const Scene& scene) {
+  for (std::size_t i = 0; i < world.bodies().size(); ++i) {
+    const RigidBody& body = world.bodies()[i];
+    if (body.kind == BodyKind::Static) continue;
+    stream_ << world.step_count() << ',' << world.time() << ',' << i << ','
+            << quoted(scene.body_names[i]);
+    write(stream_, body.pose.position);
+    write(stream_, body.pose.orientation);
+    write(stream_, body.linear_velocity);
+    write(stream_, body.angular_velocity);
+    stream_ << '\n';
+  }
+}
+
+void TrajectoryCsv::commit() {
+  stream_.close();
+  if (!stream_) throw std::runtime_error("cannot write all of " + file_.string());
+  std::filesystem::rename(unfinished_, file_);
+}
+
+}  // namespace cs550::cli

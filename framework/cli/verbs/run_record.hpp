@@ -1,0 +1,70 @@
+#pragma once
+/// @file run_record.hpp
+/// The record of a run of a scene: figures for the summary, and the trajectory as a table.
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "cs550/diagnostics.hpp"
+#include "cs550/scene.hpp"
+
+namespace cs550::cli {
+
+/// Collects figures step by step.
+class RunRecord {
+ public:
+  RunRecord(const Scene& scene, const World& world);
+
+  /// @param seconds duration of the step
+  void add_step(const World& world, double seconds);
+
+  /// Whether no stage failed, all numbers are finite and the scene's bound on penetration was kept.
+  bool good() const;
+  /// Prints bodies, contacts, times, energy and errors in at most 80 columns.
+  void print(std::ostream& out) const;
+
+ private:
+  void print_times(std::ostream& out) const;
+  void print_verdict(std::ostream& out) const;
+  bool too_deep() const;
+  Real substep() const;
+
+  const Scene& scene_;
+  const World& world_;
+  Energy energy_at_start_;
+  int steps_ = 0;
+  double seconds_ = 0;
+  std::array<double, stage_count> stage_seconds_{};
+  int most_contacts_ = 0;
+  int most_points_ = 0;
+  Real deepest_ = 0;                    ///< penetration, positive (m)
+  std::vector<StageProblem> problems_;  ///< each message once
+};
+
+/// Writes one line per moving body and step: step, time, body, name, position, orientation (w
+/// first), velocities. The lines go to a draft file, which commit() renames, so that an interrupted
+/// run leaves nothing half-written.
+class TrajectoryCsv {
+ public:
+  /// Throws std::runtime_error when the file cannot be written.
+  explicit TrajectoryCsv(std::filesystem::path file);
+  ~TrajectoryCsv();
+  TrajectoryCsv(const TrajectoryCsv&) = delete;
+  TrajectoryCsv& operator=(const TrajectoryCsv&) = delete;
+
+  /// Adds the bodies as they are now. @param scene gives the bodies their names
+  void add(const World& world, const Scene& scene);
+  /// Throws std::runtime_error when not everything could be written.
+  void commit();
+
+ private:
+  std::filesystem::path file_;
+  std::filesystem::path unfinished_;
+  std::ofstream stream_;
+};
+
+}  // namespace cs550::cli

@@ -1,0 +1,262 @@
+// ./cs550 starter DIR: makes the students' copy of this repository, or updates one.
+//
+// A students' copy is the last commit without what .gitattributes marks as export-ignore, with its
+// starters also in .starters/, which --reset and --update compare with. Solutions are added for
+// labs
+// 1..K only, and manifests list the visible tests.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "cli/system/files.hpp"
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+#include "cli/verb.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* students_readme = "framework/cli/students_readme.md";
+constexpr const char* file_list = ".starters/files.txt";
+
+struct StarterOptions {
+  fs::path folder;
+  int released = 0;
+  bool update = false;
+};
+
+// --- making a copy -------------------------------------------------------------------------------
+
+/// Unpacks a tree of the last commit into a folder: an uncommitted experiment of an instructor does
+/// not become a starter.
+void unpack(const std::string& tree, const fs::path& folder) {
+  const fs::path archive = folder / "commit.tar";
+  fs::create_directories(folder);
+  try {
+    output_of({"git", "archive", "--format=tar", "-o", archive, tree}, project_root());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("the students' copy is made from a git commit. " +
+                             std::string(error.what()));
+  }
+  output_of({"cmake", "-E", "tar", "xf", archive}, folder);
+  fs::remove(archive);
+}
+
+void add_solutions(const fs::path& folder, int released) {
+  for (const std::string& name : lab_names()) {
+    if (lab_number(name) <= released) unpack("HEAD:solutions/" + name, folder / "solutions" / name);
+  }
+}
+
+void list_visible_tests_only(const fs::path& folder) {
+  for (const std::string& name : lab_names()) {
+    const fs::path manifest = folder / "tests" / name / "manifest.json";
+    if (!fs::exists(manifest)) continue;
+    Json json = Json::parse(read_text(manifest));
+    Json visible = Json::array();
+    for (const Json& test : json.at("tests")) {
+      if (!test.at("hidden")) visible.push_back(test);
+    }
+    json["tests"] = visible;
+    write_text(manifest, json.dump(2) + '\n');
+  }
+}
+
+void keep_starters(const fs::path& folder) {
+  for (const fs::path& file : files_below(folder / "labs")) {
+    if (file.extension() != ".cpp") continue;
+    const fs::path kept = folder / ".starters" / fs::relative(file, folder / "labs");
+    fs::create_directories(kept.parent_path());
+    fs::copy_file(file, kept);
+  }
+}
+
+void record_version(const fs::path& folder) {
+  const std::string commit = output_of({"git", "rev-parse", "--short=12", "HEAD"}, project_root());
+  write_text(folder / starter_version_file, fmt::format("{} {}", CS550_VERSION, commit));
+}
+
+void list_files(const fs::path& folder) {
+  std::string text;
+  for (const fs::path& file : files_below(folder)) {
+    text += fs::relative(file, folder).string() + '\n';
+  }
+  write_text(folder / file_list, text);
+}
+
+void write_students_copy(const fs::path& folder, int released) {
+  unpack("HEAD", folder);
+  add_solutions(folder, released);
+  list_visible_tests_only(folder);
+  fs::rename(folder / students_readme, folder / "README.md");
+  keep_starters(folder);
+  record_version(folder);
+  list_files(folder);
+}
+
+/// Gives the copy a history of its own: one commit by CS550.
+void start_history(const fs::path& folder) {
+  output_of({"git", "init", "-q", "--initial-branch=main", "--template="}, folder);
+  output_of({"git", "add", "--all"}, folder);
+  output_of({"git", "-c", "user.name=CS550", "-c", "user.email=cs550@localhost", "-c",
+             "commit.gpgSign=false", "commit", "-q", "-m", "The seven labs"},
+            folder);
+}
+
+// --- updating one --------------------------------------------------------------------------------
+
+/// What an update did.
+struct CopyUpdate {
+  int files_replaced = 0;
+  std::vector<std::string> kept;       ///< lab files that the student has changed
+  std::vector<std::string> conflicts;  ///< among them, those whose starter has changed as well
+};
+
+/// The files that a copy lists as its own, relative to it.
+std::vector<std::string> files_of_copy(const fs::path& copy) {
+  std::istringstream lines(read_text(copy / file_list));
+  std::vector<std::string> files;
+  for (std::string line; std::getline(lines, line);) files.push_back(line);
+  return files;
+}
+
+bool is_lab_file(const fs::path& path) {
+  return *path.begin() == "labs" && path.extension() == ".cpp";
+}
+
+fs::path starter_of(const fs::path& lab_file) {
+  return fs::path(".starters") / lab_file.lexically_relative("labs");
+}
+
+bool same_text(const fs::path& a, const fs::path& b) {
+  return fs::exists(a) && fs::exists(b) && read_text(a) == read_text(b);
+}
+
+/// In one move, so that an interrupted update leaves no half-written file.
+void replace(const fs::path& file, const fs::path& fresh) {
+  fs::create_directories(file.parent_path());
+  const fs::path draft = file.string() + ".new";
+  fs::copy_file(fresh, draft, fs::copy_options::overwrite_existing);
+  fs::rename(draft, file);
+}
+
+/// Replaces the lab files that still are the copy's starters. The others are never touched.
+void update_lab_file(const std::string& file, const fs::path& copy, const fs::path& fresh,
+                     CopyUpdate& update) {
+  if (!fs::exists(copy / file) || same_text(copy / file, copy / starter_of(file))) {
+    replace(copy / file, fresh / file);
+    return;
+  }
+  update.kept.push_back(file);
+  if (!same_text(copy / starter_of(file), fresh / starter_of(file))) {
+    update.conflicts.push_back(file);
+  }
+}
+
+/// Brings a copy up to a fresh one. Files that the fresh one no longer has are removed; the
+/// student's own files stay.
+CopyUpdate update_copy(const fs::path& copy, const fs::path& fresh) {
+  const std::vector<std::string> old_files = files_of_copy(copy);
+  const std::vector<std::string> new_files = files_of_copy(fresh);
+  CopyUpdate update;
+  // Lab files first: the old starters show which were changed.
+  for (const std::string& file : new_files) {
+    if (is_lab_file(file)) update_lab_file(file, copy, fresh, update);
+  }
+  for (const std::string& file : new_files) {
+    if (is_lab_file(file) || same_text(copy / file, fresh / file)) continue;
+    replace(copy / file, fresh / file);
+    ++update.files_replaced;
+  }
+  for (const std::string& file : old_files) {
+    if (!is_lab_file(file) && !std::binary_search(new_files.begin(), new_files.end(), file)) {
+      fs::remove(copy / file);
+      ++update.files_replaced;
+    }
+  }
+  replace(copy / file_list, fresh / file_list);
+  return update;
+}
+
+// --- the verb ------------------------------------------------------------------------------------
+
+int refuse(const std::string& why) {
+  std::cerr << "cs550: " << why << '\n';
+  return Misused;
+}
+
+void warn_of_uncommitted_changes() {
+  if (!output_of({"git", "status", "--porcelain", "--untracked-files=no"}, project_root())
+           .empty()) {
+    std::cerr << "Warning: uncommitted changes are not in the copy.\n";
+  }
+}
+
+int make_copy(const StarterOptions& options, const fs::path& folder) {
+  if (fs::exists(folder) && (!fs::is_directory(folder) || !fs::is_empty(folder))) {
+    return refuse(folder.string() +
+                  " exists and is not empty.\n  To update a students' copy, add --update.");
+  }
+  const DraftFolder draft(folder);
+  write_students_copy(draft.path(), options.released);
+  start_history(draft.path());
+  fs::rename(draft.path(), folder);
+  warn_of_uncommitted_changes();
+  std::cout << fmt::format("The students' copy is in {}: version {}, {} files, one commit.\n",
+                           folder.string(), starter_version(folder), files_of_copy(folder).size());
+  return Good;
+}
+
+int renew_copy(const StarterOptions& options, const fs::path& folder) {
+  if (!fs::exists(folder / file_list)) {
+    return refuse(folder.string() + " is not a students' copy: it has no " + file_list);
+  }
+  const std::string old_version = starter_version(folder);
+  const DraftFolder draft(folder);
+  write_students_copy(draft.path(), options.released);
+  const CopyUpdate update = update_copy(folder, draft.path());
+  warn_of_uncommitted_changes();
+  std::cout << fmt::format(
+      "Updated from version {} to {}: {} files replaced, {} changed lab files "
+      "kept.\nNothing was committed.\n",
+      old_version, starter_version(folder), update.files_replaced, update.kept.size());
+  for (const std::string& file : update.conflicts) {
+    std::cout << fmt::format(
+        "conflict: {} was changed, and so was its starter.\n"
+        "          Compare it with {}.\n",
+        file, starter_of(file).string());
+  }
+  return update.conflicts.empty() ? Good : Failed;
+}
+
+int run_starter(const StarterOptions& options) {
+  if (!fs::exists(project_root() / "solutions") || is_students_copy()) {
+    return refuse("this is a students' copy. Run starter in the instructors' repository.");
+  }
+  const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
+  return options.update ? renew_copy(options, folder) : make_copy(options, folder);
+}
+
+}  // namespace
+
+Action declare_starter(CLI::App& app) {
+  const auto options = std::make_shared<StarterOptions>();
+  app.add_option("DIR", options->folder, "folder of the copy, new or empty")->required();
+  app.add_option("--release-solutions", options->released, "include the solutions of labs 1 to K")
+      ->option_text("K")
+      ->check(CLI::Range(0, 99));
+  app.add_flag("--update", options->update,
+               "update the students' copy in DIR; changed lab files are kept");
+  return [options] { return run_starter(*options); };
+}
+
+}  // namespace cs550::cli

@@ -1,0 +1,136 @@
+// ./cs550 submit [N]: packs the lab files into a zip to hand in.
+#include <ctime>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/grading/lab_files.hpp"
+#include "cli/system/files.hpp"
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+#include "cli/verb.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+struct SubmitOptions {
+  std::optional<int> lab;  ///< empty: every lab that was begun
+  fs::path out;
+  bool force = false;
+};
+
+/// The current time in UTC, in ISO 8601.
+std::string date() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+bool compiles(int lab) {
+  if (build("student", "lab" + std::to_string(lab) + "_student_code")) return true;
+  std::cerr << "cs550: lab " << lab << " does not compile. Fix that first: nothing was packed.\n";
+  return false;
+}
+
+Json manifest(const std::vector<std::string>& labs) {
+  Json files = Json::array();
+  for (const std::string& name : labs) {
+    for (const fs::path& file : lab_files(name)) {
+      files.push_back({{"lab", lab_number(name)},
+                       {"file", fs::relative(file, project_root()).string()},
+                       {"sha256", sha256(file)},
+                       {"bytes", fs::file_size(file)}});
+    }
+  }
+  return {{"format", 1},
+          {"date", date()},
+          {"starter", starter_version(project_root())},
+          {"files", files}};
+}
+
+/// By CMake, so that no other program is needed.
+void write_zip(const fs::path& out, const Json& manifest) {
+  const DraftFolder stage(project_root() / "build/submission");
+  write_text(stage.path() / "manifest.json", manifest.dump(2) + '\n');
+  std::vector<std::string> command{"cmake",  "-E",           "tar", "cf",
+                                   "packed", "--format=zip", "--",  "manifest.json"};
+  for (const Json& entry : manifest.at("files")) {
+    const fs::path file = entry.at("file").get<std::string>();
+    fs::create_directories((stage.path() / file).parent_path());
+    fs::copy_file(project_root() / file, stage.path() / file);
+    command.push_back(file);
+  }
+  output_of(command, stage.path());
+  write_text(out, read_text(stage.path() / "packed"));
+}
+
+/// The labs to pack: the one asked for, or all that are not the untouched starter.
+std::vector<std::string> labs_to_pack(const SubmitOptions& options) {
+  if (options.lab) return {lab_name(*options.lab)};
+  std::vector<std::string> labs;
+  for (const std::string& name : lab_names()) {
+    if (options.force || !is_untouched(name)) labs.push_back(name);
+  }
+  return labs;
+}
+
+fs::path zip_file(const SubmitOptions& options) {
+  if (!options.out.empty()) return options.out;
+  return options.lab ? "lab" + std::to_string(*options.lab) + ".zip" : "labs.zip";
+}
+
+/// Why no file can be written there; empty when one can.
+std::string fault_of(const fs::path& out) {
+  if (fs::is_directory(out))
+    return out.string() + " is a folder. --out needs the name of a zip file.";
+  const fs::path folder = fs::absolute(out).parent_path();
+  return fs::is_directory(folder) ? ""
+                                  : "there is no folder " + folder.string() + ". Make it first.";
+}
+
+int run_submit(const SubmitOptions& options) {
+  const fs::path out = zip_file(options);
+  if (const std::string fault = fault_of(out); !fault.empty()) {
+    std::cerr << "cs550: " << fault << '\n';
+    return Misused;
+  }
+  const std::vector<std::string> labs = labs_to_pack(options);
+  if (labs.empty() || (options.lab && !options.force && is_untouched(labs.front()))) {
+    std::cerr << "cs550: " << (labs.empty() ? "every lab" : "lab " + std::to_string(*options.lab))
+              << " is still the unchanged starter.\n  To pack it anyway, add --force.\n";
+    return Failed;
+  }
+  for (const std::string& name : labs) {
+    if (!compiles(lab_number(name))) return Failed;
+  }
+  const Json listed = manifest(labs);
+  write_zip(out, listed);
+  for (const Json& file : listed.at("files")) {
+    std::cout << file.at("sha256").get<std::string>().substr(0, 12) << "  "
+              << file.at("file").get<std::string>() << '\n';
+  }
+  std::cout << "Wrote " << out.string() << ". Hand in this file.\n";
+  return Good;
+}
+
+}  // namespace
+
+Action declare_submit(CLI::App& app) {
+  const auto options = std::make_shared<SubmitOptions>();
+  app.add_option("N", options->lab, "number of the lab; by default every lab that was begun")
+      ->check(fault_of_lab_number);
+  app.add_option("--out", options->out, "zip file to write; by default labN.zip or labs.zip")
+      ->option_text("FILE");
+  app.add_flag("--force", options->force, "pack a lab even if it is the unchanged starter");
+  return [options] { return run_submit(*options); };
+}
+
+}  // namespace cs550::cli

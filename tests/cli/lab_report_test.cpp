@@ -1,0 +1,69 @@
+/// What `./cs550 lab` prints of a lab's verdicts.
+#include "cli/grading/lab_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using cs550::cli::LabReport;
+using cs550::cli::Verdict;
+using Kind = cs550::cli::Verdict::Kind;
+
+Verdict verdict(const std::string& test, const std::string& step, Kind kind,
+                const std::string& message = "") {
+  return {{test, step, 4, false}, kind, message, 0};
+}
+
+std::string printed(const std::vector<Verdict>& verdicts, bool everything = false) {
+  LabReport report(everything);
+  testing::internal::CaptureStdout();
+  report.print(verdicts);
+  report.print_total(0);
+  return testing::internal::GetCapturedStdout();
+}
+
+TEST(LabReport, LaterStepsAreOneLineEachUntilTheFirstFailingStepPasses) {
+  const std::vector<Verdict> verdicts = {verdict("A", "L3.1", Kind::Passed),
+                                         verdict("B", "L3.2", Kind::Failed, "wrong sign"),
+                                         verdict("C", "L3.10", Kind::Failed, "wrong order")};
+  EXPECT_EQ(printed(verdicts),
+            "  passed    4/4  L3.1  A\n"
+            "  FAILED    0/4  L3.2  B\n"
+            "      wrong sign\n"
+            "  FAILED    0/4  L3.10 C\n"
+            "\n4 of 12 points, 1 of 3 tests passed\n"
+            "Fix L3.2 first. Reasons in later steps are left out; --all prints them.\n");
+  EXPECT_NE(printed(verdicts, true).find("      wrong order\n"), std::string::npos);
+}
+
+TEST(LabReport, ARepeatedReasonNamesTheTestThatHasIt) {
+  const std::string report = printed({verdict("A", "L3.1", Kind::Failed, "not implemented"),
+                                      verdict("B", "L3.1", Kind::Passed),
+                                      verdict("C", "L3.1", Kind::Failed, "not implemented")});
+  EXPECT_NE(report.find("C\n      the same as A\n"), std::string::npos) << report;
+}
+
+TEST(LabReport, ACauseIsPrintedOnce) {
+  const std::string report =
+      printed({verdict("A", "L3.1", Kind::Failed, "up\n  likely    sign\n            order"),
+               verdict("B", "L3.1", Kind::Failed,
+                       "down\n  likely    sign\n            scale\n  picture   b.svg")});
+  EXPECT_NE(report.find("      down\n        likely    scale\n        picture   b.svg\n"),
+            std::string::npos)
+      << report;
+}
+
+TEST(LabReport, ABlockedTestDoesNotHideTheReasonsOfLaterSteps) {
+  Verdict blocked = verdict("A", "L1.2", Kind::Blocked, "blocked by L1.4: not implemented");
+  blocked.blocked_by = "L1.4";
+  const std::string report = printed({blocked, verdict("B", "L1.3", Kind::Failed, "wrong sign")});
+  EXPECT_NE(report.find("  blocked   0/4  L1.2  A\n      blocked by L1.4"), std::string::npos)
+      << report;
+  EXPECT_NE(report.find("wrong sign"), std::string::npos) << report;
+  EXPECT_EQ(blocked.step_to_mend(), "L1.4");
+}
+
+}  // namespace
