@@ -7,6 +7,7 @@ namespace cs550::test {
 namespace {
 
 GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 3, "L2.7") {
+  require_linked_merge();
   Story story("A flat face becomes one polygon, however it was cut into triangles");
   story
       .likely(
@@ -57,6 +58,7 @@ GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 3, "L2.7") {
 }
 
 GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
+  require_linked_merge();
   Story story("Nearly coplanar is not transitive: a cylinder of many sides does not become flat");
   story
       .likely(
@@ -107,6 +109,7 @@ GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
 }
 
 GRADED_TEST(Lab2, OrderAndRepetitionChangeNothing, 2, "L2.7") {
+  require_linked_merge();
   Story story(
       "Merging gives the same faces for every order of the triangles, and none when repeated");
   story
@@ -145,6 +148,7 @@ GRADED_TEST(Lab2, OrderAndRepetitionChangeNothing, 2, "L2.7") {
 }
 
 GRADED_TEST(Lab2, HullsOfScatteredPointsStaySound, 2, "L2.7") {
+  require_linked_merge();
   Story story("Slivers and near misses are merged or left, but the mesh stays closed and convex");
   story.likely("a merge that leaves two corners to a neighbour must not happen")
       .likely("a merged plane must not tip so far that other vertices come out in front of it");

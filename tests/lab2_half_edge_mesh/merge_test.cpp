@@ -90,6 +90,7 @@ void require_ridge_by_height(const Story& story, const Roof& roof) {
 }
 
 GRADED_TEST(Lab2, ToleranceIsRelativeToTheSizeOfTheMesh, 3, "L2.6") {
+  require_linked_merge();
   Random random(26);
   Story story("A low ridge on a box is merged or kept by its height over the size of the box");
   story.seed(random.seed())

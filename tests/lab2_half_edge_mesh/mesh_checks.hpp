@@ -65,6 +65,16 @@ inline bool expect_valid(Story& story, const HalfEdgeMesh& mesh, Real tolerance 
                             std::string("sound"));
 }
 
+/// Ends the test unless L2.6 links the loop of two merged triangles: further merges may follow wrong
+/// links for ever.
+inline void require_linked_merge() {
+  Story story("Two triangles that become one face are linked into one loop");
+  story.given("prism over a triangle, its sides of two triangles each")
+      .likely("prev has to follow as well as next, and both halves of a removed edge are marked");
+  const HalfEdgeMesh built = require_mesh(prism_soup(3, 1, 1), story);
+  require(expect_valid(story, merge_coplanar_faces(built)));
+}
+
 /// Vertices, edges and faces.
 inline bool expect_counts(Story& story, const HalfEdgeMesh& mesh, Index vertices, Index edges,
                           Index faces) {

@@ -8,6 +8,7 @@ namespace cs550::test {
 namespace {
 
 GRADED_TEST(Lab2, FinelyCutBodiesMergeAtEveryScale, 2, "L2.7") {
+  require_linked_merge();
   Random random(271);
   Story story(
       "A box cut into hundreds of triangles is a box again, at every scale and in every pose");
@@ -31,6 +32,7 @@ GRADED_TEST(Lab2, FinelyCutBodiesMergeAtEveryScale, 2, "L2.7") {
 }
 
 GRADED_TEST(Lab2, HullsOfScannedMeshesStaySound, 2, "L2.7") {
+  require_linked_merge();
   Story story(
       "The merged hull of a scanned mesh is closed, convex, and has the volume of the hull");
   story.likely("noise makes thin triangles: a merged plane must not tip out of them")
