@@ -39,6 +39,11 @@ cs550_precompiled_headers(precompiled_for_labs HEADERS ${lab_headers}
   LIBRARIES cs550_contract cs550_isolable cs550_student_warnings)
 cs550_precompiled_headers(precompiled_for_sanitized_labs HEADERS ${lab_headers}
   LIBRARIES cs550_contract cs550_isolable cs550_student_warnings cs550_sanitizers)
+# The compiler takes a precompiled header only for code that is compiled like it.
+if(CS550_PCH AND CS550_ISOLATE_LABS)
+  set_target_properties(precompiled_for_labs precompiled_for_sanitized_labs PROPERTIES
+                        POSITION_INDEPENDENT_CODE ON)
+endif()
 
 macro(cs550_lab number topic)
   set(CS550_LAB${number}_NAME lab${number}_${topic})

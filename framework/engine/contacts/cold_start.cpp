@@ -93,7 +93,7 @@ Real improve(std::span<SolverBody> bodies, ContactConstraint& constraint, Real h
   return std::abs(constraint.normal_impulse - before) / constraint.normal_mass;
 }
 
-/// Sweeps to and fro until the loads no longer change.
+/// Sweeps back and forth until the loads no longer change.
 void sweep(ColdStart& cold, Real tolerance, Real h) {
   const std::size_t most_sweeps = most_visits / cold.pairs.size();
   Real change = HUGE_VALF;
