@@ -56,7 +56,7 @@ Answer<Reply> guarded(const Server<Request, Reply>& serve, const Request& reques
 }
 
 /// A server in this process or in a child. After a child crashes, exits or exceeds the time limit,
-/// this request and all later ones fail with a sentence that says what happened.
+/// this request and all later ones fail with a message about the cause.
 template <class Request, class Reply>
 class Service {
  public:

@@ -40,7 +40,7 @@ void append_pose(const std::string& name, const Pose& pose, Observation& seen) {
   seen.push_back({name + ": orientation", "rad", numbers(pose.orientation), angle_tolerance});
 }
 
-/// Calls visit(a, b) with the indices of every two bodies of which at least one moves.
+/// Calls visit(a, b) with the indices of every pair of bodies unless both are static.
 void for_each_pair(const Scene& scene, const std::function<void(std::size_t, std::size_t)>& visit) {
   const auto is_static = [&](std::size_t i) { return scene.bodies[i].kind == BodyKind::Static; };
   for (std::size_t a = 0; a < scene.bodies.size(); ++a) {

@@ -11,8 +11,8 @@
 
 namespace cs550::milestones {
 
-/// A table: the names of its columns, of which the first is the time (s), and a row for each
-/// observation.
+/// A table: the names of its columns, and a row for each observation. The first column is the time
+/// (s).
 struct Record {
   std::vector<std::string> columns;
   std::vector<std::vector<double>> rows;

@@ -35,8 +35,8 @@ class Visits {
   bool backwards_;
 };
 
-/// Up to four pairs of bodies, no two of which share a movable one. The remaining lanes hold a body
-/// of their own at rest.
+/// Up to four pairs of bodies. No two pairs share a movable body. An unused lane holds a body of its
+/// own at rest.
 class Pairs {
  public:
   explicit Pairs(std::span<SolverBody> bodies) : bodies_(bodies) {}
