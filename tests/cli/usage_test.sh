@@ -1,11 +1,13 @@
 #!/bin/sh
 # usage_test.sh PROGRAM ROOT SCRATCH
-# A wrong command line exits with code 2, prints a message of at most 80 columns, and leaves no file.
+# A wrong command line exits with code 2, prints a message of at most 80 columns, and leaves no file. The
+# folder's long name makes a message too long if it holds the whole path instead of what was typed.
 set -eu
 program=$1 root=$2 scratch=$3
 rm -rf "$scratch"
-mkdir -p "$scratch/out"
-cd "$scratch/out"
+folder=$scratch/a_folder_with_a_name_that_alone_fills_most_of_a_line/out
+mkdir -p "$folder"
+cd "$folder"
 
 wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
 refuses() {

@@ -91,9 +91,10 @@ fs::path zip_file(const SubmitOptions& options) {
 std::string fault_of(const fs::path& out) {
   if (fs::is_directory(out))
     return out.string() + " is a folder. --out needs the name of a zip file.";
-  const fs::path folder = fs::absolute(out).parent_path();
-  return fs::is_directory(folder) ? ""
-                                  : "there is no folder " + folder.string() + ". Make it first.";
+  const fs::path folder = out.parent_path();
+  return folder.empty() || fs::is_directory(folder)
+             ? ""
+             : "there is no folder " + folder.string() + ". Make it first.";
 }
 
 int run_submit(const SubmitOptions& options) {
