@@ -6,9 +6,11 @@
 #include <string>
 
 #include "cli/verb.hpp"
+#include "files/output_file.hpp"
 
 namespace {
 
+using namespace cs550;
 using namespace cs550::cli;
 
 struct Verb {
@@ -52,13 +54,18 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs) {
     CLI::App* part = app.add_subcommand(verb.name, verb.summary);
     actions[part] = verb.declare(*part);
+    for (CLI::Option* option : part->get_options()) {
+      if (option->get_expected_min() == 0) option->disable_flag_override();
+    }
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);
   }
-  return actions.at(app.get_subcommands().front())();
+  const int exit_code = actions.at(app.get_subcommands().front())();
+  files::check_standard_output();
+  return exit_code;
 }
 
 }  // namespace

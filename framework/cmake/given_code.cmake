@@ -14,6 +14,8 @@ set_target_properties(cs550_engine PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_options(cs550_engine PRIVATE -fno-semantic-interposition)
 # Headers of given code are included as "engine/world/stages.hpp", "drawing/palette.hpp".
 target_include_directories(cs550_engine PUBLIC "${PROJECT_SOURCE_DIR}/framework")
+cs550_given_library(cs550_files files)
+target_include_directories(cs550_files PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 cs550_given_library(cs550_drawing drawing cs550_engine)
 cs550_given_library(cs550_autograder autograder GTest::gtest nlohmann_json::nlohmann_json)
 target_include_directories(cs550_autograder PUBLIC

@@ -41,7 +41,7 @@ add_custom_command(OUTPUT "${lab_functions}"
 file(GLOB runner_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/autograder/runner/*.cpp")
 add_library(cs550_graded_main OBJECT EXCLUDE_FROM_ALL ${runner_sources} "${lab_functions}")
 target_include_directories(cs550_graded_main PRIVATE "${lab_folder}")
-target_link_libraries(cs550_graded_main PUBLIC cs550_autograder ${CMAKE_DL_LIBS} PRIVATE cs550_warnings)
+target_link_libraries(cs550_graded_main PUBLIC cs550_autograder cs550_files ${CMAKE_DL_LIBS} PRIVATE cs550_warnings)
 
 function(cs550_add_graded_lab number)
   set(folder "${PROJECT_SOURCE_DIR}/tests/${CS550_LAB${number}_NAME}")

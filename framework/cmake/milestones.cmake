@@ -7,7 +7,7 @@ target_include_directories(cs550_milestones PUBLIC "${PROJECT_SOURCE_DIR}/framew
 
 function(cs550_add_milestone_program target)
   add_executable(${target} "${PROJECT_SOURCE_DIR}/framework/milestones/program/main.cpp")
-  target_link_libraries(${target} PRIVATE cs550_milestones CLI11::CLI11 cs550_warnings)
+  target_link_libraries(${target} PRIVATE cs550_milestones cs550_files CLI11::CLI11 cs550_warnings)
 endfunction()
 
 cs550_add_milestone_program(milestones)

@@ -5,7 +5,7 @@ file(GLOB_RECURSE cli_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework
 function(cs550_add_program target output_name)
   add_executable(${target} ${cli_sources})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${output_name})
-  target_link_libraries(${target} PRIVATE cs550_engine cs550_drawing CLI11::CLI11 fmt::fmt
+  target_link_libraries(${target} PRIVATE cs550_engine cs550_drawing cs550_files CLI11::CLI11 fmt::fmt
                         nlohmann_json::nlohmann_json Threads::Threads cs550_warnings)
   target_compile_definitions(${target} PRIVATE CS550_HAS_VIEWER=$<BOOL:${CS550_HAS_VIEWER}>
                              CS550_VERSION="${PROJECT_VERSION}")

@@ -49,7 +49,7 @@ set(viewer_main "${PROJECT_SOURCE_DIR}/framework/viewer/main.cpp")
 list(REMOVE_ITEM viewer_sources "${viewer_main}")
 add_library(cs550_viewer_parts STATIC EXCLUDE_FROM_ALL ${viewer_sources})
 target_link_libraries(cs550_viewer_parts
-  PUBLIC cs550_pages ${CMAKE_DL_LIBS}
+  PUBLIC cs550_pages cs550_files ${CMAKE_DL_LIBS}
     PkgConfig::viewer_imgui PkgConfig::viewer_glfw3 PkgConfig::viewer_epoxy PkgConfig::viewer_stb
   PRIVATE CLI11::CLI11 cs550_warnings)
 

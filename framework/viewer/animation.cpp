@@ -5,12 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "files/interruption.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::viewer {
 
@@ -34,7 +38,8 @@ int run(const std::vector<std::string>& command) {
     _exit(not_found);
   }
   int status = 0;
-  waitpid(child, &status, 0);
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
@@ -62,28 +67,31 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-void write_animation(const fs::path& folder, const fs::path& file, double rate) {
-  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+void write_animation(const fs::path& frames, const fs::path& file, double rate) {
+  const TemporaryFolder folder;
+  const fs::path draft = folder.path() / "animation.gif";
   // At most 30 frames a second: a GIF's clock counts hundredths of a second.
   constexpr double most = 30;
-  const int by_ffmpeg = run({"ffmpeg", "-y", "-framerate", std::to_string(rate), "-i",
-                             (folder / "%04d.png").string(), "-vf",
+  const int by_ffmpeg = run({"ffmpeg", "-y", "-xerror", "-framerate", std::to_string(rate), "-i",
+                             (frames / "%04d.png").string(), "-vf",
                              "fps=" + std::to_string(std::min(rate, most)) +
                                  ",split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse="
                                  "dither=bayer",
-                             file.string()});
-  if (by_ffmpeg == 0) return;
-  if (by_ffmpeg != not_found) {
-    throw std::runtime_error("ffmpeg could not write " + file.string());
+                             draft.string()});
+  files::throw_if_interrupted();
+  if (by_ffmpeg == not_found) {
+    if (!convert_is_image_magick()) {
+      throw std::runtime_error(
+          "--gif needs ffmpeg or ImageMagick; install the package ffmpeg or imagemagick");
+    }
+    const int by_convert =
+        run({"convert", "-delay", std::to_string(std::lround(100 / rate)), "-loop", "0",
+             (frames / "*.png").string(), "-layers", "Optimize", draft.string()});
+    if (by_convert != 0) throw std::runtime_error("ImageMagick could not make " + file.string());
+  } else if (by_ffmpeg != 0) {
+    throw std::runtime_error("ffmpeg could not make " + file.string());
   }
-  if (!convert_is_image_magick()) {
-    throw std::runtime_error(
-        "--gif needs ffmpeg or ImageMagick; install the package ffmpeg or imagemagick");
-  }
-  const int by_convert =
-      run({"convert", "-delay", std::to_string(std::lround(100 / rate)), "-loop", "0",
-           (folder / "*.png").string(), "-layers", "Optimize", file.string()});
-  if (by_convert != 0) throw std::runtime_error("ImageMagick could not write " + file.string());
+  files::copy_file(draft, file);
 }
 
 }  // namespace cs550::viewer

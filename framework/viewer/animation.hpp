@@ -20,10 +20,10 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Makes a GIF of the files 0000.png, 0001.png, … of a folder, by ffmpeg or ImageMagick.
+/// Makes a GIF of the files 0000.png, 0001.png, … in the folder `frames`, by ffmpeg or ImageMagick.
 /// @param rate pictures per second
 /// @throws std::runtime_error if neither is here, or the one that is fails
-void write_animation(const std::filesystem::path& folder, const std::filesystem::path& file,
+void write_animation(const std::filesystem::path& frames, const std::filesystem::path& file,
                      double rate);
 
 }  // namespace cs550::viewer

@@ -3,6 +3,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "files/interruption.hpp"
+#include "files/output_file.hpp"
 #include "pages/make_page.hpp"
 #include "viewer/options.hpp"
 #include "viewer/snapshot.hpp"
@@ -26,10 +28,12 @@ int run(const cs550::viewer::Options& options) {
   if (options.list) {
     list_settings(options);
   } else if (options.is_headless()) {
+    cs550::files::watch_for_interruption();
     write_pictures(options);
   } else {
     run_in_window(options);
   }
+  cs550::files::check_standard_output();
   return Good;
 }
 

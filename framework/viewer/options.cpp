@@ -33,6 +33,15 @@ Size parse_size(const std::string& text) {
   return size;
 }
 
+/// A check that the name of a file ends so that programs recognise what is in it.
+CLI::Validator ends_in(const std::string& ending) {
+  return {[ending](const std::string& file) -> std::string {
+            if (std::filesystem::path(file).extension() == ending) return "";
+            return "'" + file + "' must end in " + ending;
+          },
+          ""};
+}
+
 bool parse_switch(const std::string& text) {
   if (text == "on" || text == "off") return text == "on";
   throw CLI::ValidationError("--ui", "'" + text + "' is neither on nor off");
@@ -69,14 +78,19 @@ void declare(CLI::App& app, Options& options) {
          "--ui", [&](const std::string& text) { options.ui = parse_switch(text); },
          "on or off: show panels and plots; hidden if the width is below 495 pixels")
       ->default_str("on");
-  app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window");
+  app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window")
+      ->check(ends_in(".png"));
   app.add_option("--frames", options.frames,
                  "write 0000.png, 0001.png, ... to this folder, one per step");
   app.add_option("--gif", options.gif,
-                 "write an animation (needs ffmpeg or ImageMagick), one frame per step");
+                 "write an animation (needs ffmpeg or ImageMagick), one frame per step")
+      ->check(ends_in(".gif"));
   app.add_option("--frame-count", options.frame_count,
                  "frames for --frames and --gif; default: all steps of the page, or 120")
       ->check(CLI::Range(1, 10000));
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_expected_min() == 0) option->disable_flag_override();
+  }
 }
 
 }  // namespace

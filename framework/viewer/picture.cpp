@@ -3,11 +3,11 @@
 #include <stb/stb_image_write.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <string>
+
+#include "files/output_file.hpp"
 
 namespace cs550::viewer {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -37,20 +37,15 @@ Picture read_picture(const Canvas& canvas) {
   return picture;
 }
 
-void write_png(const Picture& picture, const fs::path& file) {
-  std::error_code ignored;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-  const fs::path draft = file.string() + ".draft";
-  const int written =
-      stbi_write_png(draft.c_str(), picture.size.width, picture.size.height, channels,
-                     picture.pixels.data(), channels * picture.size.width);
-  std::error_code failure;
-  if (written != 0) fs::rename(draft, file, failure);
-  if (written == 0 || failure) {
-    fs::remove(draft, ignored);
-    throw std::runtime_error("cannot write " + file.string() +
-                             ": is its folder there and writable?");
-  }
+void write_png(const Picture& picture, const std::filesystem::path& file) {
+  std::string bytes;
+  const auto add = [](void* all, void* part, int count) {
+    static_cast<std::string*>(all)->append(static_cast<const char*>(part),
+                                           static_cast<std::size_t>(count));
+  };
+  stbi_write_png_to_func(add, &bytes, picture.size.width, picture.size.height, channels,
+                         picture.pixels.data(), channels * picture.size.width);
+  files::write_file(file, bytes);
 }
 
 }  // namespace cs550::viewer

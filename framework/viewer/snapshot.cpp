@@ -6,6 +6,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "files/interruption.hpp"
 #include "viewer/animation.hpp"
 #include "viewer/app.hpp"
 #include "viewer/gl/headless_context.hpp"
@@ -64,6 +65,7 @@ void write_frames(Studio& studio, const fs::path& folder, int count) {
   for (int i = 0; i < count; ++i) {
     if (i > 0) studio.advance();
     write_png(studio.take(), folder / frame_name(i));
+    files::throw_if_interrupted();
   }
 }
 

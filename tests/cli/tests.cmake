@@ -6,6 +6,7 @@ target_compile_definitions(tests_cli PRIVATE
   CS550_FAKE_SANITIZED_LAB="$<TARGET_FILE:fake_sanitized_lab>")
 add_dependencies(tests_cli fake_lab fake_sanitized_lab)
 set(cli "${PROJECT_SOURCE_DIR}/framework/cli")
+target_link_libraries(tests_cli PRIVATE cs550_files)
 target_sources(tests_cli PRIVATE
   "${cli}/grading/crash_report.cpp" "${cli}/grading/graded_run.cpp" "${cli}/grading/graded_tests.cpp"
   "${cli}/grading/lab_report.cpp" "${cli}/handout/formula_text.cpp" "${cli}/handout/handout.cpp"
@@ -21,5 +22,11 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
   add_test(NAME cli.usage
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/usage_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/usage")
-  set_tests_properties(cli.usage PROPERTIES LABELS cli TIMEOUT 60)
+  add_test(NAME cli.launcher
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/launcher_test.sh" "${PROJECT_SOURCE_DIR}"
+                   "${PROJECT_BINARY_DIR}/launcher")
+  add_test(NAME cli.output
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/output_test.sh" "$<TARGET_FILE:cs550_cli>"
+                   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/output")
+  set_tests_properties(cli.usage cli.launcher cli.output PROPERTIES LABELS cli TIMEOUT 60)
 endif()

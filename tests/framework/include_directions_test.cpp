@@ -26,13 +26,14 @@ const std::map<std::string, Names> may_include{
     {"cmake", {"include"}},
     {"engine", {"include"}},
     {"drawing", {"include"}},
+    {"files", {}},
     {"serialisation", {"include"}},
     {"isolation", {"serialisation"}},
     {"pages", {"include", "drawing", "serialisation", "isolation"}},
-    {"viewer", {"include", "drawing", "pages"}},
-    {"autograder", {"include"}},
-    {"milestones", {"include"}},
-    {"cli", {"include"}},
+    {"viewer", {"include", "drawing", "pages", "files"}},
+    {"autograder", {"include", "files"}},
+    {"milestones", {"include", "files"}},
+    {"cli", {"include", "files"}},
 };
 
 /// Libraries that only one folder may use.

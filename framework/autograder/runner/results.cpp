@@ -2,9 +2,11 @@
 
 #include <cs550/graded_test.hpp>
 #include <cs550/test_report.hpp>
-#include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <utility>
+
+#include "files/output_file.hpp"
 
 namespace cs550::autograder {
 namespace {
@@ -93,15 +95,10 @@ void ResultsWriter::write() const {
   }
   const Json document = {{"points", points}, {"earned", earned}, {"tests", rows_}};
 
-  // Written beside and renamed, so that a reader never sees half a file.
-  std::filesystem::path draft = file_;
-  draft += ".tmp";
-  std::error_code error;
-  std::filesystem::create_directories(std::filesystem::absolute(file_).parent_path(), error);
-  std::ofstream(draft) << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  std::filesystem::rename(draft, file_, error);
-  if (error) {
-    std::cerr << "cannot write the results to " << file_ << ": " << error.message() << '\n';
+  try {
+    files::write_file(file_, document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  } catch (const std::runtime_error& error) {
+    std::cerr << error.what() << '\n';
     std::exit(2);
   }
 }

@@ -8,6 +8,7 @@
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -123,11 +124,10 @@ std::vector<fs::path> reset_to_starter(const std::string& lab_name) {
     const auto pristine = starter.find(name);
     if (pristine != starter.end() && pristine->second == text) continue;
     backups.push_back(first_free_backup(folder / name));
-    fs::rename(folder / name, backups.back());
+    files::write_file(backups.back(), text);
+    if (pristine == starter.end()) fs::remove(folder / name);
   }
-  for (const auto& [name, text] : starter) {
-    if (!fs::exists(folder / name)) write_text(folder / name, text);
-  }
+  for (const auto& [name, text] : starter) files::write_file(folder / name, text);
   return backups;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/grading/lab_files.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/project.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -111,7 +112,7 @@ std::optional<LabResult> remembered_result(const std::string& lab_name) {
 }
 
 void remember(const LabResult& result) {
-  write_text(result_file(result.lab_name), to_json(result).dump(2) + '\n');
+  files::write_file(result_file(result.lab_name), to_json(result).dump(2) + '\n');
 }
 
 LabResult result_of(const std::string& lab_name) {

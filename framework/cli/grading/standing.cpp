@@ -12,6 +12,7 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -63,8 +64,8 @@ std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
       if (has_milestone(number) && reaches(number)) reached.insert(number);
     }
   }
-  write_text(milestone_file(),
-             Json{{"lab_files", fingerprints(labs)}, {"reached", reached}}.dump(2) + '\n');
+  files::write_file(milestone_file(),
+                    Json{{"lab_files", fingerprints(labs)}, {"reached", reached}}.dump(2) + '\n');
   return reached;
 }
 

@@ -14,6 +14,7 @@
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "cli/verb.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -95,7 +96,7 @@ int show_hint(const std::string& lab_name, const std::string& tag, int number) {
   Json shown = shown_hints();
   const int wanted = number > 0 ? number : std::min(shown.value(tag, 0) + 1, count);
   shown[tag] = wanted;
-  write_text(shown_hints_file(), shown.dump(2) + '\n');
+  files::write_file(shown_hints_file(), shown.dump(2) + '\n');
   const Hint& hint = step.hints[wanted - 1];
   std::cout << coloured(tag + ' ' + step.title, Colour::Bold)
             << fmt::format(", hint {} of {}\n\n", wanted, count) << indented(hint.question, 2)

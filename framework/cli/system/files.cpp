@@ -23,20 +23,6 @@ std::string read_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-  std::error_code error;
-  fs::create_directories(fs::absolute(file).parent_path(), error);
-  const fs::path draft = file.string() + ".new" + std::to_string(getpid());
-  std::ofstream stream(draft, std::ios::binary);
-  stream << text << std::flush;
-  if (stream) fs::rename(draft, file, error);
-  if (!stream || error) {
-    std::error_code ignored;
-    fs::remove(draft, ignored);
-    throw std::runtime_error("cannot write " + file.string());
-  }
-}
-
 std::vector<fs::path> files_below(const fs::path& folder) {
   std::vector<fs::path> files;
   if (!fs::exists(folder)) return files;

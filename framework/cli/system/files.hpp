@@ -1,6 +1,6 @@
 #pragma once
 /// @file files.hpp
-/// Reading and writing files so that nothing half-written is left behind.
+/// Reading files and folders; drafts of folders.
 
 #include <filesystem>
 #include <string>
@@ -10,10 +10,6 @@ namespace cs550::cli {
 
 /// The whole of a file. Throws std::runtime_error when it cannot be read.
 std::string read_text(const std::filesystem::path& file);
-
-/// Replaces a file in one move: a reader sees the old text or the new one. Creates its folder.
-/// Throws std::runtime_error when it cannot be written.
-void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// All files in a folder and its subfolders, sorted; none when it is absent.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ostream>
-#include <stdexcept>
-#include <system_error>
 
 #include "cli/system/terminal.hpp"
 
@@ -26,12 +23,12 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-void write(std::ostream& stream, const Vec3& vector) {
-  for (int i = 0; i < 3; ++i) stream << ',' << vector[i];
-}
-
-void write(std::ostream& stream, const Quat& q) {
-  stream << ',' << q.w() << ',' << q.x() << ',' << q.y() << ',' << q.z();
+/// Each number after a comma, with the digits that restore a float.
+template <int Rows>
+std::string columns(const Eigen::Matrix<Real, Rows, 1>& numbers) {
+  std::string text;
+  for (const Real number : numbers) text += fmt::format(",{:.9g}", number);
+  return text;
 }
 
 }  // namespace
@@ -121,38 +118,22 @@ void RunRecord::print_verdict(std::ostream& out) const {
   }
 }
 
-TrajectoryCsv::TrajectoryCsv(std::filesystem::path file)
-    : file_(std::move(file)), unfinished_(file_.string() + ".unfinished"), stream_(unfinished_) {
-  if (std::filesystem::is_directory(file_)) stream_.setstate(std::ios::failbit);
-  if (!stream_) throw std::runtime_error("cannot write " + file_.string());
-  stream_.precision(std::numeric_limits<Real>::max_digits10);
-  stream_ << "step,time_s,body,name,x_m,y_m,z_m,qw,qx,qy,qz,"
-             "vx_mps,vy_mps,vz_mps,wx_radps,wy_radps,wz_radps\n";
-}
-
-TrajectoryCsv::~TrajectoryCsv() {
-  std::error_code gone_already;
-  std::filesystem::remove(unfinished_, gone_already);
+TrajectoryCsv::TrajectoryCsv(const std::filesystem::path& file) : file_(file) {
+  file_.write(
+      "step,time_s,body,name,x_m,y_m,z_m,qw,qx,qy,qz,"
+      "vx_mps,vy_mps,vz_mps,wx_radps,wy_radps,wz_radps\n");
 }
 
 void TrajectoryCsv::add(const World& world, const Scene& scene) {
   for (std::size_t i = 0; i < world.bodies().size(); ++i) {
     const RigidBody& body = world.bodies()[i];
     if (body.kind == BodyKind::Static) continue;
-    stream_ << world.step_count() << ',' << world.time() << ',' << i << ','
-            << quoted(scene.body_names[i]);
-    write(stream_, body.pose.position);
-    write(stream_, body.pose.orientation);
-    write(stream_, body.linear_velocity);
-    write(stream_, body.angular_velocity);
-    stream_ << '\n';
+    const Quat& q = body.pose.orientation;
+    file_.write(fmt::format("{},{:.9g},{},{}", world.step_count(), world.time(), i,
+                            quoted(scene.body_names[i])) +
+                columns(body.pose.position) + columns<4>({q.w(), q.x(), q.y(), q.z()}) +
+                columns(body.linear_velocity) + columns(body.angular_velocity) + '\n');
   }
-}
-
-void TrajectoryCsv::commit() {
-  stream_.close();
-  if (!stream_) throw std::runtime_error("cannot write all of " + file_.string());
-  std::filesystem::rename(unfinished_, file_);
 }
 
 }  // namespace cs550::cli

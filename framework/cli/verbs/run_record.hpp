@@ -4,13 +4,13 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "cs550/diagnostics.hpp"
 #include "cs550/scene.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -46,25 +46,18 @@ class RunRecord {
 };
 
 /// Writes one line per moving body and step: step, time, body, name, position, orientation (w
-/// first), velocities. The lines go to a draft file, which commit() renames, so that an interrupted
-/// run leaves nothing half-written.
+/// first), velocities. Functions throw std::runtime_error if the file cannot be written.
 class TrajectoryCsv {
  public:
-  /// Throws std::runtime_error when the file cannot be written.
-  explicit TrajectoryCsv(std::filesystem::path file);
-  ~TrajectoryCsv();
-  TrajectoryCsv(const TrajectoryCsv&) = delete;
-  TrajectoryCsv& operator=(const TrajectoryCsv&) = delete;
+  explicit TrajectoryCsv(const std::filesystem::path& file);
 
   /// Adds the bodies as they are now. @param scene gives the bodies their names
   void add(const World& world, const Scene& scene);
-  /// Throws std::runtime_error when not everything could be written.
-  void commit();
+  /// The file appears.
+  void commit() { file_.commit(); }
 
  private:
-  std::filesystem::path file_;
-  std::filesystem::path unfinished_;
-  std::ofstream stream_;
+  files::OutputFile file_;
 };
 
 }  // namespace cs550::cli

@@ -17,6 +17,7 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/verb.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -67,7 +68,7 @@ void list_visible_tests_only(const fs::path& folder) {
       if (!test.at("hidden")) visible.push_back(test);
     }
     json["tests"] = visible;
-    write_text(manifest, json.dump(2) + '\n');
+    files::write_file(manifest, json.dump(2) + '\n');
   }
 }
 
@@ -82,7 +83,7 @@ void keep_starters(const fs::path& folder) {
 
 void record_version(const fs::path& folder) {
   const std::string commit = output_of({"git", "rev-parse", "--short=12", "HEAD"}, project_root());
-  write_text(folder / starter_version_file, fmt::format("{} {}", CS550_VERSION, commit));
+  files::write_file(folder / starter_version_file, fmt::format("{} {}", CS550_VERSION, commit));
 }
 
 void list_files(const fs::path& folder) {
@@ -90,7 +91,7 @@ void list_files(const fs::path& folder) {
   for (const fs::path& file : files_below(folder)) {
     text += fs::relative(file, folder).string() + '\n';
   }
-  write_text(folder / file_list, text);
+  files::write_file(folder / file_list, text);
 }
 
 void write_students_copy(const fs::path& folder, int released) {

@@ -10,6 +10,7 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/verb.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -59,7 +60,7 @@ Json manifest(const std::vector<std::string>& labs) {
 /// By CMake, so that no other program is needed.
 void write_zip(const fs::path& out, const Json& manifest) {
   const DraftFolder stage(project_root() / "build/submission");
-  write_text(stage.path() / "manifest.json", manifest.dump(2) + '\n');
+  files::write_file(stage.path() / "manifest.json", manifest.dump(2) + '\n');
   std::vector<std::string> command{"cmake",  "-E",           "tar", "cf",
                                    "packed", "--format=zip", "--",  "manifest.json"};
   for (const Json& entry : manifest.at("files")) {
@@ -69,7 +70,7 @@ void write_zip(const fs::path& out, const Json& manifest) {
     command.push_back(file);
   }
   output_of(command, stage.path());
-  write_text(out, read_text(stage.path() / "packed"));
+  files::write_file(out, read_text(stage.path() / "packed"));
 }
 
 /// The labs to pack: the one asked for, or all that are not the untouched starter.

@@ -2,9 +2,9 @@
 // records.
 #include <CLI/CLI.hpp>
 #include <exception>
-#include <fstream>
 #include <iostream>
 
+#include "files/output_file.hpp"
 #include "milestones/record.hpp"
 
 namespace {
@@ -39,9 +39,7 @@ bool show(const Milestone& milestone, double share) {
 void update_record(const Milestone& milestone) {
   const Track track = run(milestone, scene_of(milestone));
   if (!track.problem.empty()) throw std::runtime_error(milestone.name() + ": " + track.problem);
-  std::ofstream stream(record_file(milestone));
-  stream << to_csv(to_record(track)) << std::flush;
-  if (!stream) throw std::runtime_error("cannot write " + record_file(milestone).string());
+  files::write_file(record_file(milestone), to_csv(to_record(track)));
   std::cout << "Wrote " << record_file(milestone).string() << '\n';
 }
 
@@ -68,6 +66,7 @@ int main(int argc, char** argv) {
         all_reached = show(milestone, share) && all_reached;
       }
     }
+    files::check_standard_output();
     return all_reached ? 0 : 1;
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

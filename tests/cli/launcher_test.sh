@@ -1,0 +1,60 @@
+#!/bin/sh
+# launcher_test.sh ROOT SCRATCH
+# The launcher builds one thing at a time in a folder, and builds elsewhere if the project cannot be written
+# to. A project of three files and a cmake that only records where it ran make this quick.
+set -eu
+root=$1 scratch=$2
+rm -rf "$scratch"
+project="$scratch/a project's \"folder\" with ünusual characters"
+mkdir -p "$project/framework/cli" "$scratch/bin"
+cp "$root/cs550" "$root/CMakePresets.json" "$project"
+cp "$root/framework/cli/verbs.def" "$root/framework/cli/packages.txt" "$project/framework/cli"
+cat >"$scratch/bin/cmake" <<'FAKE'
+#!/bin/sh
+[ "$1" != --build ] || echo "built in $(pwd -P)"
+FAKE
+chmod +x "$scratch/bin/cmake"
+export PATH="$scratch/bin:$PATH" XDG_CACHE_HOME="$scratch/cache"
+
+wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
+prints() { grep -qF "$1" "$scratch/printed" || wrong "expected in the output: $1"; }
+builds_in() {
+  "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed"
+  grep -qFx "built in $1" "$1/build/test.log" || wrong "it did not build in $1"
+}
+
+builds_in "$project"
+
+# A second build waits for the first, and then succeeds.
+mkfifo "$scratch/pipe"
+exec 8>"$project/build/test/.lock"
+flock 8
+(code=0; "$project/cs550" build test 8>&- 2>&1 || code=$?; echo "exit $code") >"$scratch/pipe" &
+exec 7<"$scratch/pipe"
+read -r first <&7
+case $first in
+  'Waiting for another ./cs550, which is building in '*) ;;
+  *) echo "WRONG: a second build printed '$first'" >&2; exit 1 ;;
+esac
+flock -u 8
+read -r last <&7
+[ "$last" = "exit 0" ] || { echo "WRONG: the build that waited printed '$last'" >&2; exit 1; }
+
+CS550_BUILD_DIR=$scratch/elsewhere
+export CS550_BUILD_DIR
+mkdir "$CS550_BUILD_DIR"
+builds_in "$CS550_BUILD_DIR"
+[ -e "$CS550_BUILD_DIR/framework/cli/verbs.def" ] || wrong "the folder has no links to the project"
+unset CS550_BUILD_DIR
+
+# The user root may write to folders that forbid it, but not make a folder of a file.
+rm -r "$project/build"
+: >"$project/build"
+"$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed"
+prints "cannot be written to. Building in $scratch/cache/cs550/"
+grep -qF "built in $scratch/cache/cs550/" "$scratch"/cache/cs550/*/build/test.log || wrong "it built elsewhere"
+
+XDG_CACHE_HOME=$project/cs550
+! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "it built without a folder to write to"
+prints "cannot create $project/cs550/cs550/"
+prints "CS550_BUILD_DIR=FOLDER"
