@@ -5,7 +5,7 @@
 set -eu
 root=$1 scratch=$2
 rm -rf "$scratch"
-project="$scratch/a project's \"folder\" with ünusual characters"
+project="$scratch/a project's (unusual) földer"
 mkdir -p "$project/framework/cli" "$scratch/bin"
 cp "$root/cs550" "$root/CMakePresets.json" "$project"
 cp "$root/framework/cli/verbs.def" "$root/framework/cli/packages.txt" "$project/framework/cli"
@@ -51,8 +51,17 @@ unset CS550_BUILD_DIR
 rm -r "$project/build"
 : >"$project/build"
 "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed"
-prints "cannot be written to. Building in $scratch/cache/cs550/"
+prints "The project cannot be written to. Building in $scratch/cache/cs550/"
 grep -qF "built in $scratch/cache/cs550/" "$scratch"/cache/cs550/*/build/test.log || wrong "it built elsewhere"
+
+# So does a path that CMake cannot handle.
+for odd in 'semi;colon' 'quo"te' 'dol$lar' 'hash#' 'back\slash' 'line
+break'; do
+  cp -r "$project" "$scratch/$odd"
+  rm "$scratch/$odd/build"
+  "$scratch/$odd/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed in $odd"
+  prints "CMake cannot build in a path with"
+done
 
 XDG_CACHE_HOME=$project/cs550
 ! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "it built without a folder to write to"
