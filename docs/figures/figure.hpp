@@ -38,5 +38,6 @@ std::vector<Table> rigid_body_tables();
 std::vector<Table> collision_tables();
 std::vector<Table> solver_tables();
 std::vector<Table> scene_tables();
+std::vector<Table> rebuild_tables();
 
 }  // namespace cs550::book

@@ -42,6 +42,7 @@ std::vector<Table> all_tables() {
   add(all, collision_tables());
   add(all, solver_tables());
   add(all, scene_tables());
+  add(all, rebuild_tables());
   return all;
 }
 
