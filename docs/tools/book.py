@@ -41,13 +41,15 @@ class Book:
         self.tests = visible_tests()
         self.mutants = known_mistakes()
         self.sources = given_sources(self.tests)
-        self.settings = world_settings()
+        self.settings = members_of("WorldSettings")
+        self.numbers = default_numbers(self.settings)
         self.figure_number = {}
         self.citations = {}
         self.number_pages()
 
-    def error(self, page, message):
-        self.errors.append(f"{page.source}: {message}")
+    def error(self, page, message, line=None):
+        place = f"{page.source}:{line}" if line else page.source
+        self.errors.append(f"{place}: {message}")
 
     def number_pages(self):
         chapter = 0
@@ -98,7 +100,9 @@ def read_order():
             part = line.removeprefix("Part:").strip()
             continue
         name, _, source = line.partition(" ")
-        pages.append(Page(name, DOCS / source.strip() if source.strip() else None, part))
+        if name.endswith("?") and not (DOCS / source.strip()).exists():
+            continue
+        pages.append(Page(name.rstrip("?"), DOCS / source.strip() if source.strip() else None, part))
     return pages
 
 
@@ -134,7 +138,7 @@ def given_sources(tests):
 
 
 class Setting:
-    """A member of WorldSettings: its name, its default as the header writes it, and its comment."""
+    """A member of WorldSettings or BodyDef: its name, its default as the header writes it, and its comment."""
 
     def __init__(self, name, default, comment):
         self.name, self.comment = name, comment
@@ -146,10 +150,19 @@ class Setting:
         return float(self.default) if re.fullmatch(r"-?[\d.]+(e-?\d+)?", self.default) else None
 
 
-def world_settings():
+def members_of(structure):
     header = (ROOT / "framework/include/cs550/world.hpp").read_text()
-    members = re.search(r"struct WorldSettings \{(.*?)\n\};", header, re.S).group(1)
+    members = re.search(rf"struct {structure} \{{(.*?)\n\}};", header, re.S).group(1)
     return [Setting(*match) for match in re.findall(r"^  [\w:]+ (\w+) = (.*?);\s*///< (.*)$", members, re.M)]
+
+
+def default_numbers(settings):
+    """Name → number: the settings of a world, the properties of a body, the constants of the contract."""
+    numbers = {member.name: member.number for member in settings + members_of("BodyDef") if member.number is not None}
+    for header in sorted((ROOT / "framework/include/cs550").glob("*.hpp")):
+        constants = re.findall(r"^inline constexpr Real (\w+) = Real\((-?[\d.]+(?:e-?\d+)?)\);", header.read_text(), re.M)
+        numbers |= {name: float(number) for name, number in constants}
+    return numbers
 
 
 def listing_name(name):

@@ -9,9 +9,13 @@ must exist: a figure, a test, a known mistake, a source file, a citation. What d
   {src:engine/world/step.cpp}            the listing of a given file
   {test:Name}                      the listing of a visible graded test, at its first line
   {mutant:name}                    a known mistake of tests/mutants
-  {default:substeps}               the default of a member of WorldSettings, read from its header; an expression
-                                   of them and a format work too: {default:1/(60*substeps)|.1e}
+  {default:substeps}               the default of a member of WorldSettings or BodyDef, or a constant of the
+                                   contract, read from its header; an expression of them and a format work too:
+                                   {default:1/(60*substeps)|.1e}
   {defaults}                       a table of all of them
+  {code:lab4 overlap}              a function of the reference as a listing, in a paragraph of its own; the
+                                   declaration where the reference is absent. Given code is named by its file:
+                                   {code:engine/contacts/softness.cpp soft_contact}
   [@Key], [@Key, §2]               a citation; {ref:Key|label} defines it in the bibliography
 """
 import math
@@ -20,10 +24,12 @@ from html import escape
 from pathlib import Path
 
 from book import FIGURE, figure_key, listing_name
+from listing import find_function
 
 CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
 BOLD = re.compile(r"\*\*(.+?)\*\*", re.S)
 DEFAULT = re.compile(r"\{default:([^}|]+)(?:\|([^}]*))?\}")
+CODE = re.compile(r"^\{code:(\S+) (\w+)\}$", re.M)
 MATH = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.S)
 
 
@@ -34,10 +40,16 @@ class Markup:
         self.book, self.page = book, page
         self.cited = set()
 
-    def error(self, message):
-        self.book.error(self.page, message)
+    def error(self, message, line=None):
+        self.book.error(self.page, message, line)
 
     def convert(self, text):
+        # Listings are put in last, since code looks like markup.
+        listings = [self.listing(*match.groups(), match[0]) for match in CODE.finditer(text)]
+        pieces = CODE.sub("{listing}", text).split("{listing}")
+        return "".join(piece for pair in zip(map(self.convert_text, pieces), listings + [""]) for piece in pair)
+
+    def convert_text(self, text):
         text = FIGURE.sub(lambda m: self.figure(*m.groups()), text)
         text = text.replace("{defaults}", self.defaults())
         text = DEFAULT.sub(lambda m: self.default(*m.groups()), text)
@@ -82,6 +94,16 @@ class Markup:
         text = self.inline_html(caption or alt + ".")
         return raw(f'<figure id="fig_{key}"><img src="figures/{key}.{kind}" alt="{escape(" ".join(alt.split()))}"/>'
                    f"<figcaption><b>Figure {number}.</b> {text}</figcaption></figure>")
+
+    def listing(self, place, name, form):
+        found = find_function(place, name)
+        if not found:
+            line = self.page.source.read_text().split(form)[0].count("\n") + 1
+            self.error(f"{form} names no function that exists", line)
+            return form
+        code, file, is_definition = found
+        note = "" if is_definition else ". Writing its body is part of the lab."
+        return f'```{{.cpp}}\n{code}\n```\n<p class="origin"><code>{file}</code>{note}</p>\n'
 
     def link(self, text, target):
         """Links of handouts are paths in the repository: to headers of the contract, or to files there."""
@@ -140,9 +162,8 @@ class Markup:
         return f"<code>{name}</code>"
 
     def default(self, expression, form):
-        names = {setting.name: setting.number for setting in self.book.settings if setting.number is not None}
         try:
-            number = eval(expression, {"__builtins__": {}, "pi": math.pi}, names)
+            number = eval(expression, {"__builtins__": {}, "pi": math.pi}, self.book.numbers)
         except (NameError, SyntaxError) as reason:
             self.error(f"{{default:{expression}}}: {reason}")
             return expression

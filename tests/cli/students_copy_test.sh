@@ -46,7 +46,8 @@ for lab in "$copy"/labs/lab*; do
 done
 found=$(cd "$copy" && find solutions tests -name hidden -o -name mutants -o -path 'solutions/*') 2>/dev/null || true
 [ -z "$found" ] || wrong "the copy has" "$found"
-for path in solutions .ci .gitattributes CONTRIBUTING.md docs/instructors.md tests/cli; do
+for path in solutions .ci .gitattributes CONTRIBUTING.md docs/instructors.md docs/chapters/answers.md docs/rebuild \
+  tests/cli; do
   [ ! -e "$copy/$path" ] || wrong "the copy has $path"
 done
 version=$(cat "$copy/.starters/version")

@@ -12,3 +12,28 @@ if(CS550_CHROMEDRIVER AND CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATC
     set_tests_properties(docs.book PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 900)
   endif()
 endif()
+
+# docs.listings: functions that chapters show are cut from the source.
+if(CS550_SYSTEM_PYTHON)
+  add_test(NAME docs.listings COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/listing_test.py")
+  set_tests_properties(docs.listings PROPERTIES LABELS docs TIMEOUT 60)
+endif()
+
+# docs.rebuild.*: what docs/rebuild computes from the book's text alone agrees with the engine. The boxes are
+# skipped until the book's tables are made.
+file(GLOB rebuild_scripts "${PROJECT_SOURCE_DIR}/docs/rebuild/*.py")
+if(CS550_SYSTEM_PYTHON AND rebuild_scripts)
+  execute_process(COMMAND "${CS550_SYSTEM_PYTHON}" -c "import numpy" RESULT_VARIABLE without_numpy
+                  OUTPUT_QUIET ERROR_QUIET)
+  if(without_numpy)
+    message(STATUS "Tests docs.rebuild.* are left out: Python has no NumPy (python3-numpy)")
+    return()
+  endif()
+  set(rebuild "${PROJECT_SOURCE_DIR}/docs/rebuild")
+  add_test(NAME docs.rebuild.SeparatingAxis COMMAND "${CS550_SYSTEM_PYTHON}" "${rebuild}/separating_axis.py"
+           "${PROJECT_SOURCE_DIR}/build/docs/data/rebuild_boxes.dat")
+  add_test(NAME docs.rebuild.Stack COMMAND "${CS550_SYSTEM_PYTHON}" "${rebuild}/compare_stack.py"
+           $<TARGET_FILE:cs550_cli>)
+  set_tests_properties(docs.rebuild.SeparatingAxis docs.rebuild.Stack PROPERTIES LABELS docs SKIP_RETURN_CODE 77
+                       TIMEOUT 120)
+endif()
