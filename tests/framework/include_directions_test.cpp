@@ -1,5 +1,5 @@
-/// Includes between the folders of framework/ point one way, as the architecture chapter of the book
-/// describes.
+/// Includes between the folders of framework/ point one way, as the architecture chapter of the
+/// book describes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,11 +19,10 @@ using Names = std::set<std::string>;
 const fs::path root = fs::path(CS550_TEST_DATA).parent_path().parent_path();
 const fs::path framework = root / "framework";
 
-/// Which folders of framework/ the files of each one may include from, beside their own.
-/// `include` is the contract.
+/// For each folder of framework/, the other folders that its files may include from. `include` is
+/// the contract.
 const std::map<std::string, Names> may_include{
     {"include", {}},
-    {"cmake", {"include"}},
     {"engine", {"include"}},
     {"drawing", {"include"}},
     {"files", {}},
@@ -106,14 +105,7 @@ TEST(IncludeDirections, EveryFolderIncludesOnlyFromThoseBelowIt) {
   }
 }
 
-/// A folder of framework/, however deep. The rooms of the engine count as one folder, because the
-/// stages in contacts/ and the step in world/ work on one WorldState.
-fs::path room(const fs::path& file) {
-  const bool is_engine = top_folder(file) == "engine";
-  return is_engine ? framework / "engine" : file.parent_path();
-}
-
-/// Folders by what they include from, with one include as the reason.
+/// For each folder, the folders that it includes from, with one include as the reason.
 using FolderGraph = std::map<fs::path, std::map<fs::path, std::string>>;
 
 FolderGraph folder_graph() {
@@ -121,8 +113,10 @@ FolderGraph folder_graph() {
   for (const Include& include : all_includes()) {
     if (!include.quoted || include.what == "lab_functions.inc") continue;  // written by the build
     const fs::path target = resolved(include);
-    if (target.empty() || room(target) == room(include.file)) continue;
-    graph[room(include.file)].emplace(room(target), include.place());
+    const fs::path from = include.file.parent_path();
+    const fs::path to = target.parent_path();
+    if (target.empty() || from == to) continue;
+    graph[from].emplace(to, include.place());
   }
   return graph;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/contacts/solve_order.hpp"
+
 namespace cs550 {
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "engine/world/world_state.hpp"
+#include "engine/world_state.hpp"
 
 namespace cs550 {
 

@@ -46,9 +46,7 @@ bool ray_meets(const Bounds& bounds, const Vec3& origin, const Vec3& direction, 
 /// Node&)`
 template <class Enter, class First>
 void walk(std::span<const AabbTree::Node> nodes, Index root, Enter enter, First first) {
-  const auto at = [nodes](Index i) -> const AabbTree::Node& {
-    return nodes[static_cast<std::size_t>(i)];
-  };
+  const auto at = [nodes](Index i) -> const AabbTree::Node& { return nodes[i]; };
   Index index = root;
   while (index != no_index) {
     const AabbTree::Node& node = at(index);

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "engine/pairs/pair_list.hpp"
 
-#include "engine/world/world_state.hpp"
+#include <algorithm>
 
 namespace cs550 {
 
@@ -21,25 +21,23 @@ Real travel(const RigidBody& body, Real radius, Real gravity, Real h) {
 }
 
 bool may_touch(const WorldState& world, Index a, Index b) {
-  const auto i = static_cast<std::size_t>(a);
-  const auto j = static_cast<std::size_t>(b);
-  if (world.bodies[i].kind != BodyKind::Dynamic && world.bodies[j].kind != BodyKind::Dynamic) {
+  if (world.bodies[a].kind != BodyKind::Dynamic && world.bodies[b].kind != BodyKind::Dynamic) {
     return false;
   }
-  const CollisionFilter& filter_a = world.definitions[i].filter;
-  const CollisionFilter& filter_b = world.definitions[j].filter;
+  const CollisionFilter& filter_a = world.definitions[a].filter;
+  const CollisionFilter& filter_b = world.definitions[b].filter;
   return (filter_a.mask & filter_b.category) != 0 && (filter_b.mask & filter_a.category) != 0;
 }
 
-/// A leaf moves only when its body's swept bounds leaves the box that was stored for it, or when the box
-/// has become far too large for a body that slowed down.
+/// A leaf moves only if the swept bounds of its body leave the stored box, or if the box has become
+/// far too large for a body that has slowed down.
 bool leaf_is_stale(const Bounds& stored, const Bounds& swept_bounds, Real room) {
   return !stored.contains(swept_bounds) || !swept_bounds.expanded(4 * room).contains(stored);
 }
 
 /// Gives a body's leaf a new box and remembers to look for new pairs.
 void move_leaf(WorldState& world, Index body, const Bounds& bounds) {
-  world.tree.move(world.slots[static_cast<std::size_t>(body)].leaf, bounds);
+  world.tree.move(world.slots[body].leaf, bounds);
   world.moved.push_back(body);
 }
 
@@ -68,9 +66,9 @@ void refit_leaves(WorldState& world, Real h) {
 void find_new_keys(WorldState& world) {
   world.new_keys.clear();
   for (const Index body : world.moved) {
-    if (!world.slots[static_cast<std::size_t>(body)].alive) continue;
+    if (!world.slots[body].alive) continue;
     world.found.clear();
-    const Index leaf = world.slots[static_cast<std::size_t>(body)].leaf;
+    const Index leaf = world.slots[body].leaf;
     world.tree.query(world.tree.bounds(leaf), world.found);
     for (const Index other : world.found) {
       if (other != body && may_touch(world, body, other)) {
@@ -84,8 +82,8 @@ void find_new_keys(WorldState& world) {
 }
 
 bool leaves_overlap(const WorldState& world, const Contact& contact) {
-  const BodySlot& a = world.slots[static_cast<std::size_t>(contact.body_a)];
-  const BodySlot& b = world.slots[static_cast<std::size_t>(contact.body_b)];
+  const BodySlot& a = world.slots[contact.body_a];
+  const BodySlot& b = world.slots[contact.body_b];
   return world.tree.bounds(a.leaf).overlaps(world.tree.bounds(b.leaf));
 }
 
@@ -93,8 +91,8 @@ void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs
   Contact contact;
   contact.body_a = static_cast<Index>(key >> 32);
   contact.body_b = static_cast<Index>(key & 0xffffffffU);
-  const BodyDef& a = world.definitions[static_cast<std::size_t>(contact.body_a)];
-  const BodyDef& b = world.definitions[static_cast<std::size_t>(contact.body_b)];
+  const BodyDef& a = world.definitions[contact.body_a];
+  const BodyDef& b = world.definitions[contact.body_b];
   contact.friction = std::sqrt(a.friction * b.friction);
   contact.restitution = std::max(a.restitution, b.restitution);
   pairs.contacts.push_back(contact);
@@ -146,13 +144,11 @@ void PairList::append(const PairList& other, std::size_t i) {
 }
 
 Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h) {
-  const auto i = static_cast<std::size_t>(body_a);
-  const auto j = static_cast<std::size_t>(body_b);
-  const RigidBody& a = world.bodies[i];
-  const RigidBody& b = world.bodies[j];
+  const RigidBody& a = world.bodies[body_a];
+  const RigidBody& b = world.bodies[body_b];
   const Real closing = (b.linear_velocity - a.linear_velocity).norm() +
-                       a.angular_velocity.norm() * world.definitions[i].shape->radius +
-                       b.angular_velocity.norm() * world.definitions[j].shape->radius;
+                       a.angular_velocity.norm() * world.definitions[body_a].shape->radius +
+                       b.angular_velocity.norm() * world.definitions[body_b].shape->radius;
   return 4 * world.slop() + h * (closing + h * world.settings.gravity.norm());
 }
 
@@ -166,8 +162,7 @@ void update_pairs(WorldState& world, Real h) {
 
 void insert_leaf(WorldState& world, Index body) {
   const Bounds bounds = world_bounds(world.posed_shape(body));
-  world.slots[static_cast<std::size_t>(body)].leaf =
-      world.tree.insert(bounds.expanded(leaf_room(world)), body);
+  world.slots[body].leaf = world.tree.insert(bounds.expanded(leaf_room(world)), body);
   world.moved.push_back(body);
 }
 

@@ -171,7 +171,7 @@ std::size_t SceneReader::read_word(const std::string& key, const std::vector<std
     if (value.is_string()) expected += did_you_mean(value.get<std::string>(), words);
     refuse(key, expected, show(words[default_word]));
   }
-  return static_cast<std::size_t>(found - words.begin());
+  return found - words.begin();
 }
 
 SceneReader SceneReader::object(const std::string& key) { return {json(key), path_of(key)}; }

@@ -120,7 +120,7 @@ class HullRun {
 TriangleSoup without_unused_points(std::span<const Vec3> points, std::vector<Triangle> triangles) {
   std::vector<Index> new_number(points.size(), no_index);
   for (const Triangle& triangle : triangles) {
-    for (Index v : triangle) new_number[static_cast<std::size_t>(v)] = 0;
+    for (Index v : triangle) new_number[v] = 0;
   }
   TriangleSoup soup;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -129,7 +129,7 @@ TriangleSoup without_unused_points(std::span<const Vec3> points, std::vector<Tri
     soup.vertices.push_back(points[i]);
   }
   for (Triangle& triangle : triangles) {
-    for (Index& v : triangle) v = new_number[static_cast<std::size_t>(v)];
+    for (Index& v : triangle) v = new_number[v];
   }
   soup.triangles = std::move(triangles);
   return soup;
@@ -138,7 +138,7 @@ TriangleSoup without_unused_points(std::span<const Vec3> points, std::vector<Tri
 /// The corner opposite to the longest edge of a sliver, no_index of any other triangle.
 Index vertex_of_sliver(const TriangleSoup& soup, const Triangle& triangle) {
   const auto corner = [&](std::size_t i) -> Vec3d {
-    return soup.vertices[static_cast<std::size_t>(triangle[i % 3])].cast<double>();
+    return soup.vertices[triangle[i % 3]].cast<double>();
   };
   std::size_t tip = 0;
   double longest = 0;
@@ -161,12 +161,11 @@ bool drop_slivers(TriangleSoup& soup) {
   bool any = false;
   for (const Triangle& triangle : soup.triangles) {
     const Index v = vertex_of_sliver(soup, triangle);
-    const bool is_alone = std::none_of(triangle.begin(), triangle.end(), [&](Index corner) {
-      return dropped[static_cast<std::size_t>(corner)];
-    });
+    const bool is_alone = std::none_of(triangle.begin(), triangle.end(),
+                                       [&](Index corner) { return dropped[corner]; });
     // The next hull tells about triangles that have lost a corner already.
     if (v == no_index || !is_alone) continue;
-    dropped[static_cast<std::size_t>(v)] = true;
+    dropped[v] = true;
     any = true;
   }
   std::vector<Vec3> kept;

@@ -8,11 +8,11 @@ namespace {
 /// From the numbers of elements to those that they get among the kept ones.
 class NewNumbers {
  public:
-  explicit NewNumbers(Index count) : numbers_(static_cast<std::size_t>(count), no_index) {}
+  explicit NewNumbers(Index count) : numbers_(count, no_index) {}
 
   /// Marks an element as kept. An index of nothing is passed over.
   void keep(Index i) {
-    if (is_known(i)) numbers_[static_cast<std::size_t>(i)] = 0;
+    if (is_known(i)) numbers_[i] = 0;
   }
 
   /// Numbers the kept elements in their order.
@@ -24,9 +24,7 @@ class NewNumbers {
   }
 
   /// no_index for what was removed or never was.
-  Index operator[](Index i) const {
-    return is_known(i) ? numbers_[static_cast<std::size_t>(i)] : no_index;
-  }
+  Index operator[](Index i) const { return is_known(i) ? numbers_[i] : no_index; }
 
  private:
   bool is_known(Index i) const { return i >= 0 && std::cmp_less(i, numbers_.size()); }
@@ -68,7 +66,7 @@ HalfEdgeMesh without_removed(const HalfEdgeMesh& mesh) {
                                  .face = faces[edge.face]};
     // Where one half-edge ends its twin begins.
     if (renumbered.vertex != no_index) {
-      result.vertex_edge[static_cast<std::size_t>(renumbered.vertex)] = edges[e ^ 1];
+      result.vertex_edge[renumbered.vertex] = edges[e ^ 1];
     }
     result.edges.push_back(renumbered);
   }

@@ -58,7 +58,7 @@ Defect sizes_and_ranges(const Subject& subject) {
                   " entries for ", vertices, " vertices");
   }
   for (Index v = 0; v < vertices; ++v) {
-    const Index e = mesh.vertex_edge[static_cast<std::size_t>(v)];
+    const Index e = mesh.vertex_edge[v];
     if (!in_range(e, edges)) {
       return defect(MeshElement::Vertex, v, "its half-edge ", e, " does not exist");
     }
@@ -133,7 +133,7 @@ Defect loops(const Subject& subject) {
       return defect(MeshElement::HalfEdge, e, "it points to vertex ", mesh.edge(e).vertex,
                     " and its next ", next, " leaves vertex ", mesh.origin(next));
     }
-    ++edges_of_face[static_cast<std::size_t>(mesh.edge(e).face)];
+    ++edges_of_face[mesh.edge(e).face];
   }
   for (Index f = 0; f < mesh.face_count(); ++f) {
     if (mesh.edge(mesh.face(f).edge).face != f) {
@@ -145,7 +145,7 @@ Defect loops(const Subject& subject) {
     if (length < 3) {
       return defect(MeshElement::Face, f, "it has only ", length, " edges");
     }
-    if (length != edges_of_face[static_cast<std::size_t>(f)]) {
+    if (length != edges_of_face[f]) {
       return defect(MeshElement::Face, f, "its edges form more than one loop");
     }
   }
@@ -155,7 +155,7 @@ Defect loops(const Subject& subject) {
 Defect vertex_edges_leave(const Subject& subject) {
   const HalfEdgeMesh& mesh = subject.mesh;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Index e = mesh.vertex_edge[static_cast<std::size_t>(v)];
+    const Index e = mesh.vertex_edge[v];
     if (mesh.origin(e) != v) {
       return defect(MeshElement::Vertex, v, "its half-edge ", e, " leaves vertex ", mesh.origin(e));
     }
@@ -168,7 +168,7 @@ Defect fans(const Subject& subject) {
   const HalfEdgeMesh& mesh = subject.mesh;
   std::vector<Index> edges_from(mesh.vertices.size(), 0);
   for (Index e = 0; e < mesh.edge_count(); ++e) {
-    ++edges_from[static_cast<std::size_t>(mesh.origin(e))];
+    ++edges_from[mesh.origin(e)];
   }
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     Index degree = 0;
@@ -176,7 +176,7 @@ Defect fans(const Subject& subject) {
     if (degree < 3) {
       return defect(MeshElement::Vertex, v, "it has only ", degree, " edges");
     }
-    if (degree != edges_from[static_cast<std::size_t>(v)]) {
+    if (degree != edges_from[v]) {
       return defect(MeshElement::Vertex, v, "the surface touches itself there");
     }
   }

@@ -29,7 +29,7 @@ void add_polygon(TriangleSoup& soup, const std::vector<Index>& corners) {
 
 std::vector<Index> counting(Index first, Index count, Index step) {
   std::vector<Index> numbers;
-  numbers.reserve(static_cast<std::size_t>(count));
+  numbers.reserve(count);
   for (Index i = 0; i < count; ++i) numbers.push_back(first + i * step);
   return numbers;
 }
@@ -43,9 +43,7 @@ TriangleSoup icosahedron() {
       soup.vertices.insert(soup.vertices.end(), {{0, a, b}, {a, b, 0}, {b, 0, a}});
     }
   }
-  const auto point = [&](Index v) -> const Vec3& {
-    return soup.vertices[static_cast<std::size_t>(v)];
-  };
+  const auto point = [&](Index v) -> const Vec3& { return soup.vertices[v]; };
   // Points that are not neighbours are at least 2·φ apart.
   const auto adjacent = [&](Index u, Index v) { return (point(u) - point(v)).norm() < Real(2.5); };
   for (Index u = 0; u < 12; ++u) {

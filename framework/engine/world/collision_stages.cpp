@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "cs550/clipping.hpp"
+#include "engine/pairs/pair_list.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "cs550/not_implemented.hpp"
-#include "engine/world/world_state.hpp"
+#include "engine/world_state.hpp"
 
 namespace cs550 {
 
@@ -39,6 +39,9 @@ void run_stage(WorldState& world, Stage stage, const Part& part, const Arguments
     skip_stage(world, stage, missing);
   }
 }
+
+/// One step, stage by stage. @param h s
+void advance(WorldState& world, Real h);
 
 /// From bodies to contacts: pairs, axes, manifolds. @param h step (s)
 void detect_collisions(WorldState& world, Real h);

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/contacts/contact_constraints.hpp"
+#include "engine/pairs/pair_list.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {

@@ -4,7 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "engine/world/world_state.hpp"
+#include "engine/pairs/pair_list.hpp"
+#include "engine/world/stages.hpp"
 
 namespace cs550 {
 

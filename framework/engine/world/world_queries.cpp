@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "engine/world/world_state.hpp"
+#include "engine/world_state.hpp"
 
 namespace cs550 {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cs550/broad_phase.hpp"
+#include "cs550/static_vector.hpp"
 #include "cs550/world.hpp"
-#include "engine/contacts/solve_order.hpp"
 
 namespace cs550 {
 
@@ -51,6 +51,19 @@ class UnwrittenStages {
 
  private:
   std::bitset<stage_count> stages_;
+};
+
+/// Contacts that are solved side by side, by their index in the list.
+using ContactGroup = StaticVector<Index, 4>;
+
+/// The index of the constraint of each contact point, with the points of all contacts counted in
+/// turn; and the working storage of arrange_constraints().
+struct SolveOrder {
+  std::vector<Index> place_of_point;
+
+  std::vector<Index> first_point;  ///< of each contact
+  std::vector<ContactGroup> groups;
+  std::vector<Index> group_after_body;
 };
 
 /// A pair of bodies without impulses from the last step.
@@ -111,21 +124,5 @@ void for_dynamic_bodies(State& world, const Visit& visit) {
     if (body.kind == BodyKind::Dynamic) visit(body);
   }
 }
-
-/// The margin within which two surfaces get contact points during a step of length h (m): the
-/// distance that they may close at their current speeds and in free fall, and a few slops.
-Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h);
-
-/// Inserts the leaf of a new body into the tree.
-void insert_leaf(WorldState& world, Index body);
-/// Enlarges leaves to their bodies' current bounds, so that queries between steps find them.
-void enclose_bodies(WorldState& world);
-/// Brings the tree and the pairs up to date with poses and speeds. @param h step (s)
-void update_pairs(WorldState& world, Real h);
-/// Drops the pairs of a body that is being removed; those that touched go to ended_by_removal.
-void remove_pairs_of(WorldState& world, Index body);
-
-/// One step, stage by stage (stages.hpp). @param h s
-void advance(WorldState& world, Real h);
 
 }  // namespace cs550

@@ -1,0 +1,22 @@
+#pragma once
+/// @file pair_list.hpp
+/// Keeps the tree and the list of near pairs up to date with the bodies.
+
+#include "engine/world_state.hpp"
+
+namespace cs550 {
+
+/// The margin within which two surfaces get contact points during a step of length h (m): the
+/// distance that they may close at their current speeds and in free fall, and a few slops.
+Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h);
+
+/// Inserts the leaf of a new body into the tree.
+void insert_leaf(WorldState& world, Index body);
+/// Enlarges leaves to their bodies' current bounds, so that queries between steps find them.
+void enclose_bodies(WorldState& world);
+/// Brings the tree and the pairs up to date with poses and speeds. @param h step (s)
+void update_pairs(WorldState& world, Real h);
+/// Drops the pairs of a body that is being removed; those that touched go to ended_by_removal.
+void remove_pairs_of(WorldState& world, Index body);
+
+}  // namespace cs550
