@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "cs550/clipping.hpp"
@@ -166,10 +168,8 @@ Page reduction() {
     for (const Vec3& point : rim) add_dot(sketch, point, Role::Faint, "", 4);
     for (const Vec3& corner : corners) add_dot(sketch, corner, role, "", 6);
     sketch.labels.push_back({rim[0], "deepest", Role::Text});
-    char share[64];
-    std::snprintf(share, sizeof share, "%s: %.0f %% of the area", name.c_str(),
-                  100 * area_of(corners) / area_of(rim));
-    sketch.title = share;
+    sketch.title =
+        fmt::format("{}: {:.0f} % of the area", name, 100 * area_of(corners) / area_of(rim));
     return sketch;
   };
   return page_of({panel(flat_hull(kept), Role::BodyA, "four rules"),

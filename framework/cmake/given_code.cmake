@@ -1,5 +1,5 @@
-# The code that is given. It calls lab functions, which stay undefined until an executable brings the
-# code of the labs (lab_code.cmake).
+# The given code. It calls lab functions, which are undefined until an executable links the code of
+# the labs (lab_code.cmake).
 function(cs550_given_library name folders)
   list(TRANSFORM folders REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/framework/\\1/*.cpp" OUTPUT_VARIABLE patterns)
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
@@ -9,18 +9,18 @@ endfunction()
 
 cs550_given_library(cs550_engine "engine;engine/*" nlohmann_json::nlohmann_json tinyobjloader::tinyobjloader
                     Qhull::qhullcpp Qhull::qhull_r Threads::Threads)
-# The installed library contains it.
+# It becomes part of the installed shared library.
 set_target_properties(cs550_engine PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_options(cs550_engine PRIVATE -fno-semantic-interposition)
 # Headers of given code are included as "engine/world/stages.hpp", "drawing/palette.hpp".
 target_include_directories(cs550_engine PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 cs550_given_library(cs550_files files)
 target_include_directories(cs550_files PUBLIC "${PROJECT_SOURCE_DIR}/framework")
-cs550_given_library(cs550_drawing drawing cs550_engine)
+cs550_given_library(cs550_drawing drawing cs550_engine fmt::fmt)
 cs550_given_library(cs550_autograder autograder GTest::gtest nlohmann_json::nlohmann_json)
 target_include_directories(cs550_autograder PUBLIC
                            "${PROJECT_SOURCE_DIR}/framework/autograder/include")
 
-# Where meshes and scenes are found unless the environment variable CS550_ASSETS says otherwise.
+# The folder of meshes and scenes, unless the environment variable CS550_ASSETS names another.
 set_source_files_properties("${PROJECT_SOURCE_DIR}/framework/engine/scenes/assets.cpp" PROPERTIES
   COMPILE_DEFINITIONS "CS550_ASSETS_DIR=\"${PROJECT_SOURCE_DIR}/framework/assets\"")

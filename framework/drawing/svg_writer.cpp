@@ -1,19 +1,18 @@
 #include "drawing/svg_writer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace cs550::drawing {
 namespace {
 
-/// Far outside of any page, and still short: some viewers choke on 1e30.
+/// Far outside of any page. Some programs fail on numbers like 1e30.
 constexpr double farthest = 1e5;
 
 std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", std::clamp(value, -farthest, farthest));
-  std::string result = text;
+  std::string result = fmt::format("{:.2f}", std::clamp(value, -farthest, farthest));
   result.erase(result.find_last_not_of('0') + 1);
   if (result.back() == '.') result.pop_back();
   return result == "-0" ? "0" : result;
@@ -73,8 +72,7 @@ std::string escape_xml(const std::string& text) {
 }
 
 double text_width(const std::string& text, double size) {
-  const auto letters = text.size() - static_cast<std::size_t>(std::count_if(
-                                         text.begin(), text.end(), is_continuation_byte));
+  const auto letters = text.size() - std::count_if(text.begin(), text.end(), is_continuation_byte);
   return 0.6 * size * static_cast<double>(letters);
 }
 

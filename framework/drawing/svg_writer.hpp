@@ -1,6 +1,6 @@
 #pragma once
 /// @file svg_writer.hpp
-/// The few elements of SVG that pictures are made of.
+/// Writes the elements of SVG that pictures need.
 
 #include <sstream>
 #include <string>
@@ -17,29 +17,29 @@ struct PagePoint {
   double y = 0;  ///< downward
 };
 
-/// Where a text is fixed to its position.
+/// The part of a text that is at its position.
 enum class Anchor : std::uint8_t { Start, Middle, End };
 
-/// How a text looks.
+/// The style of a text.
 struct TextStyle {
   double size = 13;                             ///< pixels
   Colour colour = drawing::colour(Role::Text);  ///< of the letters
-  Anchor anchor = Anchor::Start;                ///< which end is fixed
-  bool bold = false;                            ///< heavier
-  bool halo = false;                            ///< white around the letters, over lines
-  bool upward = false;                          ///< turned by a quarter to read from below
+  Anchor anchor = Anchor::Start;                ///< the part at the position
+  bool bold = false;                            ///< bold weight
+  bool halo = false;                            ///< with a white outline, for text over lines
+  bool upward = false;                          ///< rotated by 90° to read upward
 };
 
-/// With `&`, `<`, `>` and quotes replaced, and without characters that XML forbids.
+/// Replaces `&`, `<`, `>` and quotes, and removes characters that XML forbids.
 std::string escape_xml(const std::string& text);
 
-/// How wide a text comes out (pixels): a guess, since nobody knows the reader's fonts.
+/// The estimated width of a text (pixels). The fonts of the reader are not known.
 double text_width(const std::string& text, double size);
 
-/// Breaks a text into lines of at most a width (pixels).
+/// Breaks a text into lines of limited width (pixels).
 std::vector<std::string> wrap(const std::string& text, double size, double width);
 
-/// Gathers elements.
+/// Collects the elements of a file.
 class SvgWriter {
  public:
   void line(PagePoint from, PagePoint to, Colour colour, double width, bool dashed = false,
@@ -49,19 +49,19 @@ class SvgWriter {
   void outlined_polygon(const std::vector<PagePoint>& points, Colour fill, Colour outline,
                         double outline_width);
   void circle(PagePoint center, double radius, Colour fill, Colour outline, double outline_width);
-  /// Shaded like a ball lit from the upper left.
+  /// Shaded like a ball that is lit from the upper left.
   void ball(PagePoint center, double radius, Colour colour, double opacity);
   void rectangle(const Rectangle& area, Colour fill, Colour outline);
   /// The outline of an area.
   void frame(const Rectangle& area, Colour outline);
   void text(PagePoint at, const std::string& text, const TextStyle& style);
-  /// What follows is cut off outside of an area, until end_group().
+  /// Clips the following elements to an area, until end_group().
   void begin_clipped(const Rectangle& area);
-  /// What follows belongs together and is described by a sentence.
+  /// Groups the following elements, with a description.
   void begin_group(const std::string& alt_text);
   void end_group();
 
-  /// A whole file. @param title, alt_text for those who cannot see the picture
+  /// The complete file. @param title, alt_text for readers who cannot see the picture
   std::string document(double width, double height, const std::string& title,
                        const std::string& alt_text) const;
 

@@ -1,7 +1,8 @@
 #include "drawing/text.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace cs550::drawing {
 namespace {
@@ -13,11 +14,14 @@ const char* superscript(char letter) {
 
 }  // namespace
 
+std::string with_minus_sign(std::string number) {
+  if (!number.starts_with('-')) return number;
+  const bool is_zero = number.find_first_not_of("-0.") == std::string::npos;
+  return number.replace(0, 1, is_zero ? "" : "−");
+}
+
 std::string number_text(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(value));
-  const std::string magnitude = text;
-  return std::signbit(value) && magnitude != "0" ? "−" + magnitude : magnitude;
+  return with_minus_sign(fmt::format("{:.{}g}", value, digits));
 }
 
 std::string length_text(double meters) {

@@ -1,8 +1,8 @@
 #include "viewer/snapshot.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <iostream>
 #include <stdexcept>
 
@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Panels find their places in the first frames: tables and scrollbars know their size afterwards.
+/// Dear ImGui needs a few frames to determine the sizes of tables and scrollbars.
 constexpr int settling_frames = 3;
 
-/// A viewer that draws to memory.
+/// A viewer that draws into memory.
 class Studio {
  public:
   explicit Studio(const Options& options)
@@ -37,7 +37,7 @@ class Studio {
   }
   void advance() { app_.advance(); }
   const Page& page() const { return app_.page(); }
-  /// Why the page shows no picture; empty if it does.
+  /// Why the page shows no picture; empty if it shows one.
   const std::string& problem() const { return app_.page().content().problem; }
 
  private:
@@ -46,19 +46,15 @@ class Studio {
   App app_;
 };
 
-std::string frame_name(int number) {
-  std::array<char, 16> name{};
-  std::snprintf(name.data(), name.size(), "%04d.png", number);
-  return name.data();
-}
+std::string frame_name(int number) { return fmt::format("{:04}.png", number); }
 
-/// Once through a walk, unless that is long or there is none.
+/// As many frames as the walk of a page has steps, within limits.
 int default_frame_count(const Page& page) {
   constexpr int most = 120;
   return page.lab() == 0 ? most : std::clamp(page.content().step_count, 1, most);
 }
 
-/// A world runs as fast as it would; a walk so slowly that it can be followed.
+/// A world runs in real time, a walk slowly enough to follow.
 double frames_per_second(const Page& page) { return page.lab() == 0 ? 60 : 2.5; }
 
 void write_frames(Studio& studio, const fs::path& folder, int count) {
@@ -77,7 +73,7 @@ void write_pictures(const Options& options) {
   const HeadlessContext context;
   Studio studio(options);
   if (!studio.problem().empty()) {
-    // Of a student's code the picture shows it; else there is nothing to show.
+    // With a student's code, the picture shows the problem. Otherwise there is nothing to show.
     if (!options.student) throw std::invalid_argument(studio.problem());
     std::cerr << "cs550: the page reports: " << studio.problem() << '\n';
   }

@@ -1,8 +1,8 @@
 #include "pages/base/controls.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 
@@ -23,9 +23,7 @@ std::string alternatives(std::span<const char* const> names) {
 }  // namespace
 
 std::string short_number(double value, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value == 0 ? 0.0 : value);
-  return text.data();
+  return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
 }
 
 // --- setting ---------------------------------------------------------------------------------

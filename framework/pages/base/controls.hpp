@@ -1,6 +1,6 @@
 #pragma once
 /// @file controls.hpp
-/// Settings that a user can change. One description serves the panel, --set and --list.
+/// Settings that a user can change. The panel, --set and --list share one description.
 
 #include <span>
 #include <string>
@@ -17,7 +17,7 @@ struct Control {
   const char* unit;   ///< "m", "1/s", or empty
 };
 
-/// Visits settings one after the other. describe() functions call it:
+/// Visits settings one after another. describe() functions call it:
 /// `void describe(Settings& settings, ControlVisitor& visit)`.
 class ControlVisitor {
  public:
@@ -28,16 +28,16 @@ class ControlVisitor {
 
   /// Starts a group of settings.
   virtual void section(const char* /*title*/) {}
-  /// A setting and its range, both ends included.
+  /// A setting and its range, including both ends.
   /// @{
   virtual void whole(const Control& control, int& value, int least, int most) = 0;
   virtual void number(const Control& control, Real& value, Real least, Real most) = 0;
   /// Each component between −most and most.
   virtual void vector(const Control& control, Vec3& value, Real most) = 0;
   virtual void toggle(const Control& control, bool& value) = 0;
-  /// @param value place in the list of names
+  /// @param value index in the list of names
   virtual void choice(const Control& control, int& value, std::span<const char* const> names) = 0;
-  /// A list of moves, each a place in the list of names.
+  /// A list of moves, each an index in the list of names.
   virtual void moves(const Control& control, std::vector<int>& value,
                      std::span<const char* const> names) = 0;
   /// @}
@@ -46,7 +46,7 @@ class ControlVisitor {
 /// Changes the setting named in `name=value`.
 class ControlSetter final : public ControlVisitor {
  public:
-  /// @throws std::invalid_argument unless there is a `=`
+  /// @throws std::invalid_argument if `=` is missing
   explicit ControlSetter(const std::string& assignment);
 
   void whole(const Control& control, int& value, int least, int most) override;
@@ -57,8 +57,8 @@ class ControlSetter final : public ControlVisitor {
   void moves(const Control& control, std::vector<int>& value,
              std::span<const char* const> names) override;
 
-  /// Call after the visit. @throws std::invalid_argument that lists the names there are, unless one
-  /// of them was meant
+  /// Call this after the visit. @throws std::invalid_argument with a list of all names if no
+  /// setting matched
   void expect_found() const;
 
  private:
@@ -83,7 +83,7 @@ class ControlLister final : public ControlVisitor {
   void moves(const Control& control, std::vector<int>& value,
              std::span<const char* const> names) override;
 
-  /// All lines.
+  /// All lines of the list.
   const std::string& text() const { return text_; }
 
  private:

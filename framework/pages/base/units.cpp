@@ -1,9 +1,12 @@
 #include "pages/base/units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "drawing/text.hpp"
 
 namespace cs550::pages {
 namespace {
@@ -13,7 +16,7 @@ struct Prefix {
   const char* name;
 };
 
-/// Before "kg·m/s" no prefix makes sense: it has one already.
+/// Some units take no prefix: "kg·m/s" contains one already.
 Prefix prefix_for(double magnitude, const std::string& unit) {
   constexpr std::array<Prefix, 5> prefixes{
       {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}}};
@@ -29,18 +32,9 @@ Prefix prefix_for(double magnitude, const std::string& unit) {
 
 std::string three_digits(double value) {
   const double magnitude = std::abs(value);
+  if (magnitude >= 1e6) return drawing::number_text(value);
   const int decimals = magnitude < 10 ? 2 : magnitude < 100 ? 1 : 0;
-  std::array<char, 64> text{};
-  if (magnitude >= 1e6) {
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-  } else {
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  }
-  std::string result = text.data();
-  // A rounded zero has no sign; a true minus is as wide as a plus.
-  const bool is_zero = result.find_first_not_of("-0.") == std::string::npos;
-  if (result[0] != '-') return result;
-  return is_zero ? result.substr(1) : "−" + result.substr(1);
+  return drawing::with_minus_sign(fmt::format("{:.{}f}", value, decimals));
 }
 
 std::string with_unit(const std::string& number, const Prefix& prefix, const std::string& unit) {

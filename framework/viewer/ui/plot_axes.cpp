@@ -1,8 +1,7 @@
 #include "viewer/ui/plot_axes.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <cmath>
 
 #include "pages/base/controls.hpp"
 
@@ -30,7 +29,7 @@ void widen(Axis& axis, double value) {
   axis.upper = std::max(axis.upper, axis.shown(value));
 }
 
-/// Room above and below the curves. A curve that is flat but for rounding lies in the middle.
+/// Adds room above and below the curves. A curve that is flat except for rounding is centred.
 void pad(Axis& axis, double share) {
   if (!(axis.lower <= axis.upper)) axis.lower = 0, axis.upper = 1;
   const double middle = std::abs(axis.lower + axis.upper) / 2;
@@ -41,7 +40,7 @@ void pad(Axis& axis, double share) {
   axis.upper += room;
 }
 
-/// Room for the text above horizontal marks.
+/// Adds room for the text above horizontal marks.
 void make_room(Axis& y, const Plot& plot, float text_height) {
   const float pixels = y.start - y.end;
   if (pixels < 2 * text_height) return;
@@ -49,7 +48,7 @@ void make_room(Axis& y, const Plot& plot, float text_height) {
   for (const drawing::PlotMark& mark : plot.marks) {
     const auto at = static_cast<double>(mark.at);
     if (mark.vertical || !y.can_show(at)) continue;
-    // What is left below the text must hold everything from the lower end to the mark.
+    // The interval from the lower end to the mark must fit into the pixels below the text.
     y.upper = std::max(y.upper, y.lower + (y.shown(at) - y.lower) / (1 - share));
   }
 }
@@ -86,7 +85,7 @@ PlotAxes axes_of(const Plot& plot, const Area& area, float text_height) {
     if (!std::isfinite(x.lower)) x.lower = 0;
     x.upper = x.lower + 1;
   }
-  // Quantities that are never negative are compared from zero.
+  // The axis of a quantity that is never negative starts at zero.
   if (!y.logarithmic && y.lower > 0 && y.lower < 0.6 * y.upper) y.lower = 0;
   pad(y, 0.08);
   make_room(y, plot, text_height);
@@ -111,16 +110,10 @@ std::vector<double> y_ticks(const Axis& y) {
 }
 
 std::string tick_text(double value) {
-  std::array<char, 32> text{};
   const double magnitude = std::abs(value);
-  if (magnitude >= 1e6) {
-    std::snprintf(text.data(), text.size(), "%.3gM", value / 1e6);
-  } else if (magnitude >= 1e4) {
-    std::snprintf(text.data(), text.size(), "%.4gk", value / 1e3);
-  } else {
-    return short_number(value);
-  }
-  return text.data();
+  if (magnitude >= 1e6) return short_number(value / 1e6, 3) + "M";
+  if (magnitude >= 1e4) return short_number(value / 1e3, 4) + "k";
+  return short_number(value);
 }
 
 }  // namespace cs550::viewer

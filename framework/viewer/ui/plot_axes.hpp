@@ -1,6 +1,6 @@
 #pragma once
 /// @file plot_axes.hpp
-/// From the values of a plot to pixels.
+/// Maps the values of a plot to pixels.
 
 #include <cmath>
 #include <string>
@@ -13,7 +13,7 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// What one axis shows, and where.
+/// The interval of an axis and its pixels.
 struct Axis {
   double lower = 0;
   double upper = 1;
@@ -38,13 +38,13 @@ struct PlotAxes {
 /// @param text_height pixels
 PlotAxes axes_of(const drawing::Plot& plot, const Area& area, float text_height);
 
-/// Places on an axis that is not logarithmic.
+/// Ticks of a linear axis.
 std::vector<double> x_ticks(const Axis& x);
-/// Places on the axis; on a logarithmic one powers of ten, and twice and five times those where
-/// there would be few.
+/// Ticks of a linear or logarithmic axis. The latter has powers of ten, with their multiples by 2
+/// and 5 if there are few.
 std::vector<double> y_ticks(const Axis& y);
 
-/// A number in few characters.
+/// A number in few characters: "0.25", "12k", "1.5M".
 std::string tick_text(double value);
 
 }  // namespace cs550::viewer
