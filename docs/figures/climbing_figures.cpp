@@ -58,8 +58,7 @@ Page local_maximum() {
       {{outline[1], outline[2], outline[3], outline[4], outline[5]}, Role::Faint, Real(0.6)});
   add_outline(sketch, outline, {Role::Text, 1.5f});
   for (const auto& [from, to] : {std::pair(0, 8), {8, 7}}) {
-    add_line(sketch, outline[static_cast<std::size_t>(from)], outline[static_cast<std::size_t>(to)],
-             {Role::Got, 3, false, true});
+    add_line(sketch, outline[from], outline[to], {Role::Got, 3, false, true});
   }
   add_dot(sketch, outline[0], Role::Got, "start", 5);
   add_dot(sketch, outline[7], Role::Got, "no neighbour is higher", 6);

@@ -234,7 +234,7 @@ void concave(std::ostream& out) {
       };
       for (std::size_t i = 0; i < profile.s.size(); i += 10) line(i);
       out << "\n\n";
-      for (const int kink : profile.kinks) line(static_cast<std::size_t>(kink));
+      for (const int kink : profile.kinks) line(kink);
       return;
     }
   }

@@ -58,7 +58,7 @@ Page jacobian() {
 Drawing boxes_of(const World& world) {
   Drawing sketch;
   for (Index i = 0; i < static_cast<Index>(world.bodies().size()); ++i) {
-    if (world.bodies()[static_cast<std::size_t>(i)].kind == BodyKind::Static) continue;
+    if (world.bodies()[i].kind == BodyKind::Static) continue;
     drawing::append(sketch, drawing::draw_body(world.posed_shape(world.id_at(i)),
                                                {i % 2 == 0 ? Role::BodyA : Role::Reference, 1}));
   }

@@ -128,8 +128,8 @@ struct Tower {
   double residual() const {
     double largest = 0;
     for (const ContactConstraint& constraint : constraints) {
-      const auto& a = bodies[static_cast<std::size_t>(constraint.body_a)];
-      const auto& b = bodies[static_cast<std::size_t>(constraint.body_b)];
+      const auto& a = bodies[constraint.body_a];
+      const auto& b = bodies[constraint.body_b];
       const auto v_n =
           static_cast<double>(normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n));
       largest = std::max(largest, constraint.normal_impulse > 0 ? std::abs(v_n) : -v_n);

@@ -12,7 +12,7 @@ using Vec3d = Eigen::Vector3d;
 using Outline = std::vector<Vec2d>;
 using Kind = BrushStroke::Kind;
 
-/// Overlaps below this are those of neighbours that share an edge (pixels², pixels).
+/// Smaller overlaps are rounding errors of neighbours that share an edge (pixels², pixels).
 constexpr double least_area = 0.25;
 constexpr double least_length = 0.05;
 /// Outlines of balls.
@@ -28,12 +28,12 @@ double signed_area(const Outline& outline) {
   return 0.5 * twice;
 }
 
-/// What can hide something: a convex patch of the page with a depth everywhere.
+/// A convex region of the page with a depth at every point. It hides what is behind it.
 struct Occluder {
   Kind kind = Kind::Polygon;
   std::size_t index = 0;
   Outline outline;              // positive area
-  Vec2d low, high;              // its box on the page
+  Vec2d low, high;              // its bounds on the page
   Vec3d plane = Vec3d::Zero();  // depth = plane · (x, y, 1)
   double middle_depth = 0;
 
@@ -119,7 +119,7 @@ Outline intersection(Outline subject, const Outline& clip) {
   return subject;
 }
 
-/// +1 if `a` is nearer than `b` where they overlap, −1 if it is farther, 0 if it does not matter.
+/// +1 if `a` is nearer than `b` where they overlap, −1 if it is farther, 0 if they do not overlap.
 int nearer(const Occluder& a, const Occluder& b, double tolerance) {
   if ((a.low.array() > b.high.array()).any() || (b.low.array() > a.high.array()).any()) return 0;
   const Outline common = intersection(a.outline, b.outline);
@@ -132,14 +132,15 @@ int nearer(const Occluder& a, const Occluder& b, double tolerance) {
   return difference > 0 ? 1 : -1;
 }
 
-/// By middles alone.
+/// Compares the depths of the middles only.
 void sort_by_middle(std::vector<Occluder>& occluders) {
   std::sort(occluders.begin(), occluders.end(), [](const Occluder& a, const Occluder& b) {
     return std::pair(a.middle_depth, a.index) < std::pair(b.middle_depth, b.index);
   });
 }
 
-/// Back to front: always the farthest of those behind which nothing is left; of all, in a circle.
+/// Back to front: always the farthest that hides no remaining one, or in a cycle the farthest of
+/// all.
 std::vector<Occluder> back_to_front(std::vector<Occluder> occluders, double tolerance) {
   const std::size_t count = occluders.size();
   if (count > exact_polygons) {
@@ -182,7 +183,7 @@ struct Interval {
   bool holds(double t) const { return from <= t && t <= to; }
 };
 
-/// Keeps the part of an interval where an affine function is positive, given its ends at 0 and 1.
+/// Clips an interval to where an affine function is positive, given its values at 0 and 1.
 void keep_positive(Interval& interval, double at_0, double at_1) {
   if (at_0 <= 0 && at_1 <= 0) {
     interval = {1, 0};
@@ -193,7 +194,7 @@ void keep_positive(Interval& interval, double at_0, double at_1) {
   }
 }
 
-/// The part of a line that an occluder hides (Cyrus & Beck 1978, and once more for the depth).
+/// The part of a line that an occluder hides (Cyrus & Beck 1978, with depth as one more plane).
 Interval hidden_part(const Occluder& occluder, const Vec3d& from, const Vec3d& to,
                      double tolerance) {
   Interval interval;
@@ -218,7 +219,7 @@ Vec3d page_position(const Vec3& position, const FittedView& view) {
   return {at.x, at.y, at.depth};
 }
 
-/// What is painted before each occluder; one more place for what nothing hides.
+/// The strokes painted before each occluder, and at the end those that nothing hides.
 using Layers = std::vector<std::vector<BrushStroke>>;
 
 void place_line(Layers& layers, const Line& line, std::size_t index,
@@ -244,7 +245,7 @@ void place_line(Layers& layers, const Line& line, std::size_t index,
     const double middle = 0.5 * (cuts[i - 1] + cuts[i]);
     const auto hides = [middle](const Interval& part) { return part.holds(middle); };
     const auto first = std::find_if(hidden.begin(), hidden.end(), hides);
-    const std::size_t here = static_cast<std::size_t>(first - hidden.begin());
+    const std::size_t here = first - hidden.begin();
     if (here != layer && stroke.to > stroke.from) {
       layers[layer].push_back(stroke);
       stroke.from = cuts[i - 1];
@@ -263,7 +264,7 @@ void place_point(Layers& layers, const Point& point, std::size_t index,
     for (std::size_t i = 0; i < occluder.outline.size(); ++i) {
       const Vec2d& start = occluder.outline[i];
       const Vec2d side = occluder.outline[(i + 1) % occluder.outline.size()] - start;
-      // A corner of the polygon itself is not inside.
+      // The polygon's own corners do not count as inside.
       if (cross(side, page - start) < least_length * side.norm()) return false;
     }
     return occluder.depth(page) - at.z() > view.depth_tolerance();

@@ -50,7 +50,7 @@ bool needs_outline(Role role) { return role == Role::Highlight; }
 Role series_role(int index) {
   constexpr std::array<Role, 6> roles = {Role::BodyA,    Role::Got,   Role::Expected,
                                          Role::Incident, Role::BodyB, Role::Reference};
-  return roles.at(static_cast<std::size_t>(index) % roles.size());
+  return roles.at(index % roles.size());
 }
 
 Colour mix(Colour a, Colour b, double share) {

@@ -20,10 +20,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Bytes of address space: a loop that never stops allocating must not take the machine with it.
+/// Limit of the address space (bytes). An endless allocation must not exhaust the machine.
 constexpr rlim_t memory_limit = rlim_t{8} << 30;
 
-/// @return whether there is something to read, or the end of it, before the deadline
+/// @return whether there is data or an end of file before the deadline
 bool wait_for_input(int socket, std::optional<Clock::time_point> deadline) {
   pollfd watched{socket, POLLIN, 0};
   while (true) {
@@ -47,26 +47,26 @@ Channel::Wait read_all(int socket, char* bytes, std::size_t count,
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return Channel::Wait::Closed;
     bytes += got;
-    count -= static_cast<std::size_t>(got);
+    count -= got;
   }
   return Channel::Wait::Received;
 }
 
 bool write_all(int socket, const char* bytes, std::size_t count) {
   while (count > 0) {
-    // Not write(): a reader that is gone must not end this process by SIGPIPE.
+    // Not write(), which raises SIGPIPE if the other process has ended.
     const ssize_t sent = ::send(socket, bytes, count, MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
     if (sent <= 0) return false;
     bytes += sent;
-    count -= static_cast<std::size_t>(sent);
+    count -= sent;
   }
   return true;
 }
 
 void limit_child() {
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // an endless loop must not outlive a viewer that was killed
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // an endless loop must not survive a killed viewer
 #endif
   const rlimit memory{memory_limit, memory_limit};
   setrlimit(RLIMIT_AS, &memory);
@@ -109,7 +109,7 @@ Child::Child(const std::function<void(const Channel&)>& work) {
       const Channel channel(sockets[1]);
       work(channel);
     }
-    _exit(0);  // no destructors of what belongs to the viewer, its window for one
+    _exit(0);  // without the destructors of the viewer's objects, such as its window
   }
   close(sockets[1]);
   channel_.emplace(sockets[0]);
@@ -119,8 +119,7 @@ Child::~Child() { end(); }
 
 std::string Child::end() {
   if (process_ < 0) return "";
-  // What has closed its end of the channel is about to end by itself: its own ending is the better
-  // story.
+  // A child that has closed its channel is about to end. How it ends explains more than SIGKILL.
   int status = 0;
   pollfd watched{-1, 0, 0};
   for (int patience = 50; patience > 0 && waitpid(process_, &status, WNOHANG) == 0; --patience) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int channels = 3;
 
-/// OpenGL's rows go upwards, a file's downwards.
+/// OpenGL stores the bottom row first, a PNG file the top row.
 void flip(Picture& picture) {
   const auto row = static_cast<std::ptrdiff_t>(channels) * picture.size.width;
   for (int top = 0, bottom = picture.size.height - 1; top < bottom; ++top, --bottom) {
@@ -26,9 +26,7 @@ void flip(Picture& picture) {
 
 Picture read_picture(const Canvas& canvas) {
   Picture picture{canvas.size(), {}};
-  picture.pixels.resize(static_cast<std::size_t>(channels) *
-                        static_cast<std::size_t>(canvas.size().width) *
-                        static_cast<std::size_t>(canvas.size().height));
+  picture.pixels.resize(std::size_t{channels} * canvas.size().width * canvas.size().height);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.result());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, canvas.size().width, canvas.size().height, GL_RGB, GL_UNSIGNED_BYTE,

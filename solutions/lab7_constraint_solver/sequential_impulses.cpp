@@ -94,7 +94,7 @@ void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b)
 
 void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
                     const ContactStep& step) {
-  const auto body = [&](Index i) -> SolverBody& { return bodies[static_cast<std::size_t>(i)]; };
+  const auto body = [&](Index i) -> SolverBody& { return bodies[i]; };
   if (step.backwards) {
     for (auto constraint = constraints.rbegin(); constraint != constraints.rend(); ++constraint) {
       solve_friction(*constraint, body(constraint->body_a), body(constraint->body_b));

@@ -1,4 +1,5 @@
-// Lab 7's passes over the constraints of a wide, shallow stack, as the engine solves them and one by one.
+// Passes of lab 7 over the constraints of many cubes, in groups as the engine solves them and one
+// by one.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -15,13 +16,13 @@ struct Bricks {
   ContactStep step;
 };
 
-/// Every one of `count` unit cubes stands on the ground on four corners, group by group as the world
-/// would put them. The ground is the last body.
+/// `count` unit cubes, each on the ground with four corners, in the groups of the world. The ground
+/// is the last body.
 Bricks cubes_on_the_ground(int count) {
   Bricks bricks;
   bricks.step.h = Real(1) / 480;
   bricks.step.soft = bricks.step.soft_static = soft_contact(30, 4, bricks.step.h);
-  bricks.bodies.resize(static_cast<std::size_t>(count) + 1);
+  bricks.bodies.resize(count + 1);
   for (int i = 0; i < count; ++i) {
     SolverBody& body = bricks.bodies[i];
     body.inverse_mass = 1;

@@ -1,5 +1,5 @@
-// Lab 4's queries: pairs of hulls that overlap, that stay apart, and the worst case of the edge query.
-// Whose code is measured is decided by the executable: the fast kernel or the teaching form.
+// Queries of lab 4: overlapping hulls, separated hulls, and the worst case of the edge query. There
+// is one executable for the fast kernel and one for the teaching form.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
@@ -22,7 +22,7 @@ ShapePtr shape_of(const TriangleSoup& soup) {
   return make_shape(soup.vertices, soup.triangles).shape;
 }
 
-/// Hulls at random orientations, moved along a random direction until their separation lies in the
+/// Hulls with random orientations, moved along a random direction until their separation is in a
 /// given interval.
 class HullPairs {
  public:
@@ -47,7 +47,7 @@ class HullPairs {
 
  private:
   const ConvexShape* random_shape(Random& random) const {
-    return shapes_[static_cast<std::size_t>(random.integer(0, 7))].get();
+    return shapes_[random.integer(0, 7)].get();
   }
 
   std::vector<ShapePtr> shapes_;
@@ -77,7 +77,7 @@ void separated_hulls_with_hint(benchmark::State& state) {
 }
 BENCHMARK(separated_hulls_with_hint)->RangeMultiplier(2)->Range(8, 256);
 
-/// How many arcs of A cross arcs of −B.
+/// The number of arcs of A that cross arcs of −B.
 int count_crossings(const PosedShape& a, const PosedShape& b) {
   const auto normal = [](const PosedShape& body, Index e) {
     return body.plane(body.mesh().edge(e).face).normal;
@@ -94,7 +94,8 @@ int count_crossings(const PosedShape& a, const PosedShape& b) {
   return crossings;
 }
 
-/// Two n-gon prisms at a right angle: each long edge of one crosses half of the other's.
+/// Two n-gon prisms at a right angle. Each long edge of one crosses half of the long edges of the
+/// other.
 void edges_of_crossed_prisms(benchmark::State& state) {
   const int sides = static_cast<int>(state.range(0));
   const ShapePtr prism = shape_of(prism_soup(sides, 1, 2));

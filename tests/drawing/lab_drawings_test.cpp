@@ -1,4 +1,4 @@
-// Each lab's values become the elements that they should, also where the values are wrong.
+// Values of each lab become the correct elements of a drawing, even if the values are wrong.
 
 #include <gtest/gtest.h>
 
@@ -95,8 +95,7 @@ TEST(ClipDrawing, DrawsEveryCornerOfWhatIsLeft) {
   const Plane plane = {{1, 0, 0}, 1};
   const Drawing drawing = draw_clip(before, plane, after, Role::Got);
   ASSERT_EQ(count_role(drawing.points, Role::Got), 4);
-  for (int i = 0; i < 4; ++i)
-    EXPECT_EQ(drawing.points[static_cast<std::size_t>(i)].position, after[i].point);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(drawing.points[i].position, after[i].point);
   // The plane is drawn where it is.
   for (const Line& line : drawing.lines) {
     if (line.stroke.role != Role::Axis || line.stroke.arrow) continue;

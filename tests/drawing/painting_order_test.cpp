@@ -1,4 +1,4 @@
-// What is nearer covers what is farther; hidden lines end where the face that hides them ends.
+// Nearer elements cover farther ones, and hidden lines end at the edge of the face that hides them.
 
 #include "drawing/painting_order.hpp"
 
@@ -16,7 +16,7 @@ Polygon square(Real z) {
   return {{{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}}, Role::BodyA, 1};
 }
 
-/// 200 by 200 pixels that show −2 to 2 from above, or from above and far.
+/// A view of 200 by 200 pixels that shows −2 to 2 from above.
 FittedView from_above(Real field_of_view = 0) {
   View view = view_from_above();
   view.frame = {{-2, -2, -2}, {2, 2, 2}};
@@ -26,7 +26,7 @@ FittedView from_above(Real field_of_view = 0) {
 
 std::size_t place_of(const std::vector<BrushStroke>& order, Kind kind, std::size_t index) {
   const auto is_it = [&](const BrushStroke& s) { return s.kind == kind && s.index == index; };
-  return static_cast<std::size_t>(std::find_if(order.begin(), order.end(), is_it) - order.begin());
+  return std::find_if(order.begin(), order.end(), is_it) - order.begin();
 }
 
 TEST(PaintingOrder, PaintsTheFartherPolygonFirst) {
@@ -40,7 +40,8 @@ TEST(PaintingOrder, PaintsTheFartherPolygonFirst) {
 }
 
 TEST(PaintingOrder, ALargeFloorLiesUnderASmallBoxOnIt) {
-  // The floor's middle is nearer to the eye than the box's lid: middles alone would be wrong.
+  // The middle of the floor is nearer to the eye than the lid of the box, so comparing middles
+  // would be wrong.
   Drawing drawing;
   drawing.polygons.push_back({{{-9, 9, 0}, {-9, -9, 0}, {1, -9, 0}, {1, 9, 0}}, Role::Faint, 1});
   drawing.polygons.push_back(
@@ -77,7 +78,7 @@ TEST(PaintingOrder, CutsALineWhereItPiercesAFace) {
     ASSERT_EQ(order.size(), 3U);
     EXPECT_EQ(order[0].kind, Kind::Line);
     EXPECT_EQ(order[1].kind, Kind::Polygon);
-    // Where the cut appears on the page is where the origin appears.
+    // On the page, the cut coincides with the origin.
     const double from = view.project(drawing.lines[0].from).x;
     const double to = view.project(drawing.lines[0].to).x;
     EXPECT_NEAR(from + order[0].to * (to - from), view.project({0, 0, 0}).x, 0.02);

@@ -1,4 +1,5 @@
-// Scene files: what is read is what stands there, and what is wrong is refused with its place.
+// Scene files: correct ones are read completely, and wrong ones are rejected with the location of
+// the error.
 
 #include "cs550/scene.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that lives as long as the test.
+/// A temporary file, deleted after the test.
 class TemporaryScene {
  public:
   explicit TemporaryScene(const std::string& text) {
@@ -40,7 +41,7 @@ std::string with_body(const std::string& body) {
   return R"({"schema": 1, "bodies": [)" + body + "]}";
 }
 
-/// The scene is refused, nothing of it is left, and the message has all of the parts.
+/// Checks that the scene is rejected as a whole, with a message that contains all the parts.
 void expect_refused(const std::string& text, const std::vector<std::string>& parts) {
   const TemporaryScene scene(text);
   const SceneResult result = scene.load();
@@ -79,7 +80,7 @@ TEST(Scene, ReadsEveryMemberOfABody) {
 }
 
 TEST(Scene, OrientationsSayTheSameInThreeWays) {
-  // 90° about x, then 90° about z: takes x to y and y to z.
+  // 90° about x, then 90° about z: maps x to y and y to z.
   const std::string same[] = {R"({"quaternion": [0.5, 0.5, 0.5, 0.5]})",
                               R"({"axis": [1, 1, 1], "degrees": 120})",
                               R"({"euler_degrees": [90, 0, 90]})"};
@@ -129,7 +130,7 @@ TEST(Scene, ReadsEveryWorldSetting) {
 }
 
 TEST(Scene, MakesEveryKindOfShape) {
-  // Volumes by hand; the area of a regular hexagon of radius 1 is 3·√3/2.
+  // Volumes in closed form. The area of a regular hexagon of radius 1 is 3·√3/2.
   const double hexagon = 1.5 * std::sqrt(3.0);
   const struct {
     const char* shape;
@@ -291,7 +292,7 @@ TEST(Scene, RefusesWhatAParserWouldMisreadWithoutAWord) {
 
 TEST(Scene, RefusesNestingThatNoSceneNeeds) {
   for (const int levels : {33, 100000, 1000000}) {
-    const std::string open(static_cast<std::size_t>(levels), '[');
+    const std::string open(levels, '[');
     expect_refused(R"({"schema": 1, "title": )" + open, {"/title/0/0", "at most 32 levels"});
   }
   const std::string closed = std::string(31, '[') + std::string(31, ']');
@@ -318,7 +319,7 @@ TEST(Scene, RefusesTooMuchBeforeItIsMade) {
       generator(R"("kind": "drop", "count": 50000, "columns": [9, 9], "spacing": [1, 1, 1],
                              "seed": 1, "vertices": [4, 1000], "body": {}})"),
       {"/generators/0/count", "500000 vertices", "found 50000000"});
-  // All in one place: every two of them would be a pair.
+  // All in one place, so that every two of them would be a pair.
   expect_refused(
       generator(R"("kind": "grid", "count": [100, 100, 2], "spacing": [1e-6, 1e-6, 1e-6], )" +
                 body),
@@ -337,7 +338,7 @@ TEST(Scene, LimitsCanBeRaisedByTheEnvironment) {
   unsetenv("CS550_MAX_BODIES");
 }
 
-/// Replaces the refused value by the example of the message, as its reader would.
+/// Replaces the rejected value by the example in the message, as a user would.
 std::string with_example_pasted(const std::string& text, const std::string& error) {
   static const std::regex form(R"re(: (/[^:]*): .*; for example "([^"]*)": (.*)$)re");
   std::smatch match;
@@ -345,7 +346,7 @@ std::string with_example_pasted(const std::string& text, const std::string& erro
   nlohmann::json document = nlohmann::json::parse(text);
   const std::string key = match[2];
   std::string path = match[1];
-  // A missing key is added to the object at the path, any other value is replaced.
+  // A missing key is added to the object at the path. Other values are replaced.
   if (path.size() < key.size() || path.substr(path.size() - key.size()) != key) {
     path += (path == "/" ? "" : "/") + key;
   }

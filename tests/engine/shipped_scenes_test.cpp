@@ -13,13 +13,13 @@
 namespace cs550 {
 namespace {
 
-/// What a run of a scene shows.
+/// Measurements of a run.
 struct Run {
   std::vector<double>
       energy;        ///< the integrator's invariant, before the first step and after each (J)
-  Real deepest = 0;  ///< penetration at any time (m)
-  Real deepest_at_rest = 0;  ///< penetration in the last second (m)
-  int points = 0;            ///< contact points, the most at any time
+  Real deepest = 0;  ///< deepest penetration at any time (m)
+  Real deepest_at_rest = 0;  ///< deepest penetration in the last second (m)
+  int points = 0;            ///< largest number of contact points at any time
   double momentum_error = 0;
   std::uint64_t hash = 0;
 };
@@ -48,9 +48,9 @@ Run run_scene(const Scene& scene, int steps) {
   return run;
 }
 
-/// The largest relative growth over any second, and when it began.
+/// The largest relative growth of energy over any second, and its start.
 void expect_no_growth(const Run& run, const Scene& scene) {
-  const auto second = static_cast<std::size_t>(std::lround(1 / scene.h));
+  const std::size_t second = std::lround(1 / scene.h);
   double worst = 0;
   std::size_t when = 0;
   for (std::size_t i = 0; i + second < run.energy.size(); ++i) {
@@ -77,15 +77,15 @@ void expect_sound(const std::string& name) {
     EXPECT_GT(run.points, 0) << "nothing touched";
     EXPECT_LE(run.deepest, found.scene.max_penetration);
   }
-  // What float leaves of some thousand rows and steps.
+  // Rounding of float over some thousand constraints and steps.
   EXPECT_LT(run.momentum_error, 1e-4);
 
-  // Long enough for bodies to meet in every scene.
+  // Long enough for contacts in every scene.
   const int steps = std::min(found.scene.steps, 90);
   EXPECT_EQ(run_scene(found.scene, steps).hash, run_scene(found.scene, steps).hash)
       << "the same scene twice";
   if (name == "hull_pile" || name == "box_pile") {
-    // What soft contacts give way under the weight of a pile: a tenth of the smallest body.
+    // The compression of soft contacts under the weight of a pile: a tenth of the smallest body.
     EXPECT_LT(run.deepest_at_rest, Real(0.03)) << "bodies stay deep in each other";
   }
 }

@@ -8,22 +8,21 @@
 namespace cs550::test {
 namespace {
 
-/// Takes an edge out of a mesh the way merge_coplanar_faces() is told to: the two loops become the
-/// one of the face on the left, the face on the right and both halves are marked.
+/// Removes an edge as specified for merge_coplanar_faces(). The two loops become that of the left
+/// face, and the right face and both half-edges are marked.
 void remove_edge(HalfEdgeMesh& mesh, std::size_t e) {
   const HalfEdge left = mesh.edges[e], right = mesh.edges[e ^ 1];
-  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
   for (Index i = right.next; i != left.twin; i = mesh.edge(i).next) {
-    mesh.edges[at(i)].face = left.face;
+    mesh.edges[i].face = left.face;
   }
   const auto tie = [&](Index in, Index out) {
-    mesh.edges[at(in)].next = out;
-    mesh.edges[at(out)].prev = in;
+    mesh.edges[in].next = out;
+    mesh.edges[out].prev = in;
   };
   tie(left.prev, right.next);
   tie(right.prev, left.next);
-  mesh.faces[at(left.face)].edge = left.next;
-  mesh.faces[at(right.face)].edge = no_index;
+  mesh.faces[left.face].edge = left.next;
+  mesh.faces[right.face].edge = no_index;
   mesh.edges[e].face = mesh.edges[e ^ 1].face = no_index;
 }
 
@@ -69,7 +68,7 @@ TEST(WithoutRemoved, DropsVerticesThatNothingPointsTo) {
   EXPECT_EQ(result.vertices, fixture_mesh("cube").vertices);
 }
 
-/// What a student forgot to link is for validate() to name, and no reason to crash.
+/// Links that a student forgot are reported by validate() and must not cause a crash.
 TEST(WithoutRemoved, LeavesLinksToRemovedElementsEmpty) {
   HalfEdgeMesh mesh = fixture_mesh("cube");
   const HalfEdge gone = mesh.edge(6);

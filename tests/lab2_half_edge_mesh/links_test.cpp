@@ -28,7 +28,7 @@ GRADED_TEST(Lab2, FaceLoopsFollowTheTriangles, 3, "L2.3") {
       const auto first = std::find(triangle.begin(), triangle.end(), mesh.origin(e));
       require(here.expect("the face's half-edge leaves a corner of its triangle",
                           first != triangle.end()));
-      const auto start = static_cast<std::size_t>(first - triangle.begin());
+      const auto start = first - triangle.begin();
       for (std::size_t i = 0; i < 3; ++i) {
         const HalfEdge& edge = mesh.edge(e);
         require(here.expect_equal("where the half-edge points to", edge.vertex,

@@ -25,8 +25,7 @@ Picture read_png(const std::filesystem::path& file) {
   unsigned char* pixels = stbi_load(file.c_str(), &picture.size.width, &picture.size.height,
                                     &stored_channels, channels);
   if (pixels == nullptr) throw std::runtime_error(file.string() + " is not a picture");
-  const auto count = std::size_t{channels} * static_cast<std::size_t>(picture.size.width) *
-                     static_cast<std::size_t>(picture.size.height);
+  const auto count = std::size_t{channels} * picture.size.width * picture.size.height;
   picture.pixels.assign(pixels, pixels + count);
   stbi_image_free(pixels);
   return picture;
@@ -40,7 +39,7 @@ Picture halved(const Picture& picture) {
       const int left = 2 * y * row + (x / channels) * 2 * channels + x % channels;
       int sum = 0;
       for (const int corner : {left, left + channels, left + row, left + row + channels}) {
-        sum += picture.pixels[static_cast<std::size_t>(corner)];
+        sum += picture.pixels[corner];
       }
       half.pixels.push_back(static_cast<std::uint8_t>(sum / 4));
     }

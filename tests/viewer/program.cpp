@@ -34,7 +34,7 @@ Outcome run_program(const std::vector<std::string>& command) {
   Outcome outcome;
   std::array<char, 4096> bytes{};
   for (ssize_t got = 0; (got = read(ends[0], bytes.data(), bytes.size())) > 0;) {
-    outcome.output.append(bytes.data(), static_cast<std::size_t>(got));
+    outcome.output.append(bytes.data(), got);
   }
   close(ends[0]);
   int status = 0;

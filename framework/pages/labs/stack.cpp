@@ -24,10 +24,9 @@ SolverBody falling_box(Real mass) {
   return body;
 }
 
-/// Four constraints between a body and the one on top of it.
+/// Adds four constraints between a body and the one above it.
 void add_constraints(Stack& stack, Index lower, const StackSettings& settings) {
-  const auto below = static_cast<std::size_t>(lower);
-  const Real height = stack.centers[below + 1].z() - half_extents.z();
+  const Real height = stack.centers[lower + 1].z() - half_extents.z();
   for (const Real x : {Real(-1), Real(1)}) {
     for (const Real y : {Real(-1), Real(1)}) {
       const Vec3 point(x * half_extents.x(), y * half_extents.y(), height);
@@ -36,8 +35,8 @@ void add_constraints(Stack& stack, Index lower, const StackSettings& settings) {
       constraint.body_b = lower + 1;
       constraint.n = Vec3::UnitZ();
       constraint.u = Vec3::UnitX();
-      constraint.r_a = point - stack.centers[below];
-      constraint.r_b = point - stack.centers[below + 1];
+      constraint.r_a = point - stack.centers[lower];
+      constraint.r_b = point - stack.centers[lower + 1];
       constraint.friction = settings.friction;
       constraint.restitution = settings.restitution;
       stack.constraints.push_back(constraint);
@@ -51,7 +50,7 @@ Vec3 relative_velocity(const ContactConstraint& constraint, const Stack& stack) 
   return b.v + b.w.cross(constraint.r_b) - a.v - a.w.cross(constraint.r_a);
 }
 
-/// A unit box of half-edges, stretched.
+/// The unit box, scaled.
 MeshPtr box_mesh(const Vec3& half) {
   HalfEdgeMesh mesh = recorded_shape(Box)->mesh;
   const Vec3 corner = mesh.vertex(0).cwiseAbs();

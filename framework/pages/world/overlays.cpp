@@ -43,15 +43,16 @@ void add_edges(Drawing& drawing, const HalfEdgeMesh& mesh, const Pose& pose, con
   }
 }
 
-/// Arrows of very different lengths: a bunny at 30 m/s, and the bricks that it has just touched. A
-/// usual one has the wished length; the few that would be far longer are cut and dashed.
+/// Arrows of very different lengths, such as the velocities of a bunny at 30 m/s and of the bricks
+/// that it has just touched. Typical arrows have the requested length. Far longer ones are cut and
+/// dashed.
 class Arrows {
  public:
   void add(const Vec3& from, const Vec3& vector) {
     if (from.allFinite() && vector.allFinite()) arrows_.push_back({from, vector});
   }
 
-  /// @param length of a usual arrow (m)
+  /// @param length of a typical arrow (m)
   void draw(Drawing& drawing, Real length, Role role) const {
     const Real usual = usual_norm();
     if (!(usual > 0)) return;
@@ -66,14 +67,14 @@ class Arrows {
   }
 
  private:
-  static constexpr Real most = 2;  ///< usual lengths
+  static constexpr Real most = 2;  ///< typical lengths
 
   struct Arrow {
     Vec3 from;
     Vec3 vector;
   };
 
-  /// The upper quartile of those that are more than noise beside the largest.
+  /// The upper quartile of the lengths above the noise.
   Real usual_norm() const {
     std::vector<Real> norms;
     Real largest = 0;
@@ -90,7 +91,7 @@ class Arrows {
   std::vector<Arrow> arrows_;
 };
 
-/// One vector of every dynamic body.
+/// Draws one vector of every dynamic body.
 template <class Vector>
 void add_vectors(Drawing& drawing, const WorldFrame& frame, Real length, Role role,
                  const Vector& vector) {
@@ -127,7 +128,7 @@ std::string short_name(FeatureId feature) {
 std::size_t count_points(const WorldFrame& frame) {
   std::size_t count = 0;
   for (const Contact& contact : frame.contacts) {
-    count += static_cast<std::size_t>(contact.manifold.points.size());
+    count += contact.manifold.points.size();
   }
   return count;
 }

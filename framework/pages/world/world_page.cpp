@@ -12,7 +12,7 @@
 namespace cs550::pages {
 namespace {
 
-constexpr std::size_t history_length = 900;  ///< steps that the plots show
+constexpr std::size_t history_length = 900;  ///< number of steps in the plots
 constexpr Real throw_speed = 20;             ///< m/s
 
 }  // namespace
@@ -92,7 +92,7 @@ void WorldPage::receive(const WorldFrame& frame) {
   find_focus();
 }
 
-/// The bodies that can move, save the few that are far from the rest; all bodies if none can.
+/// The movable bodies, except a few that are far from the rest. All bodies if none is movable.
 void WorldPage::find_focus() {
   Bounds all;
   std::vector<std::size_t> moving;
@@ -114,7 +114,7 @@ void WorldPage::find_focus() {
   }
   const Bounds& shown = moving.empty() ? all : core;
   if ((shown.lower.array() < shown.upper.array()).all()) focus_ = focus_of(shown);
-  focus_.radius *= Real(1.06);  // room around
+  focus_.radius *= Real(1.06);  // margin
 }
 
 void WorldPage::refresh() {
@@ -125,8 +125,8 @@ void WorldPage::refresh() {
   content_.solids = solids();
   content_.drawing = draw_overlays(overlays_, frame_, meshes_, Real(0.06) * focus_.radius);
   if (selected_) {
-    const auto body = static_cast<std::size_t>(*selected_);
-    const auto mesh = static_cast<std::size_t>(frame_.mesh_of_body[body]);
+    const Index body = *selected_;
+    const Index mesh = frame_.mesh_of_body[body];
     drawing::append(content_.drawing, draw_selection(*meshes_[mesh], frame_.bodies[body].pose));
   }
   if (is_dragging()) {
@@ -192,7 +192,7 @@ std::optional<WorldPage::Hit> WorldPage::pick(const Vec3& origin, const Vec3& di
   for (std::size_t i = 0; i < frame_.bodies.size(); ++i) {
     if (frame_.mesh_of_body[i] == no_index) continue;
     const Pose& pose = frame_.bodies[i].pose;
-    const HalfEdgeMesh& mesh = *meshes_[static_cast<std::size_t>(frame_.mesh_of_body[i])];
+    const HalfEdgeMesh& mesh = *meshes_[frame_.mesh_of_body[i]];
     const Real distance = entry_distance(mesh, pose.to_body(origin), pose.unrotate(direction));
     if (distance < nearest) {
       nearest = distance;

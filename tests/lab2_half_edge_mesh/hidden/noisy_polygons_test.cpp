@@ -15,7 +15,7 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
   const TriangleSoup whole = icosphere_soup(5, 1);
   const Index count = static_cast<Index>(whole.triangles.size());
   for (int i = 0; i < 3; ++i) {
-    const auto chosen = static_cast<std::size_t>(random.integer(0, count - 1));
+    const auto chosen = random.integer(0, count - 1);
 
     TriangleSoup reversed = whole;
     std::swap(reversed.triangles[chosen][1], reversed.triangles[chosen][2]);
@@ -94,7 +94,7 @@ GRADED_TEST(Lab2, NewellAgreesWithDoubleOnBentPolygons, 2, "L2.5") {
                         shift);
     }
     const Vec3d area = area_vector(polygon);
-    // Three corners close to a line have no certain plane.
+    // Three nearly collinear corners determine no plane.
     if (area.norm() < 0.1 * size * size) continue;
     const Plane plane = face_plane(two_sided(polygon), 0);
     Story here = story;
