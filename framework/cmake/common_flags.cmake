@@ -1,5 +1,5 @@
-# Everyone who includes a header of the contract agrees on these, or two files read the same struct
-# differently (alignment) or compute different bits (contraction).
+# Every user of a contract header needs these options. Otherwise two files could disagree on the
+# layout of a struct (alignment) or compute different bits (contraction).
 add_library(cs550_contract INTERFACE)
 target_include_directories(cs550_contract INTERFACE
                            "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework/include>"
@@ -7,7 +7,7 @@ target_include_directories(cs550_contract INTERFACE
 target_compile_features(cs550_contract INTERFACE cxx_std_20)
 target_link_libraries(cs550_contract INTERFACE Eigen3::Eigen)
 target_compile_definitions(cs550_contract INTERFACE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MPL2_ONLY)
-# A compiler cache may hand the compiler relative names.
+# A compiler cache may call the compiler with relative paths.
 cmake_path(RELATIVE_PATH PROJECT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_BINARY_DIR}"
            OUTPUT_VARIABLE way_to_root)
 target_compile_options(cs550_contract INTERFACE -ffp-contract=off
@@ -19,8 +19,8 @@ add_library(cs550_warnings INTERFACE)
 target_compile_options(cs550_warnings INTERFACE -Wall -Wextra -Wpedantic
                        $<$<BOOL:${CS550_WERROR}>:-Werror>)
 
-# A lab's functions are all declared in its header: one that is not is a mistyped signature or a
-# helper that belongs in an anonymous namespace. For a student it is the only warning that is fatal.
+# All functions of a lab are declared in its header. Another one is a mistyped signature, or a helper
+# that belongs in an anonymous namespace. For students only this warning is an error.
 add_library(cs550_student_warnings INTERFACE)
 target_compile_options(cs550_student_warnings INTERFACE -Wall -Wextra -Werror=missing-declarations)
 # g++ reports such a function under this name, clang++ under -Wmissing-prototypes.
@@ -28,25 +28,25 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   target_compile_options(cs550_student_warnings INTERFACE -Werror=missing-prototypes)
 endif()
 
-# What finds memory errors and undefined behaviour in the code that is compiled with it. They make g++
-# warn of what is initialised. The presets `asan` and `clang` have the same for everything.
+# Finds memory errors and undefined behaviour in code that is compiled with it. With sanitizers, g++
+# wrongly warns of uninitialised variables. The presets `asan` and `clang` sanitize everything.
 add_library(cs550_sanitizers INTERFACE)
 set(sanitizers -fsanitize=address,undefined)
 target_compile_options(cs550_sanitizers INTERFACE ${sanitizers} -fno-sanitize-recover=all
                        -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 target_link_options(cs550_sanitizers INTERFACE ${sanitizers})
 
-# A "unique" symbol (a static variable of an inline function) is the one kind that cannot be made
-# private to an object file; clang++ never emits it.
+# A "unique" symbol (a static variable of an inline function) is the only kind that cannot be made
+# private to an object file. clang++ never emits one.
 add_library(cs550_isolable INTERFACE)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(cs550_isolable INTERFACE -fno-gnu-unique)
 endif()
 
-# Precompiled headers, only for what is edited and rebuilt all day.
+# Precompiled headers, only for files that are edited and rebuilt often.
 #   cs550_precompiled_headers(name LIBRARIES library... HEADERS header...)   compiles them once
-#   cs550_precompile(target name)       uses them; the target has the same libraries, thus flags
-# Their owner compiles nothing else, so that no student's mistake stands between them and another lab.
+#   cs550_precompile(target name)       uses them; the target needs the same libraries, and so flags
+# Their target compiles nothing else, so that an error in one lab does not block the others.
 function(cs550_precompiled_headers name)
   cmake_parse_arguments(PARSE_ARGV 1 argument "" "" "LIBRARIES;HEADERS")
   if(CS550_PCH)

@@ -15,6 +15,6 @@ if(mode STREQUAL "update")
   file(WRITE "${MANIFEST}" "${current}")
   message(STATUS "Wrote ${MANIFEST}")
 else()
-  message(FATAL_ERROR "${MANIFEST} is stale. To mend it:\n"
+  message(FATAL_ERROR "${MANIFEST} is stale. To update it:\n"
                       "  cmake --build ${BUILD} --target update_manifests")
 endif()

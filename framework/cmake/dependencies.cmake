@@ -1,5 +1,5 @@
-# Everything comes from the distribution's packages. All that is missing is reported at once, under
-# the name that Debian and Ubuntu give it.
+# All dependencies are packages of the distribution. Missing ones are reported together, with their
+# names in Debian and Ubuntu.
 set(missing_packages "")
 
 macro(cs550_require package debian_package)

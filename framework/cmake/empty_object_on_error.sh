@@ -1,6 +1,6 @@
 #!/bin/sh
-# Compiler launcher: runs the compiler; if that fails, leaves an empty object file and succeeds, so
-# that one lab that does not compile cannot stop the others.
+# Compiler launcher: runs the compiler. If it fails, writes an empty object file and succeeds, so that
+# one lab that does not compile cannot block the others.
 "$@" && exit 0
 
 while [ $# -gt 1 ]; do

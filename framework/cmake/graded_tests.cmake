@@ -1,14 +1,14 @@
 # For each lab with tests: one executable per variant of its code,
 #   labN_student  labN_sanitized  labN_reference  labN_fast  labN_stub
 # and one ctest test per graded test and variant, `student.Lab3.Name`, from the lab's manifest.json.
-# The student's and the stub are not part of `all`: a broken lab file stops nothing else. For
-# `sanitized`, as for the stub, there are no ctest tests.
+# The student's and the stub are not part of `all`, so that a broken lab file blocks nothing else.
+# `sanitized` and the stub have no ctest tests.
 include(manifests)
 
 set(result_folder "${PROJECT_BINARY_DIR}/results")
 add_custom_target(update_manifests)
 
-# Helpers that tests share, and the libraries that serve as oracles.
+# Helpers shared by tests, and the libraries used as oracles.
 file(GLOB support_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/helpers/*.cpp")
 add_library(cs550_test_support STATIC ${support_sources})
 target_link_libraries(cs550_test_support PRIVATE cs550_warnings
@@ -23,7 +23,7 @@ cs550_precompiled_headers(precompiled_for_tests
   LIBRARIES cs550_test_support cs550_warnings
   HEADERS <cs550/math.hpp> <cs550/graded_test.hpp>)
 
-# The functions of every lab, by the reference or else the stub.
+# The functions of every lab, from the reference or, without one, the stub.
 set(lab_functions "${lab_folder}/lab_functions.inc")
 set(contract_code "")
 if(CS550_ISOLATE_LABS)
@@ -50,7 +50,7 @@ function(cs550_add_graded_lab number)
     message(STATUS "Lab ${number} has no graded tests yet")
     return()
   endif()
-  # Compiled once, linked with every variant.
+  # Compiled once and linked with every variant.
   add_library(lab${number}_tests OBJECT EXCLUDE_FROM_ALL ${sources})
   target_link_libraries(lab${number}_tests PUBLIC cs550_test_support PRIVATE cs550_warnings)
   cs550_precompile(lab${number}_tests precompiled_for_tests)
@@ -67,8 +67,8 @@ function(cs550_add_graded_lab number)
   cs550_add_manifest_update(${number})
 endfunction()
 
-# One mistake is marked once: the other labs are the reference. A students' copy has none and takes
-# the student's.
+# The other labs are the reference, so that a mistake is marked only once. A students' copy has no
+# reference and links the student's other labs.
 function(cs550_add_graded_executable number variant)
   set(target lab${number}_${variant})
   add_executable(${target})
@@ -87,8 +87,8 @@ function(cs550_add_graded_executable number variant)
   endif()
 endfunction()
 
-# Registered from the manifest, not discovered: ctest knows the tests of a program that is not built,
-# and never runs a student's code to list them. Exit code 77: blocked by an earlier lab.
+# Tests are registered from the manifest, not discovered. So ctest knows them before the program is
+# built, and never runs a student's code to list them. Exit code 77: blocked by an earlier lab.
 function(cs550_register_graded_tests number variant)
   foreach(test IN LISTS CS550_LAB${number}_TESTS)
     set(name "${variant}.Lab${number}.${test}")

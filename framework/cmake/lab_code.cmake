@@ -12,12 +12,12 @@
 #   cs550_link_labs(target variant...)         the same for every lab
 #
 # A function comes from the first library that defines it: from `fast`, else the reference; in a
-# students' copy from the student, else the stub.
+# students' copy from the student's code, else the stub.
 #
-# The libraries are shared ones. Each uses its own helpers (-Bsymbolic) and exports namespace cs550
-# only, so labs may have helpers of the same name; and the file that a function was loaded from tells
-# whose it is (whose_code.hpp). Link-time optimisation needs the objects themselves, and macOS has
-# another linker: there the objects are linked, without isolation.
+# These are shared libraries. Each uses its own helpers (-Bsymbolic) and exports only namespace cs550,
+# so helpers of different labs may have the same name. The file from which a function was loaded proves
+# whose it is (whose_code.hpp). Link-time optimisation needs object files, and the linker of macOS is
+# different. In these cases the objects are linked, without isolation.
 if(APPLE OR CS550_LTO)
   set(CS550_ISOLATE_LABS FALSE)
 else()
@@ -39,7 +39,7 @@ cs550_precompiled_headers(precompiled_for_labs HEADERS ${lab_headers}
   LIBRARIES cs550_contract cs550_isolable cs550_student_warnings)
 cs550_precompiled_headers(precompiled_for_sanitized_labs HEADERS ${lab_headers}
   LIBRARIES cs550_contract cs550_isolable cs550_student_warnings cs550_sanitizers)
-# The compiler takes a precompiled header only for code that is compiled like it.
+# The compiler accepts a precompiled header only with the same options.
 if(CS550_PCH AND CS550_ISOLATE_LABS)
   set_target_properties(precompiled_for_labs precompiled_for_sanitized_labs PROPERTIES
                         POSITION_INDEPENDENT_CODE ON)
@@ -83,12 +83,12 @@ function(cs550_add_lab number name)
 
   if(CS550_STUDENTS_COPY)
     cs550_tolerate_mistakes(lab${number}_assembled_code)
-    # It speaks of the files that are to be edited, wherever they were kept. The last mapping wins.
+    # Messages name the files that students edit, wherever the starters are. The last mapping wins.
     set(as_edited_file "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/"
                        "-ffile-prefix-map=${way_to_root}/.starters/=labs/")
     set_source_files_properties(${stub} PROPERTIES COMPILE_OPTIONS "${as_edited_file}")
   endif()
-  # Where objects are linked, a definition gives way to another one only if it is weak.
+  # If objects are linked, another definition can replace this one only if this one is weak.
   if(fast AND NOT CS550_ISOLATE_LABS)
     target_compile_options(lab${number}_reference_code PRIVATE "SHELL:-include ${solution}/fast/replaced.hpp")
   endif()
@@ -107,7 +107,7 @@ function(cs550_add_lab_code number variant)
   else()
     add_library(${target} OBJECT EXCLUDE_FROM_ALL ${ARGN})
   endif()
-  # What a lab calls of the engine comes with the executable, hence after the lab.
+  # Labs call functions of the engine, which is linked into the executable after them.
   target_link_libraries(${target} PRIVATE cs550_contract cs550_isolable 
     INTERFACE $<BUILD_INTERFACE:cs550_engine>)
 endfunction()
@@ -119,15 +119,15 @@ function(cs550_compile_as_student number variant precompiled)
   endif()
 endfunction()
 
-# What does not compile counts as empty, and of what is defined twice the first counts: one lab must
-# not stop the others.
+# A lab that does not compile is treated as empty, and the first of several definitions is used, so
+# that one lab cannot block the others.
 function(cs550_tolerate_mistakes target)
   set(launcher sh "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/empty_object_on_error.sh" ${CMAKE_CXX_COMPILER_LAUNCHER})
   set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${launcher}")
   target_link_options(${target} PRIVATE -Wl,-z,muldefs)
 endfunction()
 
-# The first of the wished-for variants that this lab has.
+# The first of the requested variants that the lab has.
 function(cs550_first_variant result number)
   foreach(variant IN LISTS ARGN)
     if(TARGET lab${number}_${variant}_code)
@@ -147,7 +147,7 @@ function(cs550_link_lab target number)
     target_link_libraries(${target} PRIVATE lab${number}_stub_code)
   endif()
   if(CS550_ISOLATE_LABS)
-    target_link_options(${target} PRIVATE -Wl,--no-as-needed)  # one lab may be called by another alone
+    target_link_options(${target} PRIVATE -Wl,--no-as-needed)  # a lab may be called only by another lab
   endif()
 endfunction()
 

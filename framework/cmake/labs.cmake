@@ -1,4 +1,4 @@
-# The labs: number and topic. From these two everything else is found, see lab_code.cmake.
+# The labs: number and topic. Everything else is found by these two, see lab_code.cmake.
 cs550_lab(1 integration)
 cs550_lab(2 half_edge_mesh)
 cs550_lab(3 hill_climbing)

@@ -3,7 +3,7 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 
-# Editors look for the database at the root; only builds inside the tree may claim it.
+# Editors search for the database in the root folder. Only builds inside the tree write it there.
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 cmake_path(IS_PREFIX PROJECT_SOURCE_DIR "${PROJECT_BINARY_DIR}" build_is_inside)
 if(build_is_inside)
@@ -17,7 +17,7 @@ if(CS550_LTO)
   set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
 endif()
 
-# A student waits for the linker after every edit: lld and gold take a half to a third of ld.bfd's time.
+# Students wait for the linker after every edit. lld and gold need a third to a half of ld.bfd's time.
 if(NOT APPLE AND NOT CS550_LTO)
   foreach(linker lld gold)
     find_program(CS550_LD_${linker} ld.${linker})

@@ -1,6 +1,6 @@
 #!/bin/sh
-# list_lab_functions.sh NM OUTPUT LIBRARY...: writes the functions of the contract that the libraries of
-# the labs define, as rows of lab_functions() in whose_code.cpp. Helpers are in namespace cs550::labN.
+# list_lab_functions.sh NM OUTPUT LIBRARY...: writes the contract's functions that the labs' libraries
+# define, as rows of lab_functions() in whose_code.cpp. Helpers are in namespace cs550::labN.
 nm=$1 output=$2
 shift 2
 for library; do

@@ -1,12 +1,12 @@
 # tests/labN_topic/manifest.json lists a lab's graded tests with their points and steps. It is
-# generated from the tests by the target `update_manifests` and committed, so that the list of tests
-# never depends on running a student's code.
+# generated from the tests by the target `update_manifests` and committed, so that listing the tests
+# never runs a student's code.
 set(CS550_VISIBLE_POINTS 48)
 set(CS550_HIDDEN_POINTS 12)
 set(CS550_MOST_LONG_POINTS 10)
 
-# Sets CS550_LABn_TESTS and for each test CS550_LABn_<test>_LABELS and _TIMEOUT. Hidden tests that a
-# students' copy does not have are left out.
+# Sets CS550_LABn_TESTS and, for each test, CS550_LABn_<test>_LABELS and _TIMEOUT. In a students' copy
+# the hidden tests are left out.
 function(cs550_read_manifest number)
   set(lab CS550_LAB${number})
   set(folder "${PROJECT_SOURCE_DIR}/tests/${${lab}_NAME}")
@@ -73,8 +73,8 @@ function(cs550_check_points file kind points comparison wanted)
   endif()
 endfunction()
 
-# Adds the lab to update_manifests, and a ctest test that the committed file is up to date. The list
-# of tests comes from a build whose lab code is known to be sound.
+# Adds the lab to update_manifests, and a ctest test that the committed file is up to date. The tests
+# are listed by a program that links the reference.
 function(cs550_add_manifest_update number)
   cs550_first_variant(variant ${number} reference stub)
   set(manifest "${PROJECT_SOURCE_DIR}/tests/${CS550_LAB${number}_NAME}/manifest.json")

@@ -1,7 +1,7 @@
 # Milestones: what each lab adds to the assembled engine, compared with recorded runs of the
 # reference in framework/assets/trajectories/.
-#   milestones           on the reference; the target update_trajectories writes the records anew
-#   milestones_student   on the student's labs, all together
+#   milestones           on the reference; the target update_trajectories regenerates the records
+#   milestones_student   on all the student's labs together
 cs550_given_library(cs550_milestones milestones cs550_engine fmt::fmt)
 target_include_directories(cs550_milestones PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 
@@ -18,8 +18,8 @@ cs550_add_milestone_program(milestones_student)
 cs550_link_labs(milestones_student assembled reference)
 set_target_properties(milestones_student PROPERTIES EXCLUDE_FROM_ALL TRUE)
 
-# A record from which the reference has strayed is stale: students need the other half of the
-# tolerances.
+# The reference must stay within half of the tolerances of its record. Otherwise the record is stale,
+# because students need the other half.
 foreach(number IN LISTS CS550_LABS)
   file(GLOB records CONFIGURE_DEPENDS
        "${PROJECT_SOURCE_DIR}/framework/assets/trajectories/lab${number}_*")

@@ -1,9 +1,9 @@
-# The framework's own tests: one executable per folder of tests/, `tests_engine`, run on the labs
-# that the engine ships with: the fast kernels where there are any, else the reference. A test has
-# the label of its folder; one whose name ends in Long or Soak has the label long or soak instead,
-# since gtest_discover_tests() passes on one label only.
+# The framework's own tests: one executable per folder of tests/, such as `tests_engine`. They run on
+# the fast kernels or, without these, on the reference. A test has the label of its folder. If its
+# name ends in Long or Soak, it has the label long or soak instead, because gtest_discover_tests()
+# supports only one label.
 #
-# In a students' copy, where a lab has no reference, a test that needs it is skipped.
+# In a students' copy, tests that need a missing reference are skipped.
 include(GoogleTest)
 set(skip_unwritten "")
 foreach(number IN LISTS CS550_LABS)
@@ -27,7 +27,7 @@ function(cs550_add_own_tests folder)
   cs550_discover_tests(${target} ${folder} "*Soak:*Soak/*" soak 7200)
 endfunction()
 
-# ctest lists the tests when it starts, by running the executable.
+# ctest runs the executable to list its tests.
 function(cs550_discover_tests target folder filter label timeout)
   gtest_discover_tests(${target} TEST_PREFIX "${folder}." TEST_FILTER "${filter}" NO_PRETTY_VALUES
     DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
@@ -39,7 +39,7 @@ foreach(folder framework serialisation engine drawing autograder)
 endforeach()
 cs550_add_own_tests(milestones cs550_milestones)
 
-# What a folder tests beside its own executable. Some are absent in the students' copy.
+# Further tests of each folder. Some of the files are not in the students' copy.
 foreach(folder drawing autograder install viewer mutants cli docs)
   include("${PROJECT_SOURCE_DIR}/tests/${folder}/tests.cmake" OPTIONAL)
 endforeach()

@@ -1,6 +1,6 @@
 # The engine as a library for other programs:
 #   cmake --install BUILD --prefix PREFIX     then find_package(cs550) and link cs550::cs550
-# tests/install/drop_a_box/ is such a program. A students' copy has no engine to give away.
+# tests/install/drop_a_box/ is such a program. A students' copy has no complete engine to install.
 if(CS550_STUDENTS_COPY)
   return()
 endif()
@@ -17,7 +17,7 @@ get_target_property(libraries cs550_package LINK_LIBRARIES)
 if(CS550_ISOLATE_LABS)
   list(FILTER libraries INCLUDE REGEX "^lab")
 else()
-  set(libraries "")  # their objects are inside
+  set(libraries "")  # their objects are part of the shared library
 endif()
 
 install(TARGETS cs550_package cs550_contract ${libraries} EXPORT cs550 LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -1,5 +1,5 @@
-# cs550: the program behind the command of that name, on the best code that was given.
-# cs550_student: the same program on the student's labs.
+# cs550: the program behind ./cs550, linked with the fast kernels or, without them, the reference.
+# cs550_student: the same program, linked with the student's labs.
 file(GLOB_RECURSE cli_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/cli/*.cpp")
 
 function(cs550_add_program target output_name)

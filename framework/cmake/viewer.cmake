@@ -1,12 +1,12 @@
-# What the viewer shows is built without OpenGL and Dear ImGui, so that other programs can show it too.
+# Pages are built without OpenGL and Dear ImGui, so that other programs can show them too.
 cs550_given_library(cs550_isolation isolation cereal::cereal)
 target_include_directories(cs550_isolation PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 cs550_given_library(cs550_pages "pages;pages/*" cs550_engine cs550_drawing cs550_isolation)
 set_target_properties(cs550_isolation cs550_pages PROPERTIES EXCLUDE_FROM_ALL TRUE)
 
-# cs550_viewer is the program behind ./cs550 view, linked with the fastest given code.
-# cs550_viewer_student is the same with the student's labs. If a package is missing, building either of
-# them fails with its name, and everything else still builds.
+# cs550_viewer is the program behind ./cs550 view, linked with the fastest code.
+# cs550_viewer_student is the same with the student's labs. If a package is missing, building either
+# fails with the name of the package, and everything else still builds.
 set(CS550_HAS_VIEWER FALSE)
 set(viewer_absence "")
 if(NOT CS550_VIEWER)

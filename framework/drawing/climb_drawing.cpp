@@ -8,7 +8,7 @@
 namespace cs550::drawing {
 namespace {
 
-/// Of a walk that goes astray the begin is enough.
+/// A wrong walk may be endless. Its beginning shows the mistake.
 constexpr std::size_t longest_walk = 60;
 
 bool exists(const HalfEdgeMesh& mesh, Index v) { return 0 <= v && v < mesh.vertex_count(); }
@@ -49,7 +49,7 @@ Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<co
   style.edge_width = 1;
   Drawing drawing = draw_mesh(mesh, style);
   drawing.title = "Walk of " + std::to_string(length) + (length == 1 ? " vertex" : " vertices");
-  if (length > longest_walk) drawing.notes.push_back("Only the begin of the walk is drawn.");
+  if (length > longest_walk) drawing.notes.push_back("Only the beginning of the walk is drawn.");
   if (mesh.vertices.empty()) return drawing;
 
   const Vec3 up = unit(direction);

@@ -9,7 +9,7 @@ struct Piece {
   Vec3 from, to;
 };
 
-/// The piece of a plane that is drawn: on the level of a polygon, and as long as that.
+/// The part of a plane that is drawn: at the height of a polygon, and as long as it.
 Piece passing_by(const Plane& plane, std::span<const Vec3> near) {
   const Vec3 center = middle(near);
   const Vec3 foot = center - plane.distance(center) * plane.normal;

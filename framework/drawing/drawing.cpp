@@ -11,7 +11,7 @@ void append_all(std::vector<Element>& to, const std::vector<Element>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Hands every position of a drawing to a visitor.
+/// Calls a visitor with every position of a drawing.
 template <class AnyDrawing, class Visit>
 void for_each_position(AnyDrawing& drawing, const Visit& visit) {
   for (auto& point : drawing.points) visit(point.position);
@@ -26,7 +26,7 @@ void for_each_position(AnyDrawing& drawing, const Visit& visit) {
   for (auto& label : drawing.labels) visit(label.position);
 }
 
-/// Removes what does not satisfy the condition. @return how many went
+/// Removes the items that do not satisfy a condition. @return how many were removed
 template <class Element, class Condition>
 int keep_if(std::vector<Element>& elements, const Condition& condition) {
   return static_cast<int>(

@@ -7,7 +7,7 @@
 namespace cs550::drawing {
 namespace {
 
-/// The axes of the page in space.
+/// The axes of the page in world coordinates.
 struct PageAxes {
   Vec3 right, up, toward_eye;
 };
@@ -16,7 +16,7 @@ PageAxes page_axes(const View& view) {
   const bool usable = view.toward_eye.allFinite() && view.toward_eye.norm() > 0;
   const Vec3 toward_eye = (usable ? view.toward_eye : View{}.toward_eye).normalized();
   Vec3 right = view.up.cross(toward_eye);
-  // Looking along `up`: any direction will do for the right.
+  // If the view is along `up`, any direction can be to the right.
   if (!right.allFinite() || right.norm() < Real(1e-4) * view.up.norm() || right.norm() == 0) {
     right = any_perpendicular(toward_eye);
   }
@@ -72,7 +72,7 @@ FittedView::FittedView(const View& view, std::span<const Vec3> keep_in_view,
       high[i] = std::max(high[i], image[i]);
     }
   }
-  // Something thin must not be blown up to the height of the page.
+  // A thin object must not be enlarged to the height of the page.
   const double least = 1e-6 * radius_;
   scale_ = std::min(page.width / std::max(high[0] - low[0], least),
                     page.height / std::max(high[1] - low[1], least));
@@ -86,7 +86,7 @@ Eigen::Vector3d FittedView::image_point(const Vec3& position) const {
   const double y = up_.cast<double>().dot(offset);
   const double z = toward_eye_.cast<double>().dot(offset);
   if (eye_distance_ == 0) return {x, y, z};
-  // What lies behind the eye is drawn as if just before it: outside the page in any case.
+  // A point behind the eye is projected as if just in front of it, which is outside the page.
   const double distance = std::max(eye_distance_ - z, 0.02 * eye_distance_);
   const double shrink = eye_distance_ / distance;
   return {shrink * x, shrink * y, shrink * eye_distance_};

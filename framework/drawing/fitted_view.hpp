@@ -1,6 +1,6 @@
 #pragma once
 /// @file fitted_view.hpp
-/// How positions in space become positions on the page.
+/// The projection from space to the page.
 
 #include <span>
 #include <vector>
@@ -18,28 +18,28 @@ struct Rectangle {
   double height = 0;  ///< along y
 };
 
-/// A position on the page. Straight lines and planes of space stay straight and plane in (x, y,
-/// depth), also in perspective.
+/// A position on the page. Lines and planes in space are also lines and planes in (x, y, depth),
+/// even in perspective.
 struct Projected {
   double x = 0;      ///< pixels, to the right
   double y = 0;      ///< pixels, downward
-  double depth = 0;  ///< grows toward the eye (m, at the target)
+  double depth = 0;  ///< increases towards the eye (m, at the target)
 };
 
-/// A view that is fitted to what it must show. Computes in double: what hides what is decided by
-/// small differences.
+/// A view that is fitted to its contents. It computes in double, because small differences of depth
+/// decide what is hidden.
 class FittedView {
  public:
-  /// @param keep_in_view positions that must lie within the page, unless the view has a frame
+  /// @param keep_in_view positions that must be inside the page, unless the view has a frame
   FittedView(const View& view, std::span<const Vec3> keep_in_view, const Rectangle& page);
 
-  /// Where a point of space appears.
+  /// The projection of a point in space.
   Projected project(const Vec3& position) const;
-  /// How long a length at a point of space appears (pixels).
+  /// The projection of a length at a point in space (pixels).
   double pixels(const Vec3& at, double length) const;
-  /// Differences of depth below this are none (m).
+  /// Smaller differences of depth are rounding errors (m).
   double depth_tolerance() const { return 1e-4 * radius_; }
-  /// Unit vectors of the page, world frame.
+  /// The axes of the page: unit, world frame.
   /// @{
   const Vec3& right() const { return right_; }
   const Vec3& up() const { return up_; }
@@ -57,7 +57,7 @@ class FittedView {
   double x_offset_ = 0, y_offset_ = 0;
 };
 
-/// The positions of a drawing that a view keeps in view, of balls the four ends of their outline.
+/// The positions of a drawing that must be visible. A ball has four, at the ends of its outline.
 std::vector<Vec3> outline_positions(const Drawing& drawing, const View& view);
 
 }  // namespace cs550::drawing

@@ -24,8 +24,8 @@ GaussArc arc_of(const PosedShape& body, Index edge, bool negated) {
           sign * body.plane(body.mesh().edge(half_edge.twin).face).normal};
 }
 
-/// Where the great circles of two arcs cross, on the arcs' side of the sphere; zero if they do not
-/// cross in a point.
+/// The intersection of the great circles of two arcs, on the arcs' side of the sphere. Zero if they
+/// do not intersect in a point.
 Vec3 crossing_point(const GaussArc& a, const GaussArc& b) {
   const Vec3 x = a.from.cross(a.to).cross(b.from.cross(b.to));
   if (!(x.norm() > Real(1e-9))) return Vec3::Zero();
@@ -42,8 +42,8 @@ Line edge_line(const PosedShape& body, Index e, const Stroke& stroke) {
   return {body.vertex(body.mesh().origin(e)), body.vertex(body.mesh().edge(e).vertex), stroke};
 }
 
-/// A face of one body and the vertex of the other that lies deepest behind it.
-/// @return where an axis may begin
+/// Draws a face of one body and the deepest vertex of the other behind it.
+/// @return where the axis can begin
 Vec3 add_face_feature(Drawing& drawing, const PosedShape& owner, const PosedShape& other,
                       const FaceQuery& query, Role role) {
   if (!has_face(owner, query.face)) {
@@ -66,7 +66,7 @@ Vec3 add_face_feature(Drawing& drawing, const PosedShape& owner, const PosedShap
   return foot;
 }
 
-/// @return where an axis may begin
+/// @return where the axis can begin
 Vec3 add_edge_feature(Drawing& drawing, const PosedShape& a, const PosedShape& b,
                       const EdgeQuery& query, Role role) {
   Vec3 start = a.pose.position;

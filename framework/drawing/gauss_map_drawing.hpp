@@ -15,11 +15,11 @@ struct GaussArc {
   Vec3 to = Vec3::Zero();    ///< normal of the face of its twin
 };
 
-/// The arcs of all edges. @param negated of −B: every normal reversed
+/// The arcs of all edges. @param negated whether they are those of −B, with reversed normals
 std::vector<GaussArc> gauss_arcs(const PosedShape& body, bool negated = false);
 
-/// Points on the unit sphere along the shorter great circle from one to another, ends included, at
-/// most 3° apart. @param from, to unit
+/// Points along the shorter great circle between two points of the unit sphere, at most 3° apart
+/// and including the ends. @param from, to unit
 std::vector<Vec3> arc_points(const Vec3& from, const Vec3& to);
 
 /// A pair of edges whose arcs cross.
@@ -34,20 +34,20 @@ Drawing draw_unit_sphere();
 /// A Gauss map: a dot for each face, an arc for each edge, without the sphere.
 Drawing draw_gauss_map(const PosedShape& body, Role role, bool negated = false);
 
-/// Two arcs on the sphere, as is_minkowski_face() gets them, and whether they cross.
-/// @param a, b ends of A's arc; @param c, d ends of that of −B
+/// Two arcs on the sphere, the arguments of is_minkowski_face(), and whether they cross.
+/// @param a, b ends of the arc of A; @param c, d ends of the arc of −B
 Drawing draw_arc_pair(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// The maps of A and −B on one sphere, with the pairs that cross lit and the axis as an arrow.
+/// The maps of A and −B on one sphere. Crossing pairs are highlighted, and the axis is an arrow.
 /// @param axis none is drawn if its feature is None
 Drawing draw_gauss_maps(const PosedShape& a, const PosedShape& b, std::span<const EdgePair> pairs,
                         const SeparatingAxis& axis = {});
 
-/// What a separating axis is called: "face 3 of A", "edges 4 and 10".
+/// The name of a separating axis: "face 3 of A", "edges 4 and 10".
 std::string feature_text(const SeparatingAxis& axis);
 
-/// Both bodies in the world, the features that give the axis lit, the axis, and the distance along
-/// it. Features that do not exist are left out, with a note.
+/// Both bodies in the world, the axis with its highlighted features, and the separation along it.
+/// Features that do not exist are left out, with a note.
 /// @param role of the axis and its features: Highlight, or Expected beside Got
 Drawing draw_axis(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
                   Role role = Role::Highlight);

@@ -85,7 +85,7 @@ Drawing draw_friction_disk(Real limit, std::span<const DiskImpulse> impulses, co
                      {.role = Role::Faint, .width = Real(1.4), .dashed = true},
                      LegendMark::Line}};
   for (const DiskImpulse& impulse : impulses) {
-    // The expected one is seen below another that covers it.
+    // The expected arrow is wider, so that it is visible below the other.
     const Real width = impulse.role == Role::Expected ? Real(6) : Real(2.4);
     const Stroke stroke = {.role = impulse.role, .width = width, .arrow = true};
     add_arrow(drawing, Vec3::Zero(), flat(impulse.impulse), stroke, impulse.name);

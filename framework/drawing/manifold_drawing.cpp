@@ -8,7 +8,7 @@
 namespace cs550::drawing {
 namespace {
 
-/// Points of a plane in the order of their angle about their middle.
+/// Points of a plane, sorted by their angle about the centroid.
 std::vector<Vec3> around(std::vector<Vec3> points, const Vec3& normal) {
   const Vec3 center = middle(points);
   const Vec3 u = any_perpendicular(normal);
@@ -21,7 +21,7 @@ std::vector<Vec3> around(std::vector<Vec3> points, const Vec3& normal) {
   return points;
 }
 
-/// The polygon, line or nothing that some points span.
+/// The polygon or line spanned by some points, or nothing.
 void add_outline(Drawing& drawing, const std::vector<Vec3>& points, const Vec3& normal, Role role) {
   const bool all_finite = std::all_of(points.begin(), points.end(), is_finite);
   if (points.size() < 2 || !all_finite || !(normal.norm() > Real(0.5))) return;

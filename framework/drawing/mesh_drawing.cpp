@@ -10,8 +10,7 @@ bool has_vertex(const HalfEdgeMesh& mesh, Index v) { return 0 <= v && v < mesh.v
 bool has_edge(const HalfEdgeMesh& mesh, Index e) { return 0 <= e && e < mesh.edge_count(); }
 bool has_face(const HalfEdgeMesh& mesh, Index f) { return 0 <= f && f < mesh.face_count(); }
 
-/// Where a half-edge comes from. Its twin's end, or that of the half-edge before it, whichever
-/// exists.
+/// The origin of a half-edge: the vertex of its twin or of its predecessor, whichever exists.
 Index safe_origin(const HalfEdgeMesh& mesh, Index edge) {
   for (const Index before : {edge ^ 1, mesh.edge(edge).prev}) {
     if (has_edge(mesh, before) && has_vertex(mesh, mesh.edge(before).vertex)) {
@@ -38,7 +37,7 @@ Real size(const HalfEdgeMesh& mesh) {
   return mesh.vertices.empty() ? Real(0) : mesh_bounds(mesh).extent().maxCoeff();
 }
 
-/// The half-edges of a face as far as `next` can be followed.
+/// The half-edges of a face, as far as `next` is valid.
 std::vector<Index> safe_loop(const HalfEdgeMesh& mesh, Index face) {
   std::vector<Index> loop;
   if (!has_face(mesh, face)) return loop;
@@ -54,7 +53,7 @@ std::vector<Index> safe_loop(const HalfEdgeMesh& mesh, Index face) {
 
 std::string number(Index index) { return std::to_string(index); }
 
-/// Newell's normal: the plane that the mesh has stored may be what is wrong.
+/// Newell's normal, because the plane stored in the mesh may be wrong.
 Vec3 outward(const Polygon& polygon) {
   Vec3 normal = Vec3::Zero();
   const Vec3 center = middle(polygon.corners);
@@ -158,7 +157,7 @@ Drawing draw_half_edge(const HalfEdgeMesh& mesh, Index edge) {
     return drawing;
   }
   const HalfEdge& half_edge = mesh.edge(edge);
-  drawing.alt_text += " Half-edge " + number(edge) + " is lit, with its next " +
+  drawing.alt_text += " Half-edge " + number(edge) + " is highlighted, with its next " +
                       number(half_edge.next) + ", prev " + number(half_edge.prev) + ", twin " +
                       number(half_edge.twin) + " and its face " + number(half_edge.face) + ".";
 

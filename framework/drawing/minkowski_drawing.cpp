@@ -10,10 +10,10 @@
 namespace cs550::drawing {
 namespace {
 
-/// Points this close to a plane lie on it, relative to the sizes of the bodies.
+/// The tolerance for points on a plane, relative to the sizes of the bodies.
 constexpr Real relative_tolerance = Real(1e-4);
 
-/// All differences of a vertex of A and a vertex of B, in the world.
+/// The differences of all vertices of A and all vertices of B, in the world frame.
 std::vector<Vec3> vertex_differences(const PosedShape& a, const PosedShape& b) {
   std::vector<Vec3> differences;
   for (Index i = 0; i < a.mesh().vertex_count(); ++i) {
@@ -69,8 +69,8 @@ std::vector<Vec3> planar_hull(const std::vector<Vec3>& points, const Vec3& norma
   return corners;
 }
 
-/// The planes of a hull's faces, each once although a face may have many triangles. Large triangles
-/// come first, because a sliver has no reliable normal.
+/// The planes of a hull's faces, without duplicates from triangles of the same face. Large
+/// triangles come first, because a sliver has no reliable normal.
 std::vector<Plane> face_planes(const TriangleSoup& hull, Real tolerance) {
   struct HullTriangle {
     std::array<Vec3, 3> corners;
@@ -100,7 +100,7 @@ std::vector<Plane> face_planes(const TriangleSoup& hull, Real tolerance) {
   return planes;
 }
 
-/// Whether a body has a face with this normal, up to the rounding of a hull's normals.
+/// Whether a body has a face with this normal, except for rounding.
 bool has_normal(const PosedShape& body, const Vec3& normal) {
   constexpr Real same_direction = Real(1) - Real(1e-6);
   for (Index f = 0; f < body.mesh().face_count(); ++f) {
@@ -109,7 +109,7 @@ bool has_normal(const PosedShape& body, const Vec3& normal) {
   return false;
 }
 
-/// Whose face a normal of A − B is.
+/// The origin of a face of A − B: a face of A, a face of −B, or an edge pair.
 Role owner_of(const Vec3& normal, const PosedShape& a, const PosedShape& b) {
   if (has_normal(a, normal)) return Role::BodyA;
   if (has_normal(b, -normal)) return Role::BodyB;

@@ -7,11 +7,11 @@
 
 namespace cs550::drawing {
 
-/// A − B: the polyhedron of all differences a − b, and the origin. The bodies overlap if and only if
-/// the polyhedron contains the origin; the depth is then the distance to the nearest face. Faces of
-/// A, faces of −B and faces of edge pairs have different colours: they correspond to the points and
-/// the crossings of the two Gauss maps. The convex hull of all pairs of vertices, so meant for shapes
-/// of up to about 100 vertices.
+/// A − B: the polyhedron of all differences a − b, and the origin. The bodies overlap if and only
+/// if the polyhedron contains the origin. The depth is then the distance to the nearest face. Faces
+/// of A, faces of −B and faces of edge pairs have different colours. They correspond to the points
+/// and the crossings of the two Gauss maps. It is computed as the convex hull of all vertex pairs
+/// and is meant for shapes of up to about 100 vertices.
 Drawing draw_minkowski_difference(const PosedShape& a, const PosedShape& b);
 
 }  // namespace cs550::drawing

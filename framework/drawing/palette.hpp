@@ -1,6 +1,6 @@
 #pragma once
 /// @file palette.hpp
-/// What a colour means, in one place, so that pictures of tests, the viewer and the book agree.
+/// The meaning of colours, shared by the pictures of tests, the viewer and the book.
 
 #include <array>
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace cs550::drawing {
 
-/// What an element of a drawing stands for. Its colour follows.
+/// The meaning of an element in a drawing. It determines the colour.
 enum class Role : std::uint8_t {
   BodyA,      ///< the first body, its normals, its Gauss map
   BodyB,      ///< the second body; of −B on a common Gauss map
-  Reference,  ///< the face that others are clipped against
+  Reference,  ///< the face whose side planes clip
   Incident,   ///< the face that is clipped
-  Highlight,  ///< look here: the current half-edge, a crossing, an impulse
-  Expected,   ///< what is right, beside Got
-  Got,        ///< what came out
-  Warning,    ///< a broken promise
+  Highlight,  ///< the subject: the current half-edge, a crossing, an impulse
+  Expected,   ///< the correct result, beside Got
+  Got,        ///< the result of the code under test
+  Warning,    ///< a violated postcondition
   Axis,       ///< separating axes, normals, coordinate axes
   Faint,      ///< context that should not distract
   Text,       ///< labels, outlines
@@ -41,20 +41,20 @@ inline constexpr std::array<Role, 11> all_roles = {
     Role::Got,   Role::Warning, Role::Axis,      Role::Faint,    Role::Text};
 
 /// The colour of a role on a light background. The hues are those of Okabe & Ito, *Color Universal
-/// Design* (2008), which people with any kind of colour vision tell apart.
+/// Design* (2008). People with colour blindness can distinguish them.
 Colour colour(Role role);
 
-/// Whether lines of this role need a dark outline to be seen on white: yellow does.
+/// Whether lines of this role need a dark outline on white, like yellow lines.
 bool needs_outline(Role role);
 
-/// Roles for things that are only to be told apart, such as the curves of a plot; after the last
-/// they start again.
+/// Roles for items that only need different colours, such as the curves of a plot. They repeat
+/// after the last.
 Role series_role(int index);
 
 /// The background of every picture.
 inline constexpr Colour paper = {255, 255, 255};
 
-/// A share of `b` in `a`: 0 gives a, 1 gives b.
+/// Mixes two colours: share 0 gives `a`, share 1 gives `b`.
 Colour mix(Colour a, Colour b, double share);
 
 /// As written in SVG and CSS: "#0072b2".

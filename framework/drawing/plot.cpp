@@ -13,7 +13,7 @@ Series& add_series(Plot& plot, const std::string& name, std::vector<Vec2> values
 }
 
 double tick_step(double span, int most) {
-  constexpr double rounding = 0.999;  // a span of ten steps has ten, whatever the last digit says
+  constexpr double rounding = 0.999;  // ignores rounding in the last digit of the span
   const double rough = rounding * span / most;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0}) {

@@ -10,7 +10,7 @@
 
 namespace cs550::drawing {
 
-/// How the values of a series are shown.
+/// The style of a series.
 enum class SeriesStyle : std::uint8_t {
   Curve,  ///< joined by a line
   Steps,  ///< held until the next value
@@ -18,27 +18,27 @@ enum class SeriesStyle : std::uint8_t {
   Bars,   ///< one bar each, from zero
 };
 
-/// Values that belong together.
+/// The values of one curve.
 struct Series {
   std::string name;                        ///< for the legend
   std::vector<Vec2> values;                ///< (x, y) in the order in which they are joined
-  SeriesStyle style = SeriesStyle::Curve;  ///< how they are shown
-  Role role = Role::Got;                   ///< what it stands for, or just a colour
+  SeriesStyle style = SeriesStyle::Curve;  ///< its style
+  Role role = Role::Got;                   ///< its meaning, or only a colour
   bool dashed = false;                     ///< so that colour is not the only difference
 };
 
-/// A level or a moment that is worth a line across the plot.
+/// A line across the plot, at a level or a time.
 struct PlotMark {
   Real at = 0;              ///< x or y
-  bool vertical = false;    ///< at an x, not a y
-  std::string text;         ///< beside it
-  Role role = Role::Faint;  ///< what it stands for
+  bool vertical = false;    ///< at an x instead of a y
+  std::string text;         ///< its label
+  Role role = Role::Faint;  ///< its meaning
 };
 
 /// Series on common axes.
 struct Plot {
   std::string title;               ///< a few words
-  std::string alt_text;            ///< what is to be seen, for those who cannot see it
+  std::string alt_text;            ///< a description for readers who cannot see it
   std::string x_label;             ///< with its unit: "time (s)"
   std::string y_label;             ///< with its unit
   bool logarithmic = false;        ///< y in powers of ten; values ≤ 0 are left out
@@ -47,12 +47,12 @@ struct Plot {
   std::vector<std::string> notes;  ///< sentences below the plot
 };
 
-/// Adds a series with a colour of its own.
+/// Adds a series with the next colour.
 Series& add_series(Plot& plot, const std::string& name, std::vector<Vec2> values,
                    SeriesStyle style = SeriesStyle::Curve);
 
-/// The distance of an axis's ticks: 1, 2 or 5 times a power of ten.
-/// @param most steps into which the span is divided
+/// The distance between ticks of an axis: 1, 2 or 5 times a power of ten.
+/// @param most number of steps in the span
 double tick_step(double span, int most);
 
 }  // namespace cs550::drawing

@@ -27,7 +27,7 @@ struct Value {
   double x, y;
 };
 
-/// The values that can be drawn; y as its decimal logarithm where the axis is logarithmic.
+/// The values that can be drawn. On a logarithmic axis, y is replaced by its decimal logarithm.
 std::vector<Value> drawable(const Series& series, bool logarithmic) {
   std::vector<Value> result;
   for (const Vec2& value : series.values) {
@@ -42,11 +42,11 @@ std::vector<Value> drawable(const Series& series, bool logarithmic) {
 
 std::string tick_text(double value, double step, bool logarithmic) {
   if (logarithmic) return power_of_ten_text(static_cast<int>(std::lround(value)));
-  // Rounding leaves 1e-17 where zero is meant.
+  // Rounding may leave 1e-17 in place of zero.
   return number_text(std::abs(value) < 1e-9 * step ? 0.0 : value, 6);
 }
 
-/// From values to the page.
+/// Maps values to the page.
 class Axes {
  public:
   Axes(const Plot& plot, const Rectangle& area) : area_(area) {
@@ -85,7 +85,7 @@ class Axes {
   static void widen(Range& range, double share) {
     if (range.is_empty()) range = {0, 1};
     double length = range.length();
-    // A constant still gets an axis.
+    // A constant needs an axis of nonzero length.
     if (length <= 1e-6 * std::max(std::abs(range.low), std::abs(range.high))) {
       length = std::max(0.1 * std::abs(range.low), 1e-6);
       share = 0.5;

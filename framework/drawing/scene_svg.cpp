@@ -8,7 +8,7 @@ namespace cs550::drawing {
 namespace {
 
 constexpr double outline_width = 1.6;
-constexpr double arrow_length = 4.5;  // of its line's width, plus
+constexpr double arrow_length = 4.5;  // line widths, plus arrow_base
 constexpr double arrow_base = 4;      // pixels
 
 PagePoint on_page(const Projected& at) { return {at.x, at.y}; }
@@ -19,7 +19,7 @@ PagePoint between(PagePoint a, PagePoint b, double share) {
 
 double distance(PagePoint a, PagePoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-/// A face is lighter the more it looks up and to the left.
+/// Faces that point up and to the left are lighter.
 Colour lit(Colour base, const std::vector<Vec3>& corners, const FittedView& view) {
   Vec3 normal = Vec3::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -40,7 +40,7 @@ Colour label_colour(Role role) {
   return needs_outline(role) ? colour(Role::Text) : mix(colour(role), colour(Role::Text), 0.35);
 }
 
-/// How much of a segment lies within a box (pixels; Liang & Barsky 1984).
+/// The length of the part of a segment inside a box (pixels; Liang & Barsky 1984).
 double length_inside(PagePoint a, PagePoint b, const Rectangle& box) {
   double enter = 0, leave = 1;
   const auto clip = [&](double from, double to, double low, double high) {
@@ -58,19 +58,19 @@ double length_inside(PagePoint a, PagePoint b, const Rectangle& box) {
   return std::max(0.0, leave - enter) * distance(a, b);
 }
 
-/// Labels are placed one after another, each where it covers least of lines and of other labels.
+/// Places labels one after another, each where it covers the least of lines and of other labels.
 class LabelPlacer {
  public:
   explicit LabelPlacer(const Rectangle& area) : area_(area) {}
 
-  /// What a label should not cover.
+  /// Obstacles that a label should not cover.
   /// @{
   void avoid(const Rectangle& box) { taken_.push_back(box); }
   void avoid(PagePoint from, PagePoint to) { lines_.emplace_back(from, to); }
   /// @}
 
   /// The best box around a point.
-  /// @param outward the side on which the label stands best, any length
+  /// @param outward direction of the preferred side, any length
   Rectangle place(PagePoint at, PagePoint outward, double width, double height) {
     constexpr double gap = 7;
     const double preferred = std::atan2(outward.y, outward.x);
@@ -106,7 +106,7 @@ class LabelPlacer {
     return cost;
   }
 
-  static constexpr double line_cost = 3;  // as much as an overlap of so many pixels beside the line
+  static constexpr double line_cost = 3;  // per pixel of a covered line, in pixels² of overlap
 
   Rectangle area_;
   std::vector<Rectangle> taken_;
@@ -118,8 +118,8 @@ class ScenePainter {
   ScenePainter(SvgWriter& svg, const Drawing& drawing, const FittedView& view)
       : svg_(svg), drawing_(drawing), view_(view) {}
 
-  /// Between two faces lines come first, and of them all outlines: those of a curve in pieces must
-  /// not show within it.
+  /// Between two faces, lines come first, and all their outlines before the lines themselves. The
+  /// outlines of a curve's pieces would otherwise be visible inside it.
   void paint(const std::vector<BrushStroke>& order) {
     for (std::size_t i = 0; i < order.size();) {
       std::size_t end = i;
@@ -132,7 +132,7 @@ class ScenePainter {
   }
 
   void paint_labels(const Rectangle& area) {
-    // Letters are a little wider than they are taken for.
+    // The estimate of text width is slightly too small.
     LabelPlacer placer({area.left + 6, area.top, area.width - 12, area.height});
     for (const Point& point : drawing_.points) {
       const PagePoint at = place(point.position);
@@ -193,7 +193,7 @@ class ScenePainter {
     PagePoint start, end;  // of the whole line
     double length;
     double from, to;  // 0–1 along it
-    double head;      // length of the arrow's head, 0 without (pixels)
+    double head;      // length of the arrowhead, 0 for none (pixels)
   };
 
   Part part_of(const Line& line, double from, double to) const {
@@ -202,7 +202,7 @@ class ScenePainter {
     if (line.stroke.arrow && to == 1 && part.length > 0) {
       part.head = std::min(arrow_base + arrow_length * static_cast<double>(line.stroke.width),
                            0.6 * part.length);
-      // The line ends inside its head, whose tip would otherwise be blunt.
+      // The line ends inside its arrowhead, so that the tip is sharp.
       part.to = std::max(from, 1 - 0.8 * part.head / part.length);
     }
     return part;
@@ -244,7 +244,7 @@ class ScenePainter {
 
 void draw_scene(SvgWriter& svg, const Drawing& drawing, const View& view,
                 std::span<const Vec3> keep_in_view, const Rectangle& area) {
-  // Room for dots, arrow heads and labels at the rim.
+  // Room for dots, arrowheads and labels at the border.
   const double margin = std::min(34.0, 0.12 * std::min(area.width, area.height));
   const Rectangle inner = {area.left + margin, area.top + margin, area.width - 2 * margin,
                            area.height - 2 * margin};

@@ -13,7 +13,7 @@ constexpr double title_size = 17;
 constexpr double panel_title_size = 14;
 constexpr double legend_swatch = 26;
 
-/// A panel ready to be drawn: its texts broken into lines.
+/// A panel whose texts are broken into lines.
 struct Layout {
   std::vector<std::string> title;
   std::vector<LegendEntry> legend;
@@ -50,7 +50,7 @@ Layout layout_of(const Panel& panel, double width) {
   return layout;
 }
 
-/// How many lines the entries take when they are set one after another.
+/// The number of lines of a legend with several entries per line.
 struct LegendPlace {
   double left;
   int line;
@@ -100,7 +100,7 @@ void draw_legend_entry(SvgWriter& svg, const LegendEntry& entry, PagePoint at) {
   svg.text({at.x + legend_swatch + 6, at.y}, entry.text, style);
 }
 
-/// The positions that each scene must show: its own, or those of the first one.
+/// The positions that each scene must show: its own, or those of the first scene.
 std::vector<Vec3> positions_in_view(const Page& page, const Scene& scene) {
   const auto is_scene = [](const Panel& panel) { return std::holds_alternative<Scene>(panel); };
   const auto first = std::find_if(page.panels.begin(), page.panels.end(), is_scene);
@@ -108,7 +108,7 @@ std::vector<Vec3> positions_in_view(const Page& page, const Scene& scene) {
   return outline_positions(framed.drawing, framed.view);
 }
 
-/// What is left of a page when all that is not finite is taken away.
+/// The page without elements that are not finite.
 Page finite_part(Page page) {
   for (Panel& panel : page.panels) {
     if (auto* scene = std::get_if<Scene>(&panel)) scene->drawing = finite_part(scene->drawing);
@@ -116,7 +116,7 @@ Page finite_part(Page page) {
   return page;
 }
 
-/// What a browser shows in its tab: the page's own title, else that of its first panel.
+/// The title in a browser's tab: that of the page or, without one, that of its first panel.
 const std::string& document_title(const Page& page) {
   return page.title.empty() && !page.panels.empty() ? title_of(page.panels.front()) : page.title;
 }
@@ -131,7 +131,7 @@ std::string full_alt_text(const Page& page) {
   return text;
 }
 
-/// Draws panels from left to right, their titles, pictures, legends and notes each in one row.
+/// Draws panels from left to right. Titles, pictures, legends and notes are aligned in rows.
 class PageWriter {
  public:
   explicit PageWriter(const Page& page) : page_(page) {

@@ -1,6 +1,6 @@
 #pragma once
 /// @file svg.hpp
-/// Drawings and plots as SVG: one file that any browser shows, for failing tests and for the book.
+/// Drawings and plots as SVG files, for failing tests and for the book.
 
 #include <string>
 #include <variant>
@@ -12,10 +12,10 @@
 
 namespace cs550::drawing {
 
-/// A drawing and from where it is seen.
+/// A drawing with a view.
 struct Scene {
-  Drawing drawing;  ///< what
-  View view;        ///< from where
+  Drawing drawing;  ///< the contents
+  View view;        ///< the viewpoint
 };
 
 /// One picture of a page.
@@ -23,15 +23,15 @@ using Panel = std::variant<Scene, Plot>;
 
 /// Pictures side by side, such as expected beside got.
 struct Page {
-  std::string title;               ///< above them all
-  std::string alt_text;            ///< what is to be seen, for those who cannot see it
+  std::string title;               ///< above all panels
+  std::string alt_text;            ///< a description for readers who cannot see it
   std::vector<Panel> panels;       ///< from left to right
-  std::vector<std::string> notes;  ///< sentences below them
-  bool framed_by_first = false;    ///< every scene shows the part of space that the first one fills
+  std::vector<std::string> notes;  ///< sentences below the panels
+  bool framed_by_first = false;    ///< all scenes show the same part of space as the first
   Size panel_size = {420, 360};    ///< of each panel (pixels)
 };
 
-/// Writes an image. Elements that are not finite are left out, with a note that says so.
+/// Writes an SVG file. Elements that are not finite are left out, with a note.
 std::string write_svg(const Page& page);
 /// One drawing.
 std::string write_svg(const Drawing& drawing, const View& view = {}, const Size& size = {});

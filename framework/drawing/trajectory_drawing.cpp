@@ -22,7 +22,7 @@ Drawing draw_trail(std::span<const Pose> poses, const Vec3& body_point, const St
                    const std::string& name) {
   Drawing drawing;
   drawing.title = name;
-  drawing.alt_text = "The way of a point of the body over " + std::to_string(poses.size()) +
+  drawing.alt_text = "The path of a point of the body over " + std::to_string(poses.size()) +
                      " poses: " + name + '.';
   std::vector<Vec3> trail;
   for (const Pose& pose : poses) trail.push_back(pose.to_world(body_point));
@@ -64,7 +64,7 @@ Drawing draw_energy_ellipsoid(const Vec3& inertia, Real energy) {
                      on_ellipsoid(semi_axes, i + 1, k + 1), on_ellipsoid(semi_axes, i, k + 1)},
                     Role::Faint,
                     Real(0.75)};
-      // At the poles a patch is a triangle.
+      // Patches at the poles are triangles.
       if (i == 0) patch.corners.pop_back();
       if (i == parallels - 1) patch.corners.erase(patch.corners.begin() + 1);
       drawing.polygons.push_back(std::move(patch));

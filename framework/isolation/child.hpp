@@ -1,6 +1,6 @@
 #pragma once
 /// @file child.hpp
-/// A child process for code that may crash or never end.
+/// A child process for code that may crash or never return.
 
 #include <sys/types.h>
 
@@ -19,10 +19,10 @@ class Channel {
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
 
-  /// @return whether the other end is still there
+  /// @return whether the other end is still open
   bool send(const std::string& message) const;
 
-  /// How waiting for a message ended.
+  /// The outcome of waiting for a message.
   enum class Wait { Received, Closed, TooLate };
   /// @param limit no limit if empty
   Wait receive(std::string& message, std::optional<std::chrono::milliseconds> limit) const;
@@ -31,7 +31,7 @@ class Channel {
   int socket_;
 };
 
-/// A fork of this process that works and answers. It ends with this object. Its address space is
+/// A fork of this process that answers messages. It ends with this object. Its address space is
 /// limited.
 class Child {
  public:
@@ -41,9 +41,9 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// The messages to and from it.
+  /// The messages to and from the child.
   const Channel& channel() const { return *channel_; }
-  /// Ends the child. @return how it ended, as readable text: "crashed: Segmentation fault"
+  /// Ends the child. @return how it ended: "crashed: Segmentation fault"
   std::string end();
 
  private:

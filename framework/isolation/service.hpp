@@ -1,6 +1,6 @@
 #pragma once
 /// @file service.hpp
-/// Calls code that may throw, crash or never return, and always gets an answer.
+/// Calls code that may throw, crash or never return, and always returns a reply.
 
 #include <cereal/types/string.hpp>
 #include <chrono>
@@ -16,16 +16,16 @@
 
 namespace cs550::isolation {
 
-/// Where code runs.
+/// The process in which code runs.
 enum class Isolation {
   Here,   ///< in this process: trusted code
   Child,  ///< in a child process with a time limit: a student's code
 };
 
-/// How long an untrusted server may take for an answer.
+/// The time limit for a reply of an untrusted server.
 inline constexpr std::chrono::seconds answer_limit{5};
 
-/// A value, or the reason why there is none.
+/// A value, or the reason why it is missing.
 template <class Value>
 struct Answer {
   Value value;          ///< default-constructed after a failure
@@ -37,7 +37,7 @@ void serialize(Archive& archive, Answer<Value>& answer) {
   archive(answer.value, answer.failure);
 }
 
-/// Answers requests; may keep state from one to the next.
+/// Answers requests. It may keep state between them.
 template <class Request, class Reply>
 using Server = std::function<Reply(const Request&)>;
 
@@ -60,7 +60,7 @@ Answer<Reply> guarded(const Server<Request, Reply>& serve, const Request& reques
 template <class Request, class Reply>
 class Service {
  public:
-  /// @param limit for each answer of a child
+  /// @param limit time for each reply of a child
   Service(Server<Request, Reply> serve, Isolation isolation,
           std::chrono::milliseconds limit = answer_limit)
       : limit_(limit) {
@@ -77,7 +77,7 @@ class Service {
     });
   }
 
-  /// The server's reply, or why there is none.
+  /// The server's reply, or the reason why it is missing.
   Answer<Reply> ask(const Request& request) {
     if (here_) return guarded(here_, request);
     if (!child_) return {{}, failure_};

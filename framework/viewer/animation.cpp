@@ -24,7 +24,7 @@ namespace {
 
 constexpr int not_found = 127;
 
-/// Runs a program without its chatter. @return its exit code; not_found if there is no such program
+/// Runs a program and discards its output. @return its exit code; not_found if it is not installed
 int run(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
@@ -43,7 +43,7 @@ int run(const std::vector<std::string>& command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-/// Other programs are called `convert` too.
+/// ImageMagick is not the only program with the name `convert`.
 bool convert_is_image_magick() {
   FILE* const output = popen("convert -version 2>/dev/null </dev/null", "r");
   if (output == nullptr) return false;
@@ -70,7 +70,7 @@ TemporaryFolder::~TemporaryFolder() {
 void write_animation(const fs::path& frames, const fs::path& file, double rate) {
   const TemporaryFolder folder;
   const fs::path draft = folder.path() / "animation.gif";
-  // At most 30 frames a second: a GIF's clock counts hundredths of a second.
+  // At most 30 frames a second, because a GIF's delays are whole hundredths of a second.
   constexpr double most = 30;
   const int by_ffmpeg = run({"ffmpeg", "-y", "-xerror", "-framerate", std::to_string(rate), "-i",
                              (frames / "%04d.png").string(), "-vf",

@@ -1,12 +1,12 @@
 #pragma once
 /// @file animation.hpp
-/// Numbered pictures as one moving one.
+/// Turns numbered pictures into an animation.
 
 #include <filesystem>
 
 namespace cs550::viewer {
 
-/// A folder for a while.
+/// A temporary folder, deleted with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -20,9 +20,9 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Makes a GIF of the files 0000.png, 0001.png, … in the folder `frames`, by ffmpeg or ImageMagick.
+/// Makes a GIF from the files 0000.png, 0001.png, … in a folder, with ffmpeg or ImageMagick.
 /// @param rate pictures per second
-/// @throws std::runtime_error if neither is here, or the one that is fails
+/// @throws std::runtime_error if neither is installed, or the installed one fails
 void write_animation(const std::filesystem::path& frames, const std::filesystem::path& file,
                      double rate);
 

@@ -47,9 +47,9 @@ class App {
   /// Where panels and picture are.
   Layout layout() const;
   bool plays() const { return plays_; }
-  /// Whether the picture has been unchanged for several frames: time to redraw it finely.
+  /// Whether the picture has been unchanged for several frames and can be redrawn at full quality.
   bool is_still() const;
-  /// Where a point is seen (pixels from the top left).
+  /// The projection of a point (pixels from the top left).
   Vec2 pixel_of(const Vec3& point) const { return projection().pixel(point); }
   /// The world, or null on the page of a lab.
   WorldPage* world() { return world_; }
@@ -80,7 +80,7 @@ class App {
   int slowness_ = 1;  ///< frames per step
   int frames_since_step_ = 0;
   bool hides_times_ = false;
-  std::optional<Real> drag_depth_;  ///< from the eye to what is pulled, along the view (m)
+  std::optional<Real> drag_depth_;  ///< of the dragged point from the eye, along the view (m)
 };
 
 }  // namespace cs550::viewer

@@ -1,4 +1,4 @@
-// What the mouse does to the camera, to bodies and to a page's handle.
+// The mouse turns the camera, drags bodies and moves a page's handle.
 #include <imgui/imgui.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ void App::hear_mouse() {
   if (io.MouseWheel != 0) camera_.zoom(std::pow(Real(0.9), io.MouseWheel));
 }
 
-/// A body that is pressed is selected, and follows the mouse at the distance at which it was.
+/// Pressing a body selects it. It then follows the mouse at a constant depth.
 void App::hear_drag_of_body(const Vec2& mouse) {
   const Projection seen = projection();
   const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
@@ -68,7 +68,7 @@ void App::hear_drag_of_body(const Vec2& mouse) {
   }
 }
 
-/// The tip of an arrow, the middle of a body: what a page lets the user move.
+/// A page may let the user move one point: the tip of an arrow, the middle of a body.
 void App::hear_drag_of_handle(const Vec2& mouse) {
   constexpr Real reach = 18;  // pixels
   const std::optional<Vec3> handle = page_->handle();
@@ -88,7 +88,7 @@ void App::hear_drag_of_handle(const Vec2& mouse) {
   }
 }
 
-/// The point under the mouse at the distance at which the drag began.
+/// The point under the mouse at the depth at which the drag began.
 Vec3 App::dragged_to(const Vec2& mouse) const {
   const Projection seen = projection();
   const Vec3 ray = seen.ray(mouse);

@@ -16,7 +16,7 @@ constexpr int misused = 2;
 constexpr int smallest_side = 64;
 constexpr int largest_side = 8192;
 
-/// "1280x720".
+/// Parses "1280x720".
 Size parse_size(const std::string& text) {
   Size size;
   char cross = 0;

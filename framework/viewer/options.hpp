@@ -16,9 +16,9 @@ struct Options {
   std::string scene = "wall";         ///< name or path
   int lab = 0;                        ///< page; 0: the world
   bool student = false;               ///< the student's code, in a process of its own
-  std::optional<int> steps;           ///< to take before the first picture
+  std::optional<int> steps;           ///< before the first picture
   std::string camera;                 ///< YAW,PITCH[,DISTANCE[,X,Y,Z]]; empty: the page's own
-  Size size = {1280, 720};            ///< of picture or window (pixels)
+  Size size = {1280, 720};            ///< of the picture or the window (pixels)
   bool ui = true;                     ///< panels
   std::vector<std::string> settings;  ///< name=value
   bool list = false;                  ///< print the settings of the page

@@ -16,10 +16,10 @@ struct Picture {
   std::vector<std::uint8_t> pixels;  ///< 3 · width · height
 };
 
-/// What is on a canvas now.
+/// The present contents of a canvas.
 Picture read_picture(const Canvas& canvas);
 
-/// Writes a PNG file, its folders too; a file of that name is replaced in one move.
+/// Writes a PNG file and creates its folders. An existing file is replaced atomically.
 /// @throws std::runtime_error that names the file
 void write_png(const Picture& picture, const std::filesystem::path& file);
 

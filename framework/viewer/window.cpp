@@ -1,7 +1,7 @@
 #include "viewer/window.hpp"
 
 #include <epoxy/gl.h>
-// After epoxy, which brings OpenGL's functions.
+// Must follow epoxy, which declares OpenGL's functions.
 #include <GLFW/glfw3.h>
 
 #include <optional>
@@ -13,7 +13,7 @@
 namespace cs550::viewer {
 namespace {
 
-/// @throws std::runtime_error that says how to do without
+/// @throws std::runtime_error that names the alternative
 WindowSystem open_screen() {
   try {
     return {};
@@ -60,7 +60,7 @@ void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*m
 void run_in_window(const Options& options, const Observer& observe) {
   const WindowSystem system = open_screen();
   const Window window(options.size, true);
-  // Before Dear ImGui, which hands on what it hears.
+  // Installed before Dear ImGui, which forwards events to earlier callbacks.
   glfwSetKeyCallback(window.get(), hear_key);
   Interface interface(window.get(), window.scale());
   App app(options, interface);
@@ -70,7 +70,7 @@ void run_in_window(const Options& options, const Observer& observe) {
   std::optional<Canvas> quick;
   while (glfwWindowShouldClose(window.get()) == GLFW_FALSE) {
     if (app.is_still() && !app.plays()) {
-      constexpr double blink = 0.04;  // s; widgets that change by themselves wait no longer
+      constexpr double blink = 0.04;  // s; a text cursor blinks, so redraw at least this often
       glfwWaitEventsTimeout(blink);
     } else {
       glfwPollEvents();

@@ -9,12 +9,12 @@
 
 namespace cs550::viewer {
 
-/// Sees the viewer after each frame; the window closes when it returns false.
+/// Called with the viewer after each frame. The window closes when it returns false.
 using Observer = std::function<bool(App& app)>;
 
 /// Opens a window and returns when it is closed.
-/// @param observe for tests; a user's window has none
-/// @throws std::runtime_error that says why there is no window
+/// @param observe for tests
+/// @throws std::runtime_error if no window can be opened
 void run_in_window(const Options& options, const Observer& observe = {});
 
 }  // namespace cs550::viewer

@@ -1,4 +1,4 @@
-# The project in ROOT configures, and builds TARGET, in a COPY that is WITHOUT one of its folders.
+# Checks that a COPY of ROOT WITHOUT one of its folders can be configured, and that TARGET builds.
 # -DROOT=... -DCOPY=... -DWITHOUT=labs|solutions -DTARGET=... -DCXX=... -DLAUNCHER=... -DGENERATOR=...
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${COPY}")

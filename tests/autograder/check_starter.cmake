@@ -1,6 +1,6 @@
 # cmake -DPROGRAM=... -DRESULTS=... -P check_starter.cmake
-# Every graded test, run on the starter, fails because a step is not implemented: none passes by
-# accident, none crashes.
+# Checks that every graded test fails on the starter because a step is not implemented. None passes by
+# accident, and none crashes.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND "${PROGRAM}" --manifest OUTPUT_VARIABLE manifest COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${PROGRAM}" --results "${RESULTS}" OUTPUT_QUIET ERROR_QUIET)

@@ -1,6 +1,6 @@
 # cmake -DPROGRAM=... -DLAB=3 -DWHOSE=student -DREPLACED=... -P check_whose.cmake
-# PROGRAM runs the code of WHOSE for LAB and the reference's for every other lab. Of a lab with fast
-# kernels it runs those for the functions that the header REPLACED declares, else the reference.
+# Checks that PROGRAM runs the code of WHOSE for LAB and the reference for all other labs. In a lab with
+# fast kernels, these replace the functions declared in the header REPLACED.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND "${PROGRAM}" --whose OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE ";" "," listing "${listing}")

@@ -1,6 +1,6 @@
-/// The seam holds only what passes through it: a lab's header declares exactly the functions that its
-/// reference defines, and none that the lab is to write has its body in the header. That the starter
-/// and the student define the same ones is checked by the build: the linker refuses a missing one, the
+/// Link-time substitution needs complete headers: a lab's header declares exactly the functions
+/// that its reference defines, and no function of a step is defined in the header. The build checks
+/// that starters and students define the same functions: the linker reports a missing one, and the
 /// compiler one that is not declared (-Wmissing-declarations).
 #include <gtest/gtest.h>
 
@@ -23,14 +23,14 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The functions whose comment names a step of the lab.
+/// The functions with a step of the lab in their comment.
 struct Header {
   Names declared;
-  Names inline_steps;  ///< they have a body here
+  Names inline_steps;  ///< defined in the header
 };
 
 /// The statements at namespace scope, without comments, preprocessor lines and the bodies of types
-/// and functions. A statement that had a body ends in `{`; `@` stands where a comment named a step.
+/// and functions. A statement with a body ends in `{`. A comment with a step is replaced by `@`.
 std::vector<std::string> statements(std::string text) {
   text = std::regex_replace(text, std::regex(R"(//[^\n]*\*\*L\d+\.\d[^\n]*)"), "@");
   text = std::regex_replace(text, std::regex("//[^\n]*|#[^\n]*"), "");

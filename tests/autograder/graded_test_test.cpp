@@ -1,5 +1,5 @@
-/// The runner's verdict on each way in which a test can end. The fake lab runs as a program of its
-/// own, as a student's does.
+/// The runner's verdict on each outcome of a test. The fake lab is a separate program, as a
+/// student's lab is.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 

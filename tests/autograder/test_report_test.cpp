@@ -1,4 +1,4 @@
-/// What a student reads when several checks of one test fail.
+/// The report of a test with several failed checks.
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

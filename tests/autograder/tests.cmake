@@ -1,8 +1,8 @@
-# Tests of the seam and of the graded tests' runner.
+# Tests of link-time substitution and of the runner of graded tests.
 set(scripts "${CMAKE_CURRENT_LIST_DIR}")
 
-# Fake labs, run as programs by tests_autograder and tests_cli: one with tests of every ending, and one
-# whose mistake shows only where the sanitizers watch it.
+# Fake labs, run as programs by tests_autograder and tests_cli: one with a test for every outcome, and
+# one with a mistake that only the sanitizers detect.
 function(cs550_add_fake_lab name)
   add_executable(${name} "${scripts}/fake_lab/${name}.cpp")
   target_link_libraries(${name} PRIVATE cs550_graded_main cs550_test_support cs550_warnings)
@@ -26,7 +26,7 @@ target_compile_definitions(tests_autograder PRIVATE
   CS550_LAB_FUNCTIONS="${lab_functions}")
 add_dependencies(tests_autograder fake_lab)
 
-# Two fake labs with helpers of the same name; the first lacks a function.
+# Two fake labs with helpers of the same name. The first lacks a function.
 if(CS550_ISOLATE_LABS)
   cs550_add_lab_code(101 one "${scripts}/isolation/lab101_one.cpp")
   cs550_add_lab_code(101 fallback "${scripts}/isolation/lab101_fallback.cpp")
@@ -35,7 +35,7 @@ if(CS550_ISOLATE_LABS)
   target_link_libraries(tests_autograder PRIVATE lab101_one_code lab101_fallback_code lab102_other_code)
 endif()
 
-# What is not part of `all` is built by a test, so that a broken lab file fails here alone.
+# A test builds the targets that are not part of `all`, so that a broken lab file fails only here.
 function(cs550_test_builds number)
   set(name starter.Lab${number}.builds)
   add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --target ${ARGN})
@@ -68,7 +68,7 @@ function(cs550_test_whose number variant whose)
   endif()
 endfunction()
 
-# One lab's code stands for all.
+# One lab represents all.
 function(cs550_test_partial_copy without target)
   add_test(NAME autograder.builds_without_${without}
            COMMAND "${CMAKE_COMMAND}" "-DROOT=${PROJECT_SOURCE_DIR}"
@@ -80,7 +80,7 @@ function(cs550_test_partial_copy without target)
                        TIMEOUT 900)
 endfunction()
 
-# In a students' copy the mix depends on what compiles: only the starter is tested there.
+# In a students' copy the result depends on which labs compile, so only the starter is tested there.
 foreach(number IN LISTS CS550_LABS)
   set(unbuilt "")
   if(TARGET lab${number}_stub)
@@ -96,7 +96,7 @@ foreach(number IN LISTS CS550_LABS)
     if(TARGET lab${number}_student)
       list(APPEND unbuilt lab${number}_student)
     endif()
-    if(number EQUAL 1)  # one lab stands for all: it takes headers precompiled for the sanitizers alone
+    if(number EQUAL 1)  # one lab represents all: it needs headers precompiled for the sanitizers
       list(APPEND unbuilt lab1_sanitized)
     endif()
   endif()

@@ -1,4 +1,4 @@
-/// What a student reads when a sanitizer or an assertion has stopped a test.
+/// The report of a test that a sanitizer or an assertion has stopped.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,7 +9,7 @@ namespace {
 
 using cs550::cli::crash_report;
 
-// As GCC 12 prints them, some of the middle left out.
+// As GCC 12 prints them, with some frames left out.
 const std::string out_of_bounds = R"([ RUN      ] Lab3.FirstOfEqualVerticesWins
 =================================================================
 ==26573==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x606000000664 at pc 0x55c1cefee43b bp 0x7ffd4409aad0 sp 0x7ffd4409aac8

@@ -1,4 +1,4 @@
-/// Hints with formulas, as a terminal shows them.
+/// Formulas of hints in a terminal.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -44,7 +44,7 @@ TEST(FormulaText, KnowsEveryCommandOfTheHints) {
     if (!stream) continue;
     ++handouts;
     const std::string source{std::istreambuf_iterator<char>(stream), {}};
-    static const std::regex displayed("[$][$][^$]*[$][$]");  // never part of a hint
+    static const std::regex displayed("[$][$][^$]*[$][$]");  // hints contain none
     const std::string text = with_plain_formulas(std::regex_replace(source, displayed, ""));
     const std::size_t left = text.find('\\');
     EXPECT_EQ(left, std::string::npos)

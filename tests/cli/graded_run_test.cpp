@@ -1,4 +1,4 @@
-/// What becomes of a lab's tests when some of them end the program that runs them.
+/// Results of a lab's tests if some of them end the program that runs them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class GradedRun : public testing::Test {
 };
 
 TEST_F(GradedRun, GivesEveryTestItsVerdictInTheOrderOfTheTests) {
-  // Two crash, wherever among the processors they run: those dealt out with them still count.
+  // Two tests crash. The other tests of the same process still count.
   const std::vector<GradedTest> tests = {
       {"Crashes", "L5.3", 1, false}, {"Passes", "L5.1", 6, false},
       {"Fails", "L5.1", 5, false},   {"ReachesAnEarlierLab", "L5.2", 3, false},

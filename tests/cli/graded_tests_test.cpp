@@ -1,4 +1,4 @@
-/// The order of a lab's steps, which is that of their numbers and not of their letters.
+/// Steps are sorted by number, not alphabetically.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// What `./cs550 lab` prints of a lab's verdicts.
+/// The report that `./cs550 lab` prints.
 #include "cli/grading/lab_report.hpp"
 
 #include <gtest/gtest.h>

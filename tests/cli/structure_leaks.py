@@ -18,7 +18,7 @@ RUN = 5
 WINDOW = 120
 MOST = 39
 
-# Looked at and judged harmless.
+# Reviewed and found harmless.
 INNOCENT = {
     "framework/engine/world/substep.cpp": "calls the labs' functions on its constraints",
     "framework/engine/contacts/cold_start.cpp": "states the formula of v_n, which the handout gives",
@@ -34,7 +34,7 @@ WORD = re.compile(r"[A-Za-z_]\w*")
 KEYWORDS = set("if else for while do return struct continue true false constexpr using namespace void int bool "
                "float double const auto static_cast std size_t switch case break static inline".split())
 DROPPED = {"const", "auto", "static_cast", "std", "size_t", "switch", "case", "break"} | set("(){};&:<>")
-# Names too common to be a clue, although headers use them.
+# Names too common to be evidence, although headers use them.
 COMMON = KEYWORDS | {"cs550", "include", "size", "vector", "begin", "end", "push_back"}
 
 

@@ -1,5 +1,4 @@
-# Tests of the program behind ./cs550: of its parts, and of the whole, which needs a repository to
-# work on.
+# Tests of the program behind ./cs550: its parts, and the complete program on a repository of its own.
 cs550_add_own_tests(cli nlohmann_json::nlohmann_json fmt::fmt Threads::Threads)
 target_compile_definitions(tests_cli PRIVATE
   CS550_FAKE_LAB="$<TARGET_FILE:fake_lab>"

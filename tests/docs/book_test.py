@@ -62,20 +62,20 @@ def start_browser():
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(options=options)
-    # A headless window is not made narrower than 500 pixels: the screen is.
+    # A headless window cannot be narrower than 500 pixels, but the screen can.
     browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
                             {"width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": True})
     browser.set_script_timeout(SECONDS_TO_TYPESET)
     return browser
 
 
-# Calls back when MathJax has nothing left to do.
+# Calls back when MathJax is finished.
 TYPESET = """
 const done = arguments[0];
 if (window.MathJax && MathJax.Hub) MathJax.Hub.Queue(() => done(true)); else done(false);
 """
 
-# What is wrong with the page that is shown, in words.
+# The errors of the current page.
 LOOK = r"""
 const faults = [];
 const walker = document.createTreeWalker(document.querySelector('.contents') || document.body, NodeFilter.SHOW_TEXT);
@@ -86,7 +86,7 @@ while (walker.nextNode()) {
   if (walker.currentNode.data.includes('**')) faults.push('raw Markdown: ' + walker.currentNode.data.trim().slice(0, 80));
   if (tex) faults.push('raw TeX: ' + walker.currentNode.data.trim().slice(0, 80));
 }
-// MathJax draws what it does not understand as red text.
+// MathJax draws invalid formulas as red text.
 for (const error of document.querySelectorAll('.MathJax_Error, .MathJax_SVG [fill="rgb(204, 0, 0)"]')) {
   faults.push('formula: ' + error.textContent);
 }

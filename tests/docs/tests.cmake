@@ -1,5 +1,5 @@
-# docs.book: the built book, page by page, in a headless browser. Only where a driver and its Python module
-# are installed; skipped where the book is not built. Sanitizers have nothing to say about it.
+# docs.book: opens every page of the built book in a headless browser. It needs a driver and its Python module,
+# and is skipped if the book is not built. Builds with sanitizers leave it out.
 find_program(CS550_CHROMEDRIVER chromedriver)
 find_program(CS550_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 if(CS550_CHROMEDRIVER AND CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")

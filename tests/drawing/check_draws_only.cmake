@@ -1,5 +1,5 @@
 # cmake -DNM=... -DARCHIVE=... -DLAB_FUNCTIONS=... -P check_draws_only.cmake
-# ARCHIVE needs none of the lab functions that are listed in the file LAB_FUNCTIONS.
+# Checks that ARCHIVE calls none of the lab functions that are listed in the file LAB_FUNCTIONS.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND "${NM}" -u "${ARCHIVE}" OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 if(NOT listing MATCHES " U ")

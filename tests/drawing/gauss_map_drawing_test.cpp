@@ -94,7 +94,7 @@ TEST(MinkowskiDrawing, OfBodiesThatAreNowhereIsEmpty) {
 }
 
 TEST(MinkowskiDrawing, IsClosed) {
-  // The area vectors of a closed surface add up to nothing.
+  // The area vectors of a closed surface sum to zero.
   const ShapePtr a = fixture_shape("cube");
   const ShapePtr b = fixture_shape("prism6");
   const Drawing drawing = draw_minkowski_difference({a.get(), {}}, {b.get(), turned});

@@ -1,4 +1,4 @@
-// Plots: every value where it belongs, and none that has no place.
+// Plots: every value is at its position, and values outside of the axes are left out.
 
 #include "drawing/plot.hpp"
 

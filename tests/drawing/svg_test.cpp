@@ -1,4 +1,4 @@
-// A picture is a file that any browser shows, whatever the values in it.
+// SVG files are well-formed for any values in a drawing.
 
 #include "drawing/svg.hpp"
 

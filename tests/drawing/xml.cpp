@@ -8,7 +8,7 @@
 namespace cs550::test {
 namespace {
 
-/// Reads forward and throws a sentence at the first fault.
+/// Reads a document and throws a message at the first error.
 class Reader {
  public:
   explicit Reader(const std::string& document) : text_(document) {}

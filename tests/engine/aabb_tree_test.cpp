@@ -1,5 +1,5 @@
-// The tree against lists: whatever was inserted, moved and removed, it finds what a search through
-// all boxes finds.
+// The tree against brute force: after any insertions, moves and removals, its queries give the same
+// results as a search through all boxes.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ Bounds random_bounds(Random& random, Real world, Real largest) {
   return {center - half, center + half};
 }
 
-/// Where a ray enters a box, in double precision; a negative number for a miss.
+/// The distance at which a ray enters a box, in double precision, or a negative number for a miss.
 double entry_distance(const Bounds& bounds, const Vec3& origin, const Vec3& direction) {
   double entry = 0;
   double exit = HUGE_VAL;
@@ -43,7 +43,7 @@ std::vector<Index> query_sorted(const AabbTree& tree, const Bounds& bounds) {
   return users;
 }
 
-/// Boxes in a list beside the tree that is tested.
+/// The tree under test and a list of the same boxes.
 struct ListAndTree {
   AabbTree tree;
   std::map<Index, Bounds> boxes;  // by user
@@ -76,7 +76,7 @@ struct ListAndTree {
   }
 };
 
-/// Links, boxes and heights of every node below the root.
+/// Checks links, boxes and heights of all nodes below the root.
 void expect_sound(const AabbTree& tree) {
   const auto nodes = tree.nodes();
   const auto at = [nodes](Index i) { return nodes[i]; };
@@ -200,7 +200,7 @@ TEST(AabbTree, RayAlongAnAxisAndOnAFace) {
 }
 
 TEST(AabbTree, StaysShallowWhateverTheOrderOfInsertion) {
-  // A perfect tree of n leaves has log2(n) levels; a few times that is what keeps a query cheap.
+  // A perfect tree of n leaves has log2(n) levels. Queries are cheap up to a few times that.
   constexpr int count = 1024;
   constexpr int bound = 3 * 10;
   Random random(7);
@@ -225,8 +225,8 @@ TEST(AabbTree, StaysShallowWhateverTheOrderOfInsertion) {
 }
 
 TEST(AabbTree, LooksAtFewBoxesForASmallQuery) {
-  // The summed area of the inner nodes against the root's: the expected number of nodes that a
-  // query of no size visits, given that it meets the root. 1,023 would be a useless tree.
+  // The area of all inner nodes over that of the root: the expected number of nodes that a point
+  // query inside the root visits. A useless tree would have 1,023.
   Random random(8);
   AabbTree tree;
   for (Index i = 0; i < 1024; ++i) tree.insert(random_bounds(random, 50, 1), i);

@@ -1,4 +1,4 @@
-// A warm step does not touch the heap.
+// A steady-state step does not allocate.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ long allocations_of_a_step(World& world) {
 
 TEST(Allocation, TheCounterCounts) {
   const long before = allocation_count();
-  void* const something = ::operator new(1);  // a call, which no compiler may leave out
+  void* const something = ::operator new(1);  // an explicit call, which compilers may not remove
   EXPECT_GT(allocation_count(), before);
   ::operator delete(something);
 }
@@ -52,8 +52,8 @@ TEST(Allocation, NoneInFreeFlight) {
 }
 
 TEST(Allocation, GrowthIsGeometric) {
-  // Of n pairs that come one by one, doubling needs about log2(n) allocations in each array; one
-  // per pair would be hundreds.
+  // For n pairs that are added one by one, doubling needs about log2(n) allocations per array. One
+  // allocation per pair would be hundreds.
   World world = falling_hulls(60, 32);
   run(world, 1);
   long total = 0;

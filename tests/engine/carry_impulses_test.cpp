@@ -1,4 +1,4 @@
-// Warm starting: what of last step's impulses reaches this step's points.
+// Warm starting: which impulses of the last step are carried to the points of this step.
 
 #include <gtest/gtest.h>
 

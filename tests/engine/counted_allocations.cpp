@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-// Every allocation of this program passes through here. In a file of its own, since a compiler that
-// sees one of the two operators beside its callers takes new and free for a mismatch.
+// Counts all allocations of this program. These operators are in a separate file, because a
+// compiler that inlines one of them into a caller warns of a mismatch of new and free.
 
 namespace {
 std::atomic<long> allocations{0};

@@ -3,7 +3,7 @@
 
 namespace cs550::test {
 
-/// How often this program has called operator new.
+/// The number of calls of operator new so far.
 long allocation_count();
 
 }  // namespace cs550::test

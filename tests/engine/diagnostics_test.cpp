@@ -1,4 +1,4 @@
-// What a world's energy is measured by.
+// The energy of a world.
 
 #include "cs550/diagnostics.hpp"
 

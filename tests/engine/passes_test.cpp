@@ -1,5 +1,5 @@
-// A pass over many constraints: the kernel that the engine runs must give the bits of solving one
-// constraint after the other.
+// A pass over many constraints: the engine's kernel must give the same bits as solving one
+// constraint after another.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ SolverBody random_body(Random& random, bool movable) {
   return body;
 }
 
-/// Every kind of constraint: apart and in penetration, with and without load, rough and smooth.
+/// All kinds of constraints: separated and penetrating, with and without load, rough and smooth.
 ContactConstraint random_constraint(Random& random, Index a, Index b) {
   ContactConstraint constraint;
   constraint.body_a = a;
@@ -71,7 +71,7 @@ System random_system(Random& random, const ContactStep& step) {
   return system;
 }
 
-/// L7.8 as its contract puts it, with the functions of L7.6 and L7.7.
+/// L7.8 as its contract specifies it, with the functions of L7.6 and L7.7.
 void solve_one_by_one(System& system, const ContactStep& step) {
   const std::size_t count = system.constraints.size();
   for (std::size_t i = 0; i < count; ++i) {

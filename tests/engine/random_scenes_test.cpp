@@ -1,4 +1,4 @@
-// Whatever bodies meet however: numbers stay finite and every stage keeps its promise.
+// Random bodies in random poses: all numbers stay finite, and no stage violates its postconditions.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ std::vector<ShapePtr> some_shapes() {
   return shapes;
 }
 
-/// The same and a needle of 1 : 50.
+/// The same shapes and a needle of 1 : 50.
 std::vector<ShapePtr> shapes_with_a_needle() {
   std::vector<ShapePtr> shapes = some_shapes();
   shapes.push_back(box_shape({Real(0.02), Real(0.02), 1}));
@@ -69,13 +69,13 @@ void expect_sane(const World& world) {
     ASSERT_TRUE(body.pose.position.allFinite());
     ASSERT_NEAR(body.pose.orientation.norm(), 1, 1e-4);
     ASSERT_TRUE(body.linear_momentum.allFinite() && body.angular_momentum.allFinite());
-    // 5 m/s at first, 39 m/s from 4 s of falling, and what bodies that begin inside each other get:
-    // a hundred would be an explosion.
+    // 5 m/s initially, 39 m/s from falling for 4 s, and the speeds of bodies that begin inside each
+    // other. 100 m/s would be an explosion.
     ASSERT_LT(body.linear_velocity.norm(), 100);
   }
 }
 
-/// Runs scenes of bodies that may begin inside each other for four seconds each.
+/// Runs scenes for four seconds each. Bodies may begin inside each other.
 void run_scenes(const std::vector<ShapePtr>& shapes, int count, std::uint32_t seed) {
   Random random(seed);
   long touching = 0;

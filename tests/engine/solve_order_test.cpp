@@ -1,5 +1,5 @@
-// The order of the constraints: results to the bit as in the order of the contacts, and groups that
-// share no body.
+// The order of the constraints: the same bits as in the order of the contacts, and no shared body
+// in a group.
 #include "engine/contacts/solve_order.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Contact contact_between(Index a, Index b, Index points) {
   return contact;
 }
 
-/// The contact that each constraint of the order belongs to; −1 if a place is empty.
+/// The contact of each constraint in this order; −1 for an empty place.
 std::vector<int> contact_of_constraint(const std::vector<Contact>& contacts,
                                        const SolveOrder& order) {
   std::vector<int> owner(order.place_of_point.size(), -1);

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-/// A small box is shot at a wall of a given half thickness, and stays on its side.
+/// Checks that a small box shot at a wall of a given half thickness stays on its side.
 void expect_stopped(Real wall_half_thickness, Real substep_travel, const Quat& orientation,
                     Real start) {
   WorldSettings settings;

@@ -1,4 +1,4 @@
-// Rays and boxes against every body, in double precision.
+// Ray and box queries against brute force in double precision.
 
 #include <gtest/gtest.h>
 
@@ -30,8 +30,8 @@ World scattered_hulls(Random& random, int count) {
   return world;
 }
 
-/// Where a ray enters a convex body from outside, by clipping it with every face plane (Cyrus &
-/// Beck).
+/// The distance at which a ray enters a convex body from outside, by clipping it with all face
+/// planes (Cyrus & Beck 1978).
 std::optional<double> entry_distance(const PosedShape& body, const Eigen::Vector3d& origin,
                                      const Eigen::Vector3d& direction) {
   const Eigen::Quaterniond turn(body.pose.orientation.cast<double>());
@@ -53,12 +53,12 @@ std::optional<double> entry_distance(const PosedShape& body, const Eigen::Vector
 TEST(WorldQuery, RayCastFindsTheNearestFace) {
   Random random(21);
   World world = scattered_hulls(random, 60);
-  run(world, 30);  // bodies have moved since they were put into the tree
+  run(world, 30);  // bodies have moved since they were inserted into the tree
   int hits = 0;
   for (int ray = 0; ray < 3000; ++ray) {
     SCOPED_TRACE(testing::Message() << "seed 21, ray " << ray);
     const Vec3 origin = random.point_in_box(Vec3::Constant(14));
-    // Towards the bodies, and not of unit length.
+    // Towards the bodies, not of unit length.
     const Vec3 direction = random.point_in_box(Vec3::Constant(6)) - origin;
     const Real length = random.real(1, 30);
 
@@ -70,7 +70,7 @@ TEST(WorldQuery, RayCastFindsTheNearestFace) {
       if (distance) nearest = std::min(nearest, *distance);
     }
     const auto hit = world.ray_cast(origin, direction, length);
-    // Rays that graze a body or end at its surface may be decided either way by rounding.
+    // Rounding decides about rays that graze a body or end at its surface.
     if (!hit) {
       ASSERT_GT(nearest, length - Real(1e-4)) << "missed a body at " << nearest << " m";
       continue;
@@ -124,7 +124,7 @@ TEST(WorldQuery, BoxFindsTheBodiesWhoseBoundsItMeets) {
     for (Index i = 0; i < static_cast<Index>(world.bodies().size()); ++i) {
       const PosedShape body = world.posed_shape(world.id_at(i));
       const bool answered = std::binary_search(answer.begin(), answer.end(), i);
-      // Bounds hold every vertex, and are no looser than those of the sphere around the body.
+      // Bounds contain all vertices and are not larger than those of the bounding sphere.
       Bounds least;
       for (Index v = 0; v < body.mesh().vertex_count(); ++v) least.include(body.vertex(v));
       const Vec3 reach = Vec3::Constant(body.shape->radius * Real(1.0001));

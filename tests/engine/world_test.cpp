@@ -1,4 +1,4 @@
-// The world as a container: who may touch whom, who lives, what is remembered, what a copy does.
+// The world as a container: collision filters, removal of bodies, ids, events, copies.
 
 #include "cs550/world.hpp"
 
@@ -73,8 +73,8 @@ TEST(World, FilterNeedsBothSidesToAgree) {
     bool touches;
   } cases[] = {
       {{1, 0xffffffffU}, {1, 0xffffffffU}, true}, {{2, 1}, {1, 2}, true},
-      {{2, 0xffffffffU}, {1, 1}, false},  // the floor does not want the box
-      {{2, 2}, {1, 0xffffffffU}, false},  // the box does not want the floor
+      {{2, 0xffffffffU}, {1, 1}, false},  // the floor ignores the box
+      {{2, 2}, {1, 0xffffffffU}, false},  // the box ignores the floor
       {{1, 0}, {1, 0xffffffffU}, false},
   };
   for (const auto& each : cases) {
@@ -104,7 +104,7 @@ TEST(World, TellsWhenBodiesBeginAndCeaseToTouch) {
       for (const ContactEvent& event : world.ended()) ended += same_pair(event, floor, box);
     }
   };
-  count(6);  // 0.1 s: fallen 5 cm of 50
+  count(6);  // 0.1 s: it has fallen 5 of 50 cm
   EXPECT_EQ(began, 0);
   count(60);
   EXPECT_EQ(began, 1) << "landed once, e = 0";
@@ -143,7 +143,7 @@ TEST(World, IdNamesOneBodyOnly) {
   const BodyId second = world.add_body(body_at(unit_box(), {5, 0, 0}));
   EXPECT_EQ(first.index, second.index) << "the place is used again";
   EXPECT_FALSE(first == second);
-  world.remove_body(first);  // out of date: nothing happens
+  world.remove_body(first);  // the id is out of date: no effect
   EXPECT_TRUE(world.is_alive(second));
   EXPECT_FALSE(world.is_alive({}));
   EXPECT_FALSE(world.is_alive({77, 0}));

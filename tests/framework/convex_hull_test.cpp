@@ -9,7 +9,7 @@
 namespace cs550::test {
 namespace {
 
-/// What became of a cloud: a shape, or the sentence of whoever refused it.
+/// The result for a cloud: a shape, or an error message.
 ShapeResult hull_shape(const std::vector<Vec3>& points) {
   const SoupResult hull = convex_hull(points);
   if (!hull.error.empty()) return {nullptr, hull.error};

@@ -21,7 +21,7 @@ std::string recorded_bytes(const std::string& name) {
 
 TEST(Fixtures, RecordingAgainGivesTheSameBytes) {
   for (const auto& [name, mesh] : record_meshes()) {
-    // Not EXPECT_EQ: nobody wants to read two meshes.
+    // Not EXPECT_EQ, which would print two meshes.
     EXPECT_TRUE(recorded_bytes(name) == to_json(mesh))
         << name << " differs: build and run generate_fixtures, and say why in the commit";
   }

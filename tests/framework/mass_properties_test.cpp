@@ -16,7 +16,7 @@ HalfEdgeMesh mesh_of(const TriangleSoup& soup) {
   return build.mesh;
 }
 
-/// The same solid seen in another frame, or another size: planes are not needed for integration.
+/// The same solid in another frame or size. Integration does not need its planes.
 template <class Map>
 HalfEdgeMesh mapped(HalfEdgeMesh mesh, const Map& map) {
   for (Vec3& vertex : mesh.vertices) vertex = map(vertex);
@@ -50,7 +50,8 @@ TEST(MassProperties, BoxInClosedForm) {
 TEST(MassProperties, RegularPrismInClosedForm) {
   const double sides = 6, radius = 2, height = 3, turn = 2 * double(pi) / sides;
   const double volume = sides / 2 * radius * radius * std::sin(turn) * height;
-  // Second moment of a regular polygon about its centre: area·R²·(2 + cos(2π/n))/6, half for an axis.
+  // Second moment of a regular polygon about its centre: area·R²·(2 + cos(2π/n))/6, half for an
+  // axis.
   const double polar = volume * radius * radius * (2 + std::cos(turn)) / 6;
   const double lateral = polar / 2 + volume * height * height / 12;
   const MassProperties got = mass_properties(mesh_of(prism_soup(6, 2, 1.5F)));
@@ -65,9 +66,10 @@ TEST(MassProperties, IcospheresApproachTheBallFourTimesCloserEachTime) {
   for (int subdivisions = 2; subdivisions <= 4; ++subdivisions) {
     const MassProperties got = mass_properties(mesh_of(icosphere_soup(subdivisions, 1)));
     const double error = ball - got.volume;
-    // Chords miss an arc by the square of their length, which halves.
+    // The error of chords is proportional to the square of their length, which halves.
     EXPECT_NEAR(last_error / error, 4, 0.3) << subdivisions;
-    // 2/5·V·r² of a ball, less by the same relative error at most thrice (r² shrinks as well).
+    // 2/5·V·r² of a ball, reduced by at most three times that relative error, because r² shrinks
+    // too.
     EXPECT_NEAR(got.unit_inertia(0, 0), 0.4 * ball, 3 * error) << subdivisions;
     last_error = error;
   }
@@ -100,7 +102,7 @@ TEST_F(Covariance, RotationTurnsTheInertia) {
 }
 
 TEST_F(Covariance, ScaleEntersInItsThirdAndFifthPower) {
-  // A power of two does not round.
+  // Powers of two cause no rounding.
   const MassProperties got =
       mass_properties(mapped(mesh, [](const Vec3& v) { return Vec3(v / 64); }));
   EXPECT_EQ(got.volume, original.volume / (1 << 18));

@@ -10,7 +10,7 @@
 namespace cs550::test {
 namespace {
 
-/// A file that lives as long as the test.
+/// A temporary file, deleted after the test.
 class MeshFile : public testing::Test {
  protected:
   void write(const std::string& text) { std::ofstream(path) << text; }
@@ -21,7 +21,7 @@ class MeshFile : public testing::Test {
     EXPECT_NE(error.find(words), std::string::npos) << "'" << error << "'";
   }
 
-  // Tests of one binary may run at the same time.
+  // Tests of one program may run concurrently.
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("cs550_mesh_io_test_" + std::to_string(getpid()));
 };

@@ -7,7 +7,7 @@
 namespace cs550::test {
 namespace {
 
-/// Breaks one promise of a good mesh; each test says which element the defect must name.
+/// Violates one invariant of a mesh. Each test states which element must be reported.
 class BrokenMesh : public testing::Test {
  protected:
   HalfEdge& edge(Index e) { return mesh.edges[e]; }
@@ -22,7 +22,7 @@ class BrokenMesh : public testing::Test {
     EXPECT_NE(defect->sentence.find(words), std::string::npos) << defect->sentence;
   }
 
-  /// Adds a copy of the mesh whose indices follow on the present ones.
+  /// Appends a copy of the mesh with shifted indices.
   void add_copy_at(const Vec3& shift) {
     const HalfEdgeMesh copy = mesh;
     for (const Vec3& v : copy.vertices) mesh.vertices.push_back(v + shift);
@@ -94,7 +94,7 @@ TEST_F(BrokenMesh, TwinThatDoesNotPointBack) {
 }
 
 TEST_F(BrokenMesh, TwinsThatAreNotNeighbours) {
-  // Half-edges 1 and 2 change places in the array, and everything still points to the right one.
+  // Half-edges 1 and 2 are swapped in the array, and all links are updated.
   const auto renamed = [](Index e) { return e == 1 ? 2 : e == 2 ? 1 : e; };
   std::swap(edge(1), edge(2));
   for (HalfEdge& e : mesh.edges) {
@@ -125,7 +125,7 @@ TEST_F(BrokenMesh, LoopThroughTwoFaces) {
 
 TEST_F(BrokenMesh, EdgeThatDoesNotStartWhereTheLastOneEnds) {
   edge(0).vertex = edge(edge(0).next).vertex;
-  // Half-edge 1 now leaves that vertex too, and is found after half-edge 0.
+  // Half-edge 1 now leaves that vertex too and is found after half-edge 0.
   expect_defect(MeshElement::HalfEdge, 0, "leaves vertex");
 }
 
@@ -135,7 +135,7 @@ TEST_F(BrokenMesh, FaceWhoseEdgeBelongsToAnother) {
 }
 
 TEST_F(BrokenMesh, FaceOfTwoEdges) {
-  // Two triangles back to back, one of whose edges has been split into a face of two edges.
+  // Two triangles back to back. One edge has been split into a face of two edges.
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.vertex_edge = {0, 1, 4};
   mesh.edges = {{1, 2, 4, 1, 0}, {0, 6, 6, 0, 1}, {2, 4, 0, 3, 0}, {1, 7, 5, 2, 2},
@@ -175,7 +175,7 @@ TEST_F(BrokenMesh, VertexOfDegreeTwo) {
 
 TEST_F(BrokenMesh, SurfacesThatTouchInAVertex) {
   add_copy_at({5, 0, 0});
-  // Vertex 8 of the copy becomes vertex 0, and the last vertex takes its number.
+  // Vertex 8 of the copy becomes vertex 0, and the last vertex is renumbered to 8.
   const Index last = mesh.vertex_count() - 1;
   for (HalfEdge& e : mesh.edges) {
     if (e.vertex == 8) e.vertex = 0;
@@ -222,7 +222,7 @@ TEST_F(BrokenMesh, InsideOut) {
 
 TEST_F(BrokenMesh, FaceWithAReflexCorner) {
   mesh = fixture_mesh("prism6");
-  // The upper and the lower end of one edge move behind the line through their neighbours.
+  // The upper and lower ends of an edge are moved behind the line through their neighbours.
   for (Vec3& v : mesh.vertices) {
     if (v.x() > 0.9F) v.x() = 0.2F;
   }

@@ -1,4 +1,4 @@
-// A failing check draws, once for each test, and nothing that goes wrong there does any harm.
+// A failing check draws one picture per test, and errors in drawing have no other effect.
 
 #include "helpers/picture.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for pictures of its own, as long as the test runs.
+/// A temporary folder for pictures.
 class Picture : public testing::Test {
  protected:
   Picture() { setenv("CS550_PICTURES", folder.c_str(), 1); }

@@ -34,7 +34,7 @@ TEST(RigidBody, VelocitiesOfADynamicBodyComeBackFromItsMomenta) {
 }
 
 TEST(RigidBody, KineticEnergyOfATurningBox) {
-  // About its own z axis, which the pose turns: ½·m·v² + ½·I_zz·w² = 9 + 10.
+  // About its own z-axis, rotated by the pose: ½·m·v² + ½·I_zz·w² = 9 + 10.
   RigidBody body = make_dynamic_body(2, Vec3(3, 4, 5).asDiagonal(), pose);
   set_velocity(body, {0, 3, 0}, pose.rotate({0, 0, 2}));
   EXPECT_NEAR(kinetic_energy(body), 19, 1e-5);

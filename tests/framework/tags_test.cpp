@@ -1,5 +1,5 @@
-/// A step's tag, L3.2, joins its handout, header, starter, tests, points and mutants: none may name
-/// a step that another does not know.
+/// A step's tag, such as L3.2, occurs in handout, header, starter, tests, points and mutants. All
+/// must agree on the steps.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -28,7 +28,7 @@ std::string read(const fs::path& file) {
 
 Json read_json(const fs::path& file) { return Json::parse(read(file), nullptr, false); }
 
-/// What the first group of a pattern matches, everywhere in the text.
+/// All matches of the first group of a pattern in a text.
 std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
   const std::regex regex(pattern);
   std::vector<std::string> found;
@@ -40,7 +40,7 @@ std::vector<std::string> all_matches(const std::string& text, const std::string&
 
 Names as_set(const std::vector<std::string>& names) { return {names.begin(), names.end()}; }
 
-/// A folder of labs/, by the names of its lab.
+/// The names of a lab.
 struct Lab {
   std::string folder;  ///< "lab3_hill_climbing"
 
@@ -48,7 +48,7 @@ struct Lab {
   std::string topic() const { return folder.substr(folder.find('_') + 1); }
 
   fs::path header() const { return root / "framework/include/cs550" / (topic() + ".hpp"); }
-  /// As they were handed out: what a student makes of their comments is the student's business.
+  /// The starters as handed out, because students may edit the comments.
   std::string starter() const {
     const fs::path pristine = root / ".starters" / folder;
     std::string text;
@@ -62,7 +62,7 @@ struct Lab {
   fs::path manifest() const { return root / "tests" / folder / "manifest.json"; }
   fs::path mutants() const { return root / "tests/mutants" / ("lab" + number() + ".json"); }
 
-  /// The tags of this lab's steps in a text.
+  /// The tags of this lab's steps that occur in a text.
   Names tags(const std::string& text) const {
     return as_set(all_matches(text, R"(\b(L)" + number() + R"(\.\d+)\b)"));
   }

@@ -10,7 +10,7 @@ namespace cs550::test {
 namespace {
 
 HalfEdgeMesh load(const std::string& name) {
-  // Convexity is checked where a shape is made: some meshes are not convex on purpose.
+  // Convexity is checked when a shape is made. Some meshes are deliberately not convex.
   MeshResult result = load_mesh_json(fixture_file(name), HUGE_VALF);
   if (!result.error.empty()) throw std::runtime_error("fixture: " + result.error);
   return std::move(result.mesh);

@@ -24,7 +24,7 @@ fs::path folder() {
   return chosen != nullptr ? chosen : CS550_PICTURES_DIR;
 }
 
-/// Written beside and renamed, so that two runs of a test at once do not mix.
+/// Writes a temporary file and renames it, so that two concurrent runs of a test do not interfere.
 bool write(const fs::path& file, const std::string& text) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
@@ -36,7 +36,7 @@ bool write(const fs::path& file, const std::string& text) {
   return stream && !error;
 }
 
-/// As short as it can be clicked on.
+/// The shortest path that a terminal can open.
 std::string shown(const fs::path& file) {
   std::error_code error;
   const fs::path near = fs::relative(file, fs::current_path(error), error);
@@ -48,7 +48,7 @@ std::string shown(const fs::path& file) {
 std::string write_picture(const std::function<std::string()>& draw) {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
   if (test == nullptr || folder().empty()) return "";
-  // Values of a student's code may be anything, and what reads them may throw.
+  // A student's code may return any values, and code that reads them may throw.
   try {
     const fs::path file = folder() / (name_of(*test) + ".svg");
     return write(file, draw()) ? shown(file) : "";

@@ -1,6 +1,6 @@
 #pragma once
 /// @file picture.hpp
-/// Pictures of failures: what was expected beside what came out.
+/// Pictures of failures: expected beside got.
 
 #include <functional>
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace cs550::test {
 
-/// Writes the picture of the running test, build/results/pictures/Lab3.Name.svg or another folder
-/// that the environment variable CS550_PICTURES names. Never throws: a picture that cannot be drawn
-/// or written is left out.
-/// @param draw returns SVG, which replaces the test's picture
-/// @return the file, relative to the working directory if it is below it; empty if there is none
+/// Writes the picture of the running test, build/results/pictures/Lab3.Name.svg. The environment
+/// variable CS550_PICTURES can name another folder. Never throws: a picture that cannot be drawn or
+/// written is left out.
+/// @param draw returns SVG that replaces the test's earlier picture
+/// @return the file, relative to the working directory if inside it, or empty if there is none
 std::string write_picture(const std::function<std::string()>& draw);
 
-/// Two drawings side by side. Their titles should say what they show, not which is which. Both show
-/// the part of space that the expected one fills: what came out may be anywhere.
-/// @param title what both show
-/// @param note a sentence below them, may be empty
+/// Two drawings side by side. Their titles should describe what they show, not which is which. Both
+/// show the part of space of the expected one, because the other may be anywhere.
+/// @param title of both
+/// @param note a sentence below them, or empty
 std::string expected_beside_got(const std::string& title, drawing::Drawing expected,
                                 drawing::Drawing got, const drawing::View& view = {},
                                 const std::string& note = "");

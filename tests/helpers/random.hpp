@@ -1,12 +1,12 @@
 #pragma once
 /// @file random.hpp
-/// Random inputs that are the same with every compiler and library.
+/// Random inputs that do not depend on the compiler and the library.
 
 #include "engine/scenes/scene_random.hpp"
 
 namespace cs550::test {
 
-/// The generator of scenes, with what tests draw beside numbers and orientations.
+/// The generator of scenes, with further distributions for tests.
 class Random : public SceneRandom {
  public:
   explicit Random(std::uint32_t seed) : SceneRandom(seed), seed_(seed) {}

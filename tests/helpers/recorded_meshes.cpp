@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t hull_seed = 550;
 
-/// Every triangle a face of its own.
+/// Every triangle is a face of its own.
 HalfEdgeMesh unmerged(const TriangleSoup& soup) {
   const MeshBuild build = build_half_edge_mesh(soup.vertices, soup.triangles);
   if (build.issue) throw std::runtime_error(describe(build.issue));
@@ -45,7 +45,7 @@ std::vector<Vec3> dodecahedron_points() {
   return points;
 }
 
-/// Two pyramids of different heights on a common base, a ridge lower than both between them.
+/// Two pyramids of different heights on a common base, with a lower ridge between them.
 TriangleSoup twin_peaks_soup() {
   return {{{-2, -1, 0},
            {0, -1, 0.5},

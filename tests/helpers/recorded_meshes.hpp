@@ -1,6 +1,6 @@
 #pragma once
 /// @file recorded_meshes.hpp
-/// How the fixtures were made, by the reference solution of lab 2.
+/// Generates the fixtures with the reference solution of lab 2.
 
 #include <string>
 #include <vector>
@@ -14,8 +14,8 @@ struct RecordedMesh {
   HalfEdgeMesh mesh;
 };
 
-/// Makes all fixtures afresh. Numbers in a name are extents in metres, or counts. Unless said
-/// otherwise coplanar faces are merged.
+/// Generates all fixtures. Numbers in a name are extents in metres or counts. Coplanar faces are
+/// merged unless noted.
 ///
 /// - `cube` (1 m), `box_1x2x3`, `box_0.4x1x2` (the one that tumbles), `slab`, `needle`
 /// - `corner_tetrahedron` (its origin in the corner), `regular_tetrahedron`, `sliver` (a tetrahedron

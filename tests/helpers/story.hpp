@@ -20,14 +20,14 @@ namespace cs550::test {
 struct SourceLine {
   const char* file;
   int line;
-  // Implicit, and defaulted here, so that it is the caller's line.
+  // Implicit, with defaults here, so that they are the line of the caller.
   SourceLine(const char* at_file = __builtin_FILE(), int at_line = __builtin_LINE())
       : file(at_file), line(at_line) {}
 };
 
 /// One property and the case in which it is checked. Copy a story to vary a case in a loop.
-/// Describe the case before you call the student's code: if that crashes or never returns, the
-/// report shows the case that was described last.
+/// Describe the case before calling the student's code. If that crashes or never returns, the
+/// report shows the last case described.
 class Story {
  public:
   /// @param property a sentence: "Free fall follows x₀ + v₀·t + ½·g·t²"
@@ -39,18 +39,18 @@ class Story {
   Story& given(const std::string& name, const Value& value, const std::string& unit = "") {
     return given(name + " = " + show(value, unit));
   }
-  /// What was done.
+  /// The action under test.
   Story& when(const std::string& action);
   /// The seed of the random inputs.
   Story& seed(std::uint32_t seed);
-  /// What most likely went wrong, in the student's terms.
+  /// The most likely mistake, in the student's terms.
   Story& likely(const std::string& cause);
-  /// A picture as SVG, drawn only when a check of this story fails: what the function refers to
-  /// must live until then. Of a test's failing cases the simplest is drawn (picture.hpp).
+  /// A picture as SVG, drawn only if a check of this story fails. Objects that the function refers
+  /// to must live until then. Only the simplest failing case of a test is drawn (picture.hpp).
   Story& picture(std::function<std::string()> draw);
 
-  // Each check returns whether it held, so that a loop can stop at its first failure. The sign of a
-  // tolerance does not matter, so that it can be a share of an expected value of any sign.
+  // Each check returns whether it passed, so that a loop can stop at its first failure. The sign of
+  // a tolerance is ignored, so that it can be a fraction of an expected value of either sign.
 
   bool expect(const std::string& what, bool holds, SourceLine at = {});
   /// |got − expected| ≤ tolerance; false for NaN.
@@ -82,7 +82,7 @@ class Story {
   }
 
  private:
-  // How a check ends; they return whether it held.
+  // The two outcomes of a check, with its return value.
   static bool passed();
   bool failed(const std::string& what, const std::string& got, const std::string& expected,
               SourceLine at) const;

@@ -1,5 +1,5 @@
 # cmake -DBUILD=... -DSCRATCH=... -DEXAMPLE=... -DCXX=... -DGENERATOR=... -P check_install.cmake
-# A program of its own finds the installed engine, and its box comes to rest on the ground.
+# Checks that a separate program finds the installed engine, and that its box comes to rest on the ground.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${SCRATCH}")
 foreach(command "--install;${BUILD};--prefix;${SCRATCH}/prefix"

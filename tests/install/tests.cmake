@@ -1,4 +1,4 @@
-# The installed engine. The sanitizers' libraries would have to be linked by its users too.
+# Tests of the installed engine. With sanitizers, its users would have to link their libraries too.
 if(TARGET cs550_package AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
   add_test(NAME install.DropABox
            COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DSCRATCH=${PROJECT_BINARY_DIR}/install_test"

@@ -1,6 +1,6 @@
 #pragma once
 /// @file convergence.hpp
-/// The order of an integration method, from what halving the step does to the error.
+/// The order of an integration method, measured by halving the step.
 
 #include "helpers/story.hpp"
 #include "lab1_integration/free_body.hpp"
@@ -8,9 +8,9 @@
 
 namespace cs550::test {
 
-/// Turns the racket freely for a second with 30 to 240 steps. The slope of the error must be the order
-/// within 0.1: the next order in h is still visible at 30 Hz.
-/// @param picture_rate steps a second in the picture of a failure
+/// Turns the racket freely for a second with 30 to 240 steps. The slope of the error must be the
+/// order within 0.1: the next order in h is still visible at 30 Hz.
+/// @param picture_rate steps per second in the picture of a failure
 inline void expect_order(Story story, RotationMethod method, double order, int picture_rate) {
   const Vec3 spin(Real(0.5), 5, Real(0.5));
   story.given("half-extents", racket, "m").given("body ω", spin, "rad/s");

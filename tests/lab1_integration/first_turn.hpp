@@ -1,6 +1,6 @@
 #pragma once
 /// @file first_turn.hpp
-/// That a body turns at all: one that stays as it is keeps its energy and its momentum, too.
+/// Checks that a body turns at all. A body that never turns conserves energy and momentum too.
 
 #include "helpers/require.hpp"
 #include "helpers/story.hpp"

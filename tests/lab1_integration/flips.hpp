@@ -1,6 +1,6 @@
 #pragma once
 /// @file flips.hpp
-/// The Dzhanibekov effect, told by the changes of sign of the body-frame ω_y.
+/// The Dzhanibekov effect, detected by sign changes of the body-frame ω_y.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace cs550::test {
 
-/// When ω_y of a body that turns freely changes sign, at 60 Hz by implicit midpoint (s).
+/// The times at which ω_y of a free body changes sign, by implicit midpoint at 60 Hz (s).
 inline std::vector<double> flip_times(RigidBody body, double duration) {
   constexpr double h = 1.0 / 60;
   std::vector<double> times;

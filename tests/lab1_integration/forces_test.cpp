@@ -1,4 +1,4 @@
-// L1.1 and L1.2: what a force and an impulse do at once, before any time passes.
+// L1.1 and L1.2: the immediate effect of forces and impulses, before any time passes.
 #include <cs550/graded_test.hpp>
 
 #include "helpers/random.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// @file free_body.hpp
-/// Boxes for the tests of lab 1, and what becomes of a body that turns freely, in double precision.
+/// Boxes for the tests of lab 1, and the free rotation of a body in double precision.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ inline RigidBody box(const Vec3& half_extents, const Pose& pose = {}, Real densi
   return make_dynamic_body(mass, diagonal.asDiagonal(), pose);
 }
 
-/// A box that turns by a body-frame ω; its velocities are derived by the code under test.
+/// A box that rotates with a body-frame ω. The code under test derives its velocities.
 inline RigidBody spinning_box(const Vec3& half_extents, const Vec3& body_spin,
                               const Quat& orientation = Quat::Identity()) {
   RigidBody body = box(half_extents, Pose{Vec3::Zero(), orientation});
@@ -28,7 +28,7 @@ inline RigidBody spinning_box(const Vec3& half_extents, const Vec3& body_spin,
 /// The box of the tumbling experiments: three different moments of inertia, I_z < I_y < I_x.
 inline const Vec3 racket{Real(0.2), Real(0.5), Real(1)};
 
-/// One step without forces, as the world takes it.
+/// One step without forces, as in the world.
 inline void turn(RigidBody& body, Real h, RotationMethod method) {
   integrate_pose(body, h, method);
   refresh_velocity(body);
@@ -49,7 +49,7 @@ inline double rotational_energy(const RigidBody& body) {
   return 0.5 * momentum.dot(world_inertia(body).inverse() * momentum);
 }
 
-/// R·I·Rᵀ·ω relative to L: how far the velocity has come from the momentum that it stands for.
+/// The relative error of R·I·Rᵀ·ω compared with L.
 inline double momentum_mismatch(const RigidBody& body, const Vec3& momentum) {
   const Eigen::Vector3d recomputed = world_inertia(body) * body.angular_velocity.cast<double>();
   return (recomputed - momentum.cast<double>()).norm() / momentum.cast<double>().norm();

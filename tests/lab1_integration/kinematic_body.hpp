@@ -1,6 +1,6 @@
 #pragma once
 /// @file kinematic_body.hpp
-/// A body that nothing pushes: its velocities are given and constant, whatever the method.
+/// A kinematic body: its velocities are given and constant, for any method.
 
 #include "helpers/random.hpp"
 #include "helpers/story.hpp"

@@ -1,4 +1,4 @@
-// L1.3 to L1.5: velocities derived from momenta, and what a force does in a time h.
+// L1.3 to L1.5: velocities derived from momenta, and the effect of a force over a time h.
 #include <cs550/graded_test.hpp>
 
 #include "helpers/random.hpp"
@@ -8,7 +8,7 @@
 namespace cs550::test {
 namespace {
 
-/// A body whose inertia is not diagonal in its own frame, as that of most meshes.
+/// A body with an inertia that is not diagonal in the body frame, like most meshes.
 RigidBody skew_body(Random& random, Real size) {
   RigidBody aligned = box(size * racket);
   const Mat3 tilt = random.orientation().toRotationMatrix();

@@ -1,6 +1,6 @@
 #pragma once
 /// @file pictures.hpp
-/// What a failed motion looks like: run once more, only when a test has failed.
+/// Pictures of failed motions. The motion is repeated only after a failure.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace cs550::test {
 
-/// A body that turns freely, beside the true rotation: the way of the tip of its longest half-axis,
+/// A freely rotating body beside the true rotation: the path of the tip of its longest half-axis,
 /// and its energy.
 inline std::string tumbling_picture(const RigidBody& start, double seconds, int rate,
                                     RotationMethod method) {

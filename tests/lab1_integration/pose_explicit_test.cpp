@@ -1,4 +1,4 @@
-// L1.6: position, and the explicit rotation with all its faults.
+// L1.6: position, and the explicit rotation with its known errors.
 #include <cs550/graded_test.hpp>
 
 #include "helpers/story.hpp"

@@ -77,8 +77,8 @@ GRADED_TEST(Lab1, AngularMomentumLastsTenThousandSteps, 2, "L1.7") {
 GRADED_TEST(Lab1, SymmetricTopPrecesses, 2, "L1.7") {
   Random random(17);
   const Quat start = random.orientation();
-  // I₁ = I₂: ω = L/I₁ + (1 − I₃/I₁)·ω₃·e₃, two constant turns, one about the fixed L and one about
-  // the body's own axis (Goldstein, Classical Mechanics, §5.6).
+  // I₁ = I₂: ω = L/I₁ + (1 − I₃/I₁)·ω₃·e₃, two constant rotations, about the fixed L and about the
+  // body's own axis (Goldstein, Classical Mechanics, §5.6).
   RigidBody body = spinning_box(Vec3(Real(0.3), Real(0.3), 1), Vec3(1, 0, 4), start);
   const Eigen::Vector3d momentum = body.angular_momentum.cast<double>();
   const double i1 = body.inertia(0, 0);

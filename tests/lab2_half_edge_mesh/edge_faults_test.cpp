@@ -1,4 +1,4 @@
-// L2.2: the edges between the triangles, and the twins that they become.
+// L2.2: the edges between triangles, which become twins.
 #include <cs550/graded_test.hpp>
 
 #include "lab2_half_edge_mesh/mesh_checks.hpp"
@@ -55,7 +55,7 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 3, "L2.2") {
   Story story("At an edge meet two triangles, which run along it in opposite directions");
   TriangleSoup fins = cut_from_corners(box(Vec3::Ones()));
   fins.vertices.push_back({3, 0, 0});
-  fins.triangles.push_back({1, 5, 8});  // a fin at the edge 1–5: open at its other sides, too
+  fins.triangles.push_back({1, 5, 8});  // a fin at the edge 1–5, open at its other sides
   Story crowded = story;
   crowded.given("a box with a fin at the edge 1–5")
       .likely("all edges are looked at for three triangles before any is looked at for a hole");
@@ -90,7 +90,7 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 3, "L2.2") {
                 issue.triangle == t || issue.other_triangle == t);
   }
 
-  // Both faults at once: the crowded edge comes first, by the order of the header.
+  // Both faults at once: the header requires that the crowded edge is reported first.
   std::swap(fins.triangles[0][0], fins.triangles[0][1]);
   crowded.given("triangle 0 reversed as well");
   expect_error(crowded, issue_of(fins), MeshError::NonManifoldEdge);

@@ -1,4 +1,4 @@
-// L2.7: chains of shared edges, and what merging must not do.
+// L2.7: chains of shared edges, and the limits of merging.
 #include <cs550/graded_test.hpp>
 
 #include "lab2_half_edge_mesh/mesh_checks.hpp"
@@ -25,7 +25,7 @@ GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 3, "L2.7") {
   const TriangleSoup cut_box = cut_from_corners(box(Vec3(1, 2, 3)));
   const Solid tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-  // The point around which the top is cut lies two micrometres beside one of its edges.
+  // The point around which the top is cut is 2 µm beside one of its edges.
   TriangleSoup with_sliver = cut_from_centres(box(Vec3::Ones()));
   with_sliver.vertices[9] = Vec3(0, Real(1 - 2e-6), 1);
   const std::vector<Case> cases = {
@@ -49,7 +49,7 @@ GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 3, "L2.7") {
     require(expect_counts(here, mesh, each.vertices, each.edges, each.faces));
     require(expect_valid(here, mesh));
     here.expect_near("volume", volume(mesh), volume(built), 1e-5 * volume(built), "m³");
-    // The corners of the solids come first in their lists, and keep their order.
+    // The corners of the solids are first in the lists, and their order is kept.
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       here.expect_near("vertex " + std::to_string(v), mesh.vertex(v), each.soup.vertices[v], 0,
                        "m");
@@ -70,9 +70,9 @@ GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
     Real tolerance;
     int fewest_sides;
   };
-  // In the first two, neighbouring sides bend by 2π/n and two of them stay within the tolerance, but
-  // about three do not: a face takes at most four, with some reserve. In the last the angle w of a
-  // face is bounded by its sagitta, 1 − cos(w/2) ≤ 4·tolerance for a cylinder two metres high.
+  // In the first two, neighbouring sides bend by 2π/n and two of them stay within the tolerance,
+  // but about three do not: a face takes at most four, with some reserve. In the last the angle w
+  // of a face is bounded by its sagitta, 1 − cos(w/2) ≤ 4·tolerance for a cylinder two metres high.
   for (const auto& [sides, tolerance, fewest_sides] :
        {Case{1000, coplanar_tolerance, 250}, Case{100, Real(1e-3), 25},
         Case{300, Real(1e-2), 11}}) {
@@ -82,7 +82,7 @@ GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
     const TriangleSoup soup = prism_soup(sides, 1, 1);
     const HalfEdgeMesh built = require_mesh(soup, here);
     const HalfEdgeMesh mesh = merge_coplanar_faces(built, tolerance);
-    // A finer one would be black with edges.
+    // A finer mesh would be black with edges.
     if (sides <= 100) here.picture([&] { return merge_picture(built, mesh); });
     here.expect_at_least("faces", mesh.face_count(), fewest_sides + 2);
     here.expect_at_most("faces", mesh.face_count(), sides + 2);
@@ -101,7 +101,7 @@ GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
     Story covered = here;
     covered.likely(
         "small merges add up: look at all vertices of the mesh, not at those of the face");
-    // One slack is promised; a second pass may add to what the first has taken away.
+    // The contract promises one slack. A second pass may add another.
     covered.expect_at_most("distance of a vertex in front of a merged face, over the size",
                            in_front / 2, 1.5 * double(tolerance));
     require(expect_valid(here, mesh, 5 * tolerance + Real(1e-4)));

@@ -1,4 +1,4 @@
-// L2.6: two coplanar faces become one.
+// L2.6: merging two coplanar faces.
 #include <cs550/graded_test.hpp>
 
 #include "lab2_half_edge_mesh/mesh_checks.hpp"
@@ -52,7 +52,7 @@ GRADED_TEST(Lab2, BoxesAndPrismsMergeToTheirPolygons, 4, "L2.6") {
                    faces_as_seen(merge_coplanar_faces(sphere)) == faces_as_seen(sphere));
 }
 
-/// A box of 2 m × 2 m with a ridge along the middle of its top: a roof so low that it may be flat.
+/// A box of 2 m × 2 m with a ridge along the middle of its top, like a very low roof.
 TriangleSoup roofed_box(Real half_thickness, Real height) {
   Solid solid = box({1, 1, half_thickness});
   const Real top = half_thickness + height;
@@ -62,7 +62,7 @@ TriangleSoup roofed_box(Real half_thickness, Real height) {
   return cut_from_corners(solid);
 }
 
-/// How a roofed box was made.
+/// The dimensions of a box with a ridge.
 struct Roof {
   Real half_thickness;  ///< over half the width
   Quat orientation;
@@ -84,7 +84,7 @@ void require_ridge_by_height(const Story& story, const Roof& roof) {
     const HalfEdgeMesh built = require_mesh(soup, here);
     const HalfEdgeMesh mesh = merge_coplanar_faces(built, roof.tolerance);
     require(here.expect_equal("faces", mesh.face_count(), is_kept ? 7 : 6));
-    // The ends of a ridge that is gone have two edges left: they are removed in L2.7.
+    // The ends of a removed ridge have two edges left. L2.7 removes them.
     if (is_kept) require(expect_valid(here, mesh, 2 * roof.tolerance + Real(1e-4)));
   }
 }
@@ -96,9 +96,9 @@ GRADED_TEST(Lab2, ToleranceIsRelativeToTheSizeOfTheMesh, 3, "L2.6") {
   story.seed(random.seed())
       .likely("the tolerance is relative: multiply it by the *largest* extent, in metres")
       .likely("it bounds a distance, not an angle: equal normals within 1e-5 are another question");
-  // The top's four corners and the ridge's two ends lie at −h/3 and +2h/3 from their common plane, the
-  // corners of two triangles across the ridge at ±h/2, the ridge h above the plane of the corners:
-  // at a quarter of the slack and at four times it, the order of merging is no matter.
+  // The top's four corners and the ridge's two ends lie at −h/3 and +2h/3 from their common plane,
+  // the corners of two triangles across the ridge at ±h/2, the ridge h above the plane of the
+  // corners: at a quarter of the slack and at four times it, the order of merging is irrelevant.
   for (const Real tolerance : {coplanar_tolerance, Real(1e-3)}) {
     for (const Real scale : {Real(1e-3), Real(1), Real(1e3)}) {
       require_ridge_by_height(story, {1, random.orientation(), scale, tolerance});

@@ -1,6 +1,6 @@
 #pragma once
 /// @file mesh_checks.hpp
-/// What the tests of lab 2 ask of a mesh, worked out without the functions under test.
+/// Checks of a mesh for the tests of lab 2, without the functions under test.
 
 #include <array>
 #include <optional>
@@ -17,7 +17,7 @@ namespace cs550::test {
 
 using Vec3d = Eigen::Vector3d;
 
-/// The mesh of a sound list of triangles; without it the test ends.
+/// The mesh of a valid list of triangles. If there is none, the test ends.
 inline HalfEdgeMesh require_mesh(const TriangleSoup& soup, const Story& story) {
   Story here = story;
   here.likely("build_half_edge_mesh() refuses triangles in which nothing is wrong");
@@ -33,7 +33,7 @@ inline MeshIssue issue_of(const TriangleSoup& soup) {
   return build_half_edge_mesh(soup.vertices, soup.triangles).issue;
 }
 
-/// An error as students write it.
+/// The name of an error in C++.
 inline std::string name_of(MeshError error) {
   constexpr const char* names[] = {"None",
                                    "NoTriangles",
@@ -50,14 +50,14 @@ inline std::string name_of(MeshError error) {
   return number < std::size(names) ? names[number] : "MeshError " + std::to_string(number);
 }
 
-/// Whether an issue is of a kind. The report shows the elements that the issue names.
+/// Whether an issue is of a kind. The report shows its elements.
 inline bool expect_error(Story& story, const MeshIssue& issue, MeshError expected) {
   const std::string got = name_of(issue.error) + " (" + describe(issue) + ")";
   return story.expect_equal("the fault", issue.error == expected ? name_of(expected) : got,
                             name_of(expected));
 }
 
-/// Whether the given validate() finds nothing to object to.
+/// Whether the given validate() finds no defect.
 inline bool expect_valid(Story& story, const HalfEdgeMesh& mesh, Real tolerance = Real(1e-4)) {
   const std::optional<MeshDefect> defect = validate(mesh, tolerance);
   if (defect) story.picture([&] { return defect_picture(mesh, *defect); });
@@ -65,8 +65,8 @@ inline bool expect_valid(Story& story, const HalfEdgeMesh& mesh, Real tolerance 
                             std::string("sound"));
 }
 
-/// Ends the test unless L2.6 links the loop of two merged triangles: further merges may follow wrong
-/// links for ever.
+/// Ends the test unless L2.6 links the loop of two merged triangles. Otherwise further merges could
+/// follow wrong links endlessly.
 inline void require_linked_merge() {
   Story story("Two triangles that become one face are linked into one loop");
   story.given("prism over a triangle, its sides of two triangles each")
@@ -84,8 +84,8 @@ inline bool expect_counts(Story& story, const HalfEdgeMesh& mesh, Index vertices
          has_faces && has_vertices;
 }
 
-/// The vertices of a face, counter-clockwise. Stops after as many as the mesh has half-edges, so
-/// that a loop which never closes is a failure and not the end of the test run.
+/// The vertices of a face, counter-clockwise. Stops after as many vertices as the mesh has
+/// half-edges, so that a loop that never closes fails the test and does not hang it.
 inline std::vector<Index> loop_of(const HalfEdgeMesh& mesh, Index face) {
   std::vector<Index> loop;
   const Index first = mesh.face(face).edge;
@@ -99,7 +99,7 @@ inline std::vector<Index> loop_of(const HalfEdgeMesh& mesh, Index face) {
 
 using Point = std::array<Real, 3>;
 
-/// Every face as the ring of its corners' coordinates: what a mesh looks like, without numbering.
+/// Every face as a ring of its corners' coordinates: the shape of a mesh without its numbering.
 inline std::multiset<std::vector<Point>> faces_as_seen(const HalfEdgeMesh& mesh) {
   std::multiset<std::vector<Point>> faces;
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -114,8 +114,8 @@ inline std::multiset<std::vector<Point>> faces_as_seen(const HalfEdgeMesh& mesh)
   return faces;
 }
 
-/// The area vector of a polygon (m²), half the sum of p_i × p_(i+1): along the normal, as long as
-/// the area.
+/// The area vector of a polygon (m²), half the sum of p_i × p_(i+1): its direction is the normal,
+/// its length the area.
 inline Vec3d area_vector(const std::vector<Vec3>& polygon) {
   const Vec3d base = polygon.front().cast<double>();
   Vec3d sum = Vec3d::Zero();
@@ -139,7 +139,7 @@ inline std::vector<Vec3> corners(const HalfEdgeMesh& mesh, Index face) {
   return points;
 }
 
-/// How far the vertices of the faces are from planes through them, at worst (m), in double.
+/// The largest distance of a vertex from the plane of its face (m), in double.
 inline double worst_distance_from_planes(const HalfEdgeMesh& mesh) {
   double worst = 0;
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -164,7 +164,7 @@ inline double volume(const HalfEdgeMesh& mesh) {
   return sum;
 }
 
-/// A polygon as a mesh of two faces, its front and its back: enough to ask for a plane.
+/// A polygon as a mesh of two faces, front and back, sufficient to compute a plane.
 inline HalfEdgeMesh two_sided(const std::vector<Vec3>& polygon) {
   const Index n = static_cast<Index>(polygon.size());
   HalfEdgeMesh mesh;

@@ -1,6 +1,6 @@
 #pragma once
 /// @file pictures.hpp
-/// What a failed test of lab 2 looks like.
+/// Pictures of failed tests of lab 2.
 
 #include <string>
 
@@ -11,7 +11,7 @@
 
 namespace cs550::test {
 
-/// A mesh with the element that breaks a promise.
+/// A mesh with the element that violates an invariant.
 inline std::string defect_picture(const HalfEdgeMesh& mesh, const MeshDefect& defect) {
   const auto lit = [&](MeshElement element) {
     return std::span(&defect.index, defect.element == element ? 1U : 0U);
@@ -23,7 +23,7 @@ inline std::string defect_picture(const HalfEdgeMesh& mesh, const MeshDefect& de
   return side_by_side("A mesh that breaks a promise", {drawing::Scene{drawing, {}}});
 }
 
-/// Before merging beside after it.
+/// A mesh before and after merging.
 inline std::string merge_picture(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
   drawing::MeshStyle style;
   style.edge_width = 2;
@@ -37,8 +37,8 @@ inline std::string merge_picture(const HalfEdgeMesh& before, const HalfEdgeMesh&
                       {drawing::Scene{given, {}}, drawing::Scene{merged, {}}});
 }
 
-/// Triangles with what an issue names, beside what it should name.
-/// @param expected lit beside the issue; @param words what is wrong, as a sentence
+/// Triangles with the elements of an issue, beside the expected elements.
+/// @param expected highlighted beside the issue; @param words the error, as a sentence
 inline std::string issue_picture(const TriangleSoup& soup, const MeshIssue& expected,
                                  const std::string& words, const MeshIssue& got) {
   drawing::Drawing wanted = drawing::draw_triangles(soup.vertices, soup.triangles, expected);

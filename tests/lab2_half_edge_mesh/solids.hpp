@@ -1,6 +1,6 @@
 #pragma once
 /// @file solids.hpp
-/// Solids whose numbers are known from books, as polygons, and ways to cut them into triangles.
+/// Solids with known dimensions, as polygons, and ways to cut them into triangles.
 
 #include <algorithm>
 #include <cmath>

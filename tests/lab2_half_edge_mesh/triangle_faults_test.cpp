@@ -1,4 +1,4 @@
-// L2.1: what can be wrong with the triangles themselves, and the elements that show it.
+// L2.1: defects of the triangles themselves, and the elements that are reported.
 #include <cs550/graded_test.hpp>
 #include <limits>
 
@@ -8,7 +8,7 @@
 namespace cs550::test {
 namespace {
 
-/// What L2.1 finds. The steps after it need not be written yet.
+/// The issue that L2.1 finds. Later steps may be unwritten.
 MeshIssue first_issue_of_triangles(const TriangleSoup& soup) {
   try {
     return issue_of(soup);
@@ -67,7 +67,7 @@ GRADED_TEST(Lab2, DegenerateTrianglesAreTheSameAtEveryScale, 3, "L2.1") {
   expect_error(repeated, issue_of(twice), MeshError::DegenerateTriangle);
   repeated.expect_equal("the triangle", issue_of(twice).triangle, 3);
 
-  // A tetrahedron with an edge of length s; the corners of triangle 0 stand h off that edge.
+  // A tetrahedron with an edge of length s. A corner of triangle 0 is at distance h from that edge.
   const auto needle = [](Real size, Real height, std::size_t first_corner) {
     TriangleSoup soup{{{0, 0, 0}, {size, 0, 0}, {size / 2, height, 0}, {size / 2, 0, size}},
                       {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};

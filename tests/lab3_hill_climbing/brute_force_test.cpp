@@ -1,4 +1,4 @@
-// L3.1: looking at every vertex.
+// L3.1: brute force over all vertices.
 #include <cs550/graded_test.hpp>
 
 #include "lab3_hill_climbing/climbing.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of lab 3 share: shapes to climb, and heights in double precision to compare with.
+// Helpers of the tests of lab 3: shapes to climb, and heights in double precision.
 
 #include <algorithm>
 #include <string>
@@ -48,8 +48,8 @@ inline double size_of(const HalfEdgeMesh& mesh) {
   return size;
 }
 
-/// What float can tell apart, with room for the climb: where the neighbours are higher by less than
-/// a rounding (6e-8 of the size), a vertex some edges away is higher by some roundings.
+/// The resolution of float, with a margin for the climb. It may stop where neighbours are higher by
+/// less than a rounding (6e-8 of the size), some edges below the top.
 inline double height_tolerance(const HalfEdgeMesh& mesh, const Vec3& direction) {
   return 2e-6 * size_of(mesh) * double{direction.norm()};
 }
@@ -64,8 +64,8 @@ inline std::vector<Index> neighbours(const HalfEdgeMesh& mesh, Index v) {
   return result;
 }
 
-/// Directions in which a climb may go wrong: along face normals (plateaus), along edges and axes, and
-/// `random_count` at random.
+/// Directions in which a climb may fail: along face normals (plateaus), edges and axes, and
+/// `random_count` random ones.
 inline std::vector<Vec3> directions_for(const HalfEdgeMesh& mesh, Random& random,
                                         int random_count) {
   std::vector<Vec3> directions{Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
@@ -76,7 +76,7 @@ inline std::vector<Vec3> directions_for(const HalfEdgeMesh& mesh, Random& random
   return directions;
 }
 
-/// From the side, so that a direction points up on the page.
+/// A view from the side, in which a direction points up on the page.
 inline drawing::View seen_upright(const Vec3& direction) {
   drawing::View view;
   const Vec3 up = direction.normalized();
@@ -85,7 +85,7 @@ inline drawing::View seen_upright(const Vec3& direction) {
   return view;
 }
 
-/// A walk and its dot products.
+/// A walk with its dot products.
 inline std::string walk_picture(const HalfEdgeMesh& mesh, const Vec3& direction,
                                 const std::vector<Index>& path) {
   drawing::Drawing walk = drawing::draw_climb(mesh, direction, path, drawing::Role::Got);
@@ -95,7 +95,7 @@ inline std::string walk_picture(const HalfEdgeMesh& mesh, const Vec3& direction,
       {drawing::Scene{walk, seen_upright(direction)}, drawing::plot_climb(mesh, direction, path)});
 }
 
-/// The most extreme vertex beside the one that was found.
+/// The most extreme vertex beside the one found.
 inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& direction, Index found) {
   Index highest = 0;
   for (Index v = 1; v < mesh.vertex_count(); ++v) {
@@ -110,7 +110,7 @@ inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& directi
   got.points.push_back({mesh.vertex(highest), drawing::Role::Expected, 4});
   expected.legend.clear();
   got.legend.clear();
-  // From the side on which both vertices are.
+  // Seen from the side of both vertices.
   drawing::View view = seen_upright(direction);
   Vec3 side = mesh.vertex(highest) + (is_vertex(mesh, found) ? mesh.vertex(found) : Vec3(0, 0, 0));
   side -= side.dot(view.up) * view.up;
@@ -119,7 +119,7 @@ inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& directi
                              "No vertex lies beyond the plane through the most extreme one.");
 }
 
-/// Checks that the answer is a vertex as high as any.
+/// Checks that no vertex is higher than the answer.
 inline void require_highest(const Story& story, const HalfEdgeMesh& mesh, const Vec3& direction,
                             Index vertex) {
   Story here = story;

@@ -1,4 +1,4 @@
-// L3.2: where the climb ends.
+// L3.2: the end of a climb.
 #include <cs550/graded_test.hpp>
 
 #include "lab3_hill_climbing/climbing.hpp"

@@ -1,4 +1,4 @@
-// L3.2: how the climb gets there, and what it costs.
+// L3.2: the path of a climb, and its cost.
 #include <cs550/graded_test.hpp>
 
 #include <set>
@@ -12,13 +12,13 @@ bool contains(const std::vector<Index>& list, Index item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-/// One step of a path: to a neighbour, and to the best of them as far as float can tell.
+/// Checks one step of a path: it leads to a neighbour, the best one within the resolution of float.
 void require_steepest_step(Story here, const HalfEdgeMesh& mesh, const Vec3& direction, Index from,
                            Index to) {
   here.given("on the path: from vertex " + std::to_string(from) + " to " + std::to_string(to));
   const std::vector<Index> choices = neighbours(mesh, from);
   require(here.expect("the step goes to a neighbour", contains(choices, to)));
-  // In float, like the climb itself: strictly is strictly.
+  // In float, like the climb itself, so that the comparison is strict.
   require(here.expect("the step goes strictly up",
                       mesh.vertex(to).dot(direction) > mesh.vertex(from).dot(direction)));
   double best = -HUGE_VAL;
@@ -84,7 +84,7 @@ GRADED_TEST(Lab3, VisitsAreTheNeighboursOfThePath, 2, "L3.2") {
         .given("start", start)
         .given("vertices on the path", path.size());
     here.picture([&] { return walk_picture(mesh, direction, path); });
-    // Who remembers what was measured before needs fewer looks than who does not.
+    // A climb that remembers visited vertices needs fewer dot products.
     require(here.expect_at_least("visited", answer.visited, static_cast<double>(seen.size())));
     require(here.expect_at_most("visited", answer.visited, static_cast<double>(looks)));
   }
@@ -110,12 +110,12 @@ GRADED_TEST(Lab3, VisitsGrowLikeTheSquareRootOfTheVertices, 5, "L3.2") {
           hill_climb(mesh, direction, random.integer(0, mesh.vertex_count() - 1));
       require_highest(here, mesh, direction, answer.vertex);
       sum += answer.visited;
-      // Half way round the sphere is about √n edges, with 6 neighbours at each stop, and a detour of
-      // up to 2/√3 on a grid of triangles: 7·√n.
+      // Half way round the sphere is about √n edges, with 6 neighbours at each stop, and a detour
+      // of up to 2/√3 on a grid of triangles: 7·√n.
       require(here.expect_at_most("visits of one climb", answer.visited, 1 + 7 * (root + 1)));
     }
     const double mean = sum / climbs;
-    // On average a quarter of the way round: half as many.
+    // On average a quarter of the circumference: half as many.
     require(here.expect_at_most("mean number of visits", mean, 3.5 * (root + 1)));
     if (mean_before > 0) {
       require(here.expect_at_most("growth of the mean for 4 times the vertices", mean / mean_before,

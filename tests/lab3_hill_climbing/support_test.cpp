@@ -1,4 +1,4 @@
-// L3.3: the most extreme point of a body in the world.
+// L3.3: the support point of a body in the world.
 #include <cs550/graded_test.hpp>
 
 #include "lab3_hill_climbing/climbing.hpp"
@@ -12,7 +12,7 @@ Story with_causes(Story story) {
       .likely("the point comes back to the world: R·v + x");
 }
 
-/// The vertex must be the highest in the world, and the point where the pose puts that vertex.
+/// Checks that the vertex is the highest in the world, and that the point is its position there.
 void require_world_support(Story here, const PosedShape& body, const Vec3& direction,
                            const SupportPoint& answer) {
   const HalfEdgeMesh& mesh = body.mesh();

@@ -102,7 +102,7 @@ Story about(Story story, const TestPair& pair) {
 
 namespace {
 
-/// That the feature, its query, the axis and the separation tell the same tale.
+/// Checks that the feature, its query, the axis and the separation are consistent.
 void require_query_behind_it(Story& here, const TestPair& pair, const SeparatingAxis& answer,
                              double tolerance) {
   Real of_query = 0;
@@ -148,7 +148,7 @@ std::string axis_picture(const TestPair& pair, const SeparatingAxis& got) {
   expected.title = "Expected: the best axis of all";
   drawing::Drawing found = drawing::draw_axis(pair.a, pair.b, got, drawing::Role::Got);
   found.title = "Got: " + drawing::feature_text(got);
-  // Seen across both axes, which then lie in the page.
+  // Seen perpendicular to both axes, which are then parallel to the page.
   drawing::View view;
   const Vec3 across = wanted.axis.cross(got.axis);
   view.toward_eye = across.norm() > Real(1e-3) ? across : any_perpendicular(wanted.axis);
@@ -177,8 +177,8 @@ void require_best_axis(const Story& story, const TestPair& pair, const Separatin
   const ExactBody a = pair.exact_a();
   const ExactBody b = pair.exact_b();
   const double along = separation_along(a, b, answer.axis.cast<double>().normalized());
-  // The axis is rounded, too: where it is the cross product of edges that enclose a small angle, by
-  // more than its last digit.
+  // The axis is rounded too. A cross product of edges at a small angle has an error of more than
+  // one unit in the last place.
   require(here.expect_near("separation along the axis, A to B", answer.separation, along, allowed,
                            "m"));
   if (answer.separation > margin) return;
@@ -191,8 +191,9 @@ void require_best_axis(const Story& story, const TestPair& pair, const Separatin
     require(here.expect_near("separation against brute force", answer.separation, best.largest(),
                              allowed + tie, "m"));
   }
-  // Apart, corner against corner, some cross product may separate more than any Minkowski face does:
-  // but the faces set a floor, and whatever separates must be seen to.
+  // If separated bodies are closest at corners, some cross product may separate more than any
+  // Minkowski face. The faces are a lower bound, and separated bodies must be reported as
+  // separated.
   require(here.expect_at_least("separation against the faces", answer.separation,
                                best.faces() - allowed - tie, "m"));
   require(here.expect_at_most("separation against brute force", answer.separation,

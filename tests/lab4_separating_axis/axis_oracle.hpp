@@ -1,6 +1,6 @@
 #pragma once
-// What the tests of lab 4 compare with: brute force in double precision, over all vertices, all face
-// normals and all pairs of edges; nothing in it knows of Gauss maps or hill climbing.
+// The oracle of lab 4: brute force in double precision over all vertices, all face normals and all
+// pairs of edges, without Gauss maps or hill climbing.
 
 #include <cmath>
 #include <string>
@@ -15,10 +15,10 @@ namespace cs550::test {
 
 using Vec3d = Eigen::Vector3d;
 
-/// A posed shape in double precision, seen from a given point of the world: exact even where the
-/// world's coordinates are large.
+/// A posed shape in double precision, relative to a given point of the world, so that it is exact
+/// even at large world coordinates.
 struct ExactBody {
-  std::vector<Vec3d> vertices;  ///< relative to the viewer (m)
+  std::vector<Vec3d> vertices;  ///< relative to that point (m)
   std::vector<Vec3d> normals;   ///< by face, world frame
   std::vector<Vec3d> edges;     ///< unit, by number of the edge (half-edge / 2), world frame
   double size = 0;              ///< distance of the farthest vertex from the body's origin (m)
@@ -26,10 +26,10 @@ struct ExactBody {
   ExactBody(const PosedShape& body, const Vec3& viewer);
 };
 
-/// min over B of n·b − max over A of n·a: by how much the axis n (A → B) separates.
+/// min over B of n·b − max over A of n·a: the separation along the axis n (A → B).
 double separation_along(const ExactBody& a, const ExactBody& b, const Vec3d& axis);
 
-/// The largest separations by brute force; −infinity where there is no axis of a kind.
+/// The largest separations by brute force, or −infinity if there is no axis of a kind.
 struct BestSeparations {
   double face_a = -HUGE_VAL;
   double face_b = -HUGE_VAL;
@@ -41,7 +41,7 @@ struct BestSeparations {
 };
 BestSeparations best_separations(const ExactBody& a, const ExactBody& b);
 
-/// A pair of bodies with what the oracle needs.
+/// A pair of bodies, with the data of the oracle.
 struct TestPair {
   PosedShape a;
   PosedShape b;
@@ -57,7 +57,7 @@ struct TestPair {
 /// A fixture, enlarged.
 ShapePtr scaled_shape(const std::string& name, Real factor);
 
-/// Two shapes, at random orientations and so close that about half of such pairs overlap.
+/// Two shapes with random orientations, so close that about half of the pairs overlap.
 TestPair random_pair(Random& random, const std::vector<ShapePtr>& shapes,
                      const Vec3& place = Vec3::Zero());
 
@@ -67,11 +67,11 @@ std::vector<ShapePtr> small_shapes(Real factor = 1);
 /// Adds the pair to the story.
 Story about(Story story, const TestPair& pair);
 
-/// The best axis beside the one that was found, and that one on the Gauss maps.
+/// The best axis beside the one found, and the latter on the Gauss maps.
 std::string axis_picture(const TestPair& pair, const SeparatingAxis& got);
 
-/// Checks that an answer is what it says: a unit axis that separates by as much as it says, the
-/// queries behind it. Where it is not beyond the margin: that no axis is better.
+/// Checks that an answer is consistent: a unit axis, its separation, and the queries behind it. If
+/// the separation is within the margin, no axis may be better.
 /// @param tolerance relative to the larger radius
 void require_best_axis(const Story& story, const TestPair& pair, const SeparatingAxis& answer,
                        Real margin, double tolerance);

@@ -1,7 +1,7 @@
 #pragma once
-// Pairs that touch edge over edge: the lower body has an edge along x as its ridge, the upper one an
-// edge across it as its keel. Their separation along z is the distance of the centres less the height
-// of both.
+// Pairs that touch at crossed edges. The ridge of the lower body is an edge along x, and the keel
+// of the upper body is an edge across it. Their separation along z is the distance of the centres
+// minus the heights of both.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct CrossedShape {
   Vec3 upward;  ///< from its centroid to the middle of that edge, body frame (m)
 };
 
-/// A cube over one of its edges, and n-gon prisms: 32 edges of each face 32 of the other.
+/// A cube on one of its edges, and n-gon prisms: 32 edges of each cross 32 of the other.
 inline const std::vector<CrossedShape>& crossed_shapes() {
   static const std::vector<CrossedShape> shapes{
       {"cube", Vec3::UnitX(), Vec3(0, Real(0.5), Real(0.5))},
@@ -29,11 +29,11 @@ inline const std::vector<CrossedShape>& crossed_shapes() {
 
 struct CrossedPair {
   TestPair pair;
-  ShapePtr shape;  ///< keeps the shape of both alive
+  ShapePtr shape;  ///< owns the shape of both
   double separation = 0;
 };
 
-/// The orientation that turns the ridge to a direction of the horizontal plane and its middle to ±z.
+/// The orientation that maps the ridge to a horizontal direction and its middle to ±z.
 inline Quat stand(const CrossedShape& shape, const Vec3& along, const Vec3& up) {
   const auto frame = [](const Vec3& x, const Vec3& z) {
     Mat3 columns;
@@ -44,7 +44,7 @@ inline Quat stand(const CrossedShape& shape, const Vec3& along, const Vec3& up) 
       .normalized();
 }
 
-/// @param overlap_share by how much they overlap, as a share of the height of both
+/// @param overlap_share their overlap as a share of the height of both
 /// @param yaw between ridge and keel (rad)
 inline CrossedPair cross(const CrossedShape& kind, Real size, Real overlap_share,
                          Real yaw = pi / 2) {

@@ -20,8 +20,8 @@ Story with_causes(Story story) {
       .likely("the axis is wanted in the world and of unit length");
 }
 
-/// The best separation over all pairs of edges whose arcs cross; `clear` leaves out those that cross so
-/// close to an end, or at such a small angle, that float may not see it.
+/// The best separation over all pairs of edges with crossing arcs. `clear` leaves out crossings
+/// that float may miss, close to an end or at a small angle.
 struct ExactEdges {
   double clear = -HUGE_VAL;
   double any = -HUGE_VAL;
@@ -59,7 +59,7 @@ ExactEdges exact_edges(const TestPair& pair) {
   return best;
 }
 
-/// The edges that were found with their axis, and their arcs on the Gauss maps.
+/// The edges found, with their axis and their arcs on the Gauss maps.
 std::string edge_query_picture(const TestPair& pair, const EdgeQuery& got) {
   SeparatingAxis axis;
   axis.feature = AxisFeature::Edges;
@@ -76,7 +76,7 @@ std::string edge_query_picture(const TestPair& pair, const EdgeQuery& got) {
                       {drawing::Scene{bodies, {}}, drawing::Scene{maps, onto_crossing}});
 }
 
-/// Checks that an answer is an axis of these two edges that separates by as much as it says.
+/// Checks that an answer is an axis of these two edges with the reported separation.
 void require_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answer) {
   const auto is_half_edge = [](const PosedShape& body, Index e) {
     return e >= 0 && e < body.mesh().edge_count();
@@ -94,7 +94,7 @@ void require_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answe
   const double tolerance = rounding * double{pair.larger_radius()};
   require(here.expect_near("length of the axis", axis.norm(), 1, 1e-5));
   require(here.expect_at_least("sine between the edges", sine, 0.999 * double{parallel_sine}));
-  // The cross product of unit vectors is rounded by 1e-7, which the sine magnifies.
+  // The rounding of a cross product of unit vectors is 1e-7, divided by the sine.
   require(here.expect_near("axis along A's edge", axis.dot(along_a), 0, 1e-6 / sine));
   require(here.expect_near("axis along B's edge", axis.dot(along_b), 0, 1e-6 / sine));
   require(here.expect_near("separation along the axis, A to B", answer.separation,
@@ -110,7 +110,7 @@ GRADED_TEST(Lab4, EdgeQueryMatchesBruteForceOverAllPairs, 5, "L4.3") {
   int overlapping = 0;
   for (int i = 0; i < 200; ++i) {
     TestPair pair = random_pair(random, shapes);
-    if (i % 2 == 1) pair.b.pose.position *= Real(0.3);  // deep, where centroids mislead
+    if (i % 2 == 1) pair.b.pose.position *= Real(0.3);  // deep, where centroids are misleading
     const EdgeQuery answer = query_edge_directions(pair.a, pair.b);
     const ExactEdges exact = exact_edges(pair);
     Story here = about(story, pair);
@@ -139,8 +139,8 @@ GRADED_TEST(Lab4, ParallelEdgesAreSkipped, 3, "L4.3") {
   for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
     const ShapePtr box = scaled_shape("box_1x2x3", size);
     for (int i = 0; i < 100; ++i) {
-      // All three directions of edges of each box are met: half of the pairs enclose less than the
-      // limit, the others more.
+      // All three edge directions of each box occur. Half of the pairs are at less than the
+      // limiting angle, the others at more.
       const Real angle = i % 2 == 0 ? Real(4e-4) : Real(4e-3);
       const Quat turn = rotation_exp(angle * random.unit_vector()) * rolled;
       const Vec3 place = size * Vec3(0, 0, Real(2.5));

@@ -16,7 +16,7 @@ Story with_causes(Story story) {
       .likely("the *largest* of these distances is the answer, even if all are negative");
 }
 
-/// The face that separates most beside the one that was found, each with its deepest vertex of B.
+/// The face of largest separation beside the one found, each with the deepest vertex of B.
 std::string face_query_picture(const TestPair& pair, const FaceQuery& got) {
   const auto deepest = [&](Index face) {
     FaceQuery query{face, 0, HUGE_VALF};

@@ -14,7 +14,7 @@ Story with_causes(Story story) {
       .likely("axis and separation belong to the feature that is named");
 }
 
-/// How many pairs of each kind a test has met: a bound is worth something only if all kinds occur.
+/// The number of pairs of each kind in a test. A bound is meaningful only if all kinds occur.
 struct Census {
   int separated = 0;
   int within_margin = 0;
@@ -69,7 +69,7 @@ GRADED_TEST(Lab4, AxisAtAnySizeAndFarFromTheOrigin, 2, "L4.4") {
         const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, {}, HUGE_VALF);
         Story here = story;
         here.given("size", size, "m").given("distance from the origin", distance, "m");
-        // Coordinates of 1000 sizes are rounded to 6e-5 sizes: room for who works in the world frame.
+        // Coordinates of 1000 sizes have errors of 6e-5 sizes: the world frame may be used.
         const double tolerance = distance > 0 ? 5e-4 : rounding;
         require_best_axis(here, pair, answer, HUGE_VALF, tolerance);
       }

@@ -1,6 +1,6 @@
 #pragma once
-// Whether arcs of the unit sphere cross, in double precision and by lengths alone: no triple products,
-// so that the mistakes of the lab cannot be here as well.
+// Whether arcs of the unit sphere cross, in double precision and from lengths only. There are no
+// triple products, so that it cannot contain the mistakes of the lab.
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ inline double angle(const Vec3d& a, const Vec3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// How much longer the way from a to b is over p: zero on the arc, up to twice the distance off it.
+/// The detour from a to b over p: zero on the arc, at most twice the distance beside it.
 inline double detour(const Vec3d& a, const Vec3d& p, const Vec3d& b) {
   return angle(a, p) + angle(p, b) - angle(a, b);
 }
 
 enum class Crossing { Yes, No, TooCloseToTell };
 
-/// By lengths of arcs: the circles meet in two opposite points; is one of them on both arcs?
+/// The great circles meet in two opposite points. Checks by lengths whether one is on both arcs.
 inline Crossing crossing_by_lengths(const Vec3d& a, const Vec3d& b, const Vec3d& c,
                                     const Vec3d& d) {
   const Vec3d meeting = a.cross(b).cross(c.cross(d)).normalized();

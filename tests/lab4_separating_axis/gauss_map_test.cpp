@@ -18,7 +18,7 @@ Story with_causes(Story story) {
       .likely("with edge directions in place of the cross products, take both with the same sign");
 }
 
-/// The two arcs, seen from the side on which they lie.
+/// The two arcs, seen from their side of the sphere.
 std::string arcs_picture(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, bool cross) {
   drawing::View view;
   view.toward_eye = a + b + c + d;

@@ -1,6 +1,6 @@
 #pragma once
-// Whether two bodies overlap, by libccd: Gilbert, Johnson & Keerthi (1988), which knows only support
-// points and shares nothing with the separating axis test.
+// Whether two bodies overlap, by libccd: the algorithm of Gilbert, Johnson & Keerthi (1988). It
+// uses only support points and has nothing in common with the separating axis test.
 
 #include "lab4_separating_axis/axis_oracle.hpp"
 

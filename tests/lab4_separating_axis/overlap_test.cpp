@@ -1,4 +1,4 @@
-// L4.5: yes or no.
+// L4.5: the overlap test.
 #include <cs550/graded_test.hpp>
 
 #include "helpers/fixtures.hpp"
@@ -12,8 +12,8 @@ Story with_causes(Story story) {
       .likely("touching counts: a separation of exactly 0 is no separation");
 }
 
-/// Whether the pair is so close to touching that one more rounding may decide; GJK has a tolerance
-/// of its own.
+/// Whether the pair is so close to touching that rounding may decide. GJK has a tolerance of its
+/// own.
 bool nearly_touching(const ExactBody& a, const ExactBody& b) {
   return std::abs(best_separations(a, b).largest()) < 1e-4 * std::max(a.size, b.size);
 }

@@ -1,4 +1,4 @@
-// L4.4: which feature wins when several are equally good, and that none wins when it is not.
+// L4.4: the preference among features of equal separation, and its limits.
 #include <cs550/graded_test.hpp>
 
 #include "lab4_separating_axis/axis_oracle.hpp"
@@ -7,8 +7,8 @@
 namespace cs550::test {
 namespace {
 
-/// Two cubes, edge over edge, pushed so deep into each other that a face of each and the edges have
-/// the same separation: z − √2 = −½ − ½√2 times the size.
+/// Two cubes at crossed edges that overlap so deeply that a face of each and the edges have the
+/// same separation: z − √2 = −½ − ½√2 times the size.
 constexpr Real tie_height = Real(0.20710678);
 constexpr double tie_separation = -1.2071068;
 
@@ -18,7 +18,7 @@ CrossedPair deep_cubes(Real size) {
   return crossed;
 }
 
-/// What last step's answer was, had that kind won; without a kind where there are no edges to name.
+/// The answer of the last step if that kind had won, or none if no edges are given.
 SeparatingAxis hint_of_kind(AxisFeature kind, const TestPair& pair) {
   SeparatingAxis hint;
   hint.face_a = query_face_directions(pair.a, pair.b);
@@ -56,7 +56,7 @@ GRADED_TEST(Lab4, TiesKeepTheKindOfTheHint, 3, "L4.4") {
   }
 }
 
-/// The kind that is better than the two others by 1 % of the smaller radius; None if there is none.
+/// The kind that exceeds the two others by 1 % of the smaller radius, or None.
 AxisFeature clearly_best(const TestPair& pair) {
   const BestSeparations best = best_separations(pair.exact_a(), pair.exact_b());
   const double clear = 0.01 * double{pair.smaller_radius()};

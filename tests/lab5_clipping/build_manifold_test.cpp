@@ -1,4 +1,4 @@
-// L5.6: which manifold is built.
+// L5.6: the choice of the manifold.
 #include <cs550/graded_test.hpp>
 
 #include "lab5_clipping/overlapping_pairs.hpp"
@@ -65,8 +65,8 @@ GRADED_TEST(Lab5, EdgesAreComparedWithTheFaceQuery, 2, "L5.6") {
   }
 }
 
-/// An edge query is empty where no arcs cross, as for aligned boxes, and A's face alone is known after
-/// an early out.
+/// An edge query is empty if no arcs cross, as for aligned boxes. After an early out only A's face
+/// is known.
 void require_face_without_edges(Story here, const PosedShape& a, const PosedShape& b,
                                 SeparatingAxis axis) {
   axis.edges = {};
@@ -92,7 +92,7 @@ GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
       const Index bottom = face_towards(b.shape->mesh, -Vec3::UnitZ());
       SeparatingAxis axis = face_axis(a.body, b.body, AxisFeature::FaceA, top);
       axis.face_b = face_axis(a.body, b.body, AxisFeature::FaceB, bottom).face_b;
-      axis.edges = {0, 9, Vec3::UnitZ(), 0};  // of z × z: never asked for their geometry's sake
+      axis.edges = {0, 9, Vec3::UnitZ(), 0};  // parallel edges, whose geometry must not be used
       const Real preference = edge_preference * b.shape->radius;
 
       const auto built_with = [&](Real advantage, AxisFeature feature) {
@@ -130,7 +130,7 @@ GRADED_TEST(Lab5, SwappedBodiesMirrorTheManifold, 2, "L5.6") {
     const PosedShape& b = pair.b.body;
     const Real smaller = std::min(a.shape->radius, b.shape->radius);
     const Real between_faces = pair.axis.face_a.separation - pair.axis.face_b.separation;
-    if (std::abs(between_faces) < Real(0.01) * smaller) continue;  // a tie may go either way
+    if (std::abs(between_faces) < Real(0.01) * smaller) continue;  // a tie: both are correct
     const Manifold manifold = build_manifold(a, b, pair.axis, 0);
     const Manifold mirrored = build_manifold(b, a, find_separating_axis(b, a, {}, 0), 0);
     Story here = story;
@@ -140,7 +140,7 @@ GRADED_TEST(Lab5, SwappedBodiesMirrorTheManifold, 2, "L5.6") {
     require(here.expect_near("normal", mirrored.normal, -manifold.normal, 1e-4));
     require(here.expect_near("deepest separation", deepest_separation(mirrored),
                              deepest_separation(manifold), 1e-5 * smaller, "m"));
-    // Four points may be a choice among more: L5.5 has tests for that.
+    // Four points may be a selection of more, which L5.5 tests.
     if (std::max(manifold.points.size(), mirrored.points.size()) < max_manifold_points) {
       std::vector<Vec3> places;
       for (const ContactPoint& point : manifold.points) {
@@ -170,7 +170,7 @@ GRADED_TEST(Lab5, SeparatedBodiesTouchUpToTheMargin, 1, "L5.6") {
   within.expect_near("separation", deepest_separation(manifold), 0.05, 1e-6, "m");
   within.expect_near("normal", manifold.normal, Vec3::UnitZ(), 1e-6);
 
-  // Fast bodies that come together sideways must not slip past what clipping sees.
+  // Fast bodies that approach sideways must not be missed by clipping.
   const Placed aside(fixture_shape("cube"),
                      {Vec3(Real(1.6), Real(1.6), Real(0.6)), Quat::Identity()});
   Story sideways = story;

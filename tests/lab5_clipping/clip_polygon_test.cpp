@@ -31,13 +31,13 @@ Story with_name_causes(Story story) {
       .likely("a corner on the plane in which the outline leaves ends with the plane's edge");
 }
 
-/// "incident 3": for comparing and showing names.
+/// The name of a feature, such as "incident 3".
 std::string name(const ClipEdge& edge) {
   return (edge.source == ClipEdge::Source::Incident ? "incident " : "reference ") +
          std::to_string(edge.edge);
 }
 
-/// The names of the corner at a place, "in, out".
+/// The names of a corner's features, "in, out".
 std::string names_at(const ClipPolygon& polygon, const Vec3& place) {
   for (const ClipVertex& corner : polygon) {
     if ((corner.point - place).norm() < Real(1e-6)) {
@@ -47,7 +47,7 @@ std::string names_at(const ClipPolygon& polygon, const Vec3& place) {
   return "no corner there";
 }
 
-/// Clips, and checks the corners that are left.
+/// Clips a polygon and checks the remaining corners.
 void expect_clipped(Story& story, const ClipPolygon& polygon, const Plane& plane,
                     const std::vector<Vec3>& expected, Real tolerance = 0, SourceLine at = {}) {
   const ClipPolygon got = clip_polygon(polygon, plane, along_plane);

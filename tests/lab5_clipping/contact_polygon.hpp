@@ -1,6 +1,6 @@
 #pragma once
 /// @file contact_polygon.hpp
-/// The incident face clipped to the reference face, by trying every corner that it could have.
+/// The incident face clipped to the reference face, by testing all candidate corners.
 
 #include <algorithm>
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace cs550::test {
 
-/// In double precision and without any clipping: every pair of bounding lines (of the incident face
-/// and of the side planes) is intersected within the incident face's plane, and what lies inside of
-/// all of them is a corner.
+/// In double precision and without clipping: all pairs of bounding lines (of the incident face and
+/// of the side planes) are intersected in the plane of the incident face. The intersections inside
+/// all of them are the corners.
 struct ContactPolygon {
   std::vector<Point> corners;  ///< those below the reference plane, world frame
-  bool ambiguous = false;      ///< rounding could decide about the incident face or about a corner
+  bool ambiguous = false;      ///< whether rounding could change the incident face or a corner
   double tolerance = 0;        ///< m
 
   ContactPolygon(const PosedShape& owner, Index reference_face, const PosedShape& other) {
@@ -22,7 +22,7 @@ struct ContactPolygon {
     const double blur = 5 * static_cast<double>(side_plane_tolerance) * size;
     const HalfPlane reference = plane_of(owner, reference_face);
 
-    // The most anti-parallel face, and whether another one comes close.
+    // The most anti-parallel face, and whether another one is almost as anti-parallel.
     Index incident_face = 0;
     double smallest = 2;
     for (Index f = 0; f < other.mesh().face_count(); ++f) {
@@ -59,7 +59,7 @@ struct ContactPolygon {
         if (height <= 0) corners.push_back(corner);
       }
     }
-    // Rounding of float, stretched where two lines meet at a flat angle (sine above 0.05).
+    // Rounding of float, magnified where two lines meet at a small angle (sine above 0.05).
     tolerance = 2e-4 * size;
   }
 

@@ -67,8 +67,8 @@ FaceQuery query_by_brute_force(const PosedShape& owner, const PosedShape& other,
   return query;
 }
 
-/// Two side planes meet 1/sin(θ/2) times as far outside of a corner θ of their face as each of them
-/// lies outside: the largest of these factors.
+/// Two side planes at a corner of angle θ intersect 1/sin(θ/2) times as far outside as each of them
+/// is offset. This is the largest of these factors.
 double corner_stretch(const HalfEdgeMesh& mesh) {
   double largest = 1;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
@@ -210,7 +210,7 @@ bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const 
 
 void require_sound(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
                    Real size, SourceLine at) {
-  // A dozen roundings of float, and how far out the side planes' corners are.
+  // A dozen roundings of float, and the distance of the side planes' corners.
   const double rounding = 3e-6 * static_cast<double>(size);
   const Real smaller = std::min(a.shape->radius, b.shape->radius);
   const double tolerance = static_cast<double>(side_plane_tolerance * smaller) *

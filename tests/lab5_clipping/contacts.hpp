@@ -1,7 +1,7 @@
 #pragma once
 /// @file contacts.hpp
-/// Bodies, polygons and axes made by hand for the tests of lab 5, and what a manifold must be, worked
-/// out in double precision and without the code under test.
+/// Bodies, polygons and axes for the tests of lab 5, and checks of a manifold in double precision,
+/// without the code under test.
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ using Point = Eigen::Vector3d;
 /// A fixture, `scale` times as large.
 ShapePtr scaled_shape(const std::string& fixture, Real scale);
 
-/// A shape at a pose, and its owner.
+/// A posed shape that owns its shape.
 struct Placed {
   ShapePtr shape;
   PosedShape body;
@@ -27,15 +27,15 @@ struct Placed {
   Placed(ShapePtr of, const Pose& pose) : shape(std::move(of)), body{shape.get(), pose} {}
 };
 
-/// A turn about an axis. @param degrees right-handed
+/// A rotation about an axis. @param degrees right-handed
 Quat turned(Real degrees, const Vec3& axis);
 
-/// `inner`, given in the frame of `outer`, in the frame that `outer` is given in.
+/// The pose `inner`, given relative to `outer`, in the frame of `outer` itself.
 Pose composed(const Pose& outer, const Pose& inner);
 
-/// The face of a mesh that looks the most in a body direction.
+/// The face with the normal closest to a direction in the body frame.
 Index face_towards(const HalfEdgeMesh& mesh, const Vec3& direction);
-/// The vertex at a place in the body frame.
+/// The vertex at a position in the body frame.
 Index vertex_at(const HalfEdgeMesh& mesh, const Vec3& place);
 /// The half-edge from one vertex to another.
 Index edge_between(const HalfEdgeMesh& mesh, Index from, Index to);
@@ -46,14 +46,14 @@ SeparatingAxis face_axis(const PosedShape& a, const PosedShape& b, AxisFeature f
 SeparatingAxis edge_axis(const PosedShape& a, const PosedShape& b, Index edge_a, Index edge_b);
 
 Point in_world(const PosedShape& body, const Vec3& point);
-/// Where a contact point is on A, on B, and half-way.
+/// The position of a contact point on A, on B, and half-way.
 Point on_a(const PosedShape& a, const ContactPoint& point);
 Point on_b(const PosedShape& b, const ContactPoint& point);
 Point middle(const PosedShape& a, const PosedShape& b, const ContactPoint& point);
 
-/// How far outside a body a world point is: the largest distance from its faces.
+/// The distance of a world point outside a body: the maximum over its faces.
 double outside(const PosedShape& body, const Point& point);
-/// min n·(vertices of B) − max n·(vertices of A): how far apart the bodies are along n.
+/// min n·(vertices of B) − max n·(vertices of A): the separation along n.
 double separation_along(const PosedShape& a, const PosedShape& b, const Vec3& n);
 
 Real deepest_separation(const Manifold& manifold);
@@ -61,11 +61,11 @@ Real deepest_separation(const Manifold& manifold);
 /// The area of the convex polygon of these points, in any order, seen along a normal.
 double area_of(const std::vector<Point>& points, const Point& normal);
 
-/// Checks that the middles of the points are these places, in any order and each once.
+/// Checks that the midpoints of the contact points are these positions, in any order.
 bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
                    const std::vector<Vec3>& expected, Real tolerance, SourceLine at = {});
 
-/// Checks what holds for every manifold: unit normal and tangent at right angles, separation =
+/// Checks the invariants of a manifold: unit normal and tangent at right angles, separation =
 /// n·(point on B − point on A), both anchors on (or in) their bodies.
 /// @param size of the pair (m), to which rounding is relative
 void require_sound(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,

@@ -1,4 +1,4 @@
-// L5.4: two edges that cross.
+// L5.4: two crossing edges.
 #include <cs550/graded_test.hpp>
 
 #include "lab5_clipping/segments.hpp"

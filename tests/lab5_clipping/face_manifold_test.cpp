@@ -1,4 +1,4 @@
-// L5.3: where the points of a face manifold are.
+// L5.3: the positions of the points of a face manifold.
 #include <cs550/graded_test.hpp>
 
 #include "lab5_clipping/contacts.hpp"
@@ -6,7 +6,7 @@
 namespace cs550::test {
 namespace {
 
-/// Where the clipped points lie is known up to the width of the side planes' tolerance.
+/// The positions of clipped points are known up to the tolerance of the side planes.
 constexpr Real place_tolerance = 2 * side_plane_tolerance;
 
 Story with_clip_causes(Story story) {
@@ -29,7 +29,7 @@ Story with_anchor_causes(Story story) {
           "the reference plane");
 }
 
-/// A box resting on the slab of 2 m × 2 m × 0.1 m, in a world that is turned and moved.
+/// A box on the slab of 2 m × 2 m × 0.1 m, in a rotated and translated world.
 struct BoxOnSlab {
   Pose world;
   Placed slab;
@@ -164,7 +164,7 @@ GRADED_TEST(Lab5, AnchorsLieOnBothBodies, 2, "L5.3") {
     const Real size = i % 3 == 0 ? Real(1e-3) : i % 3 == 1 ? Real(1) : Real(1e3);
     const std::string name_a = names[random.integer(0, 4)];
     const std::string name_b = names[random.integer(0, 4)];
-    // So far from the origin that float rounds their places by 3e-4 sizes: body frames do not suffer.
+    // So far from the origin that positions are rounded to 3e-4 sizes. Body frames are exact.
     const Pose pose_a{Vec3(4000 * size, -3000 * size, 0), random.orientation()};
     const Vec3 offset = size * random.real(Real(0.3), Real(1)) * random.unit_vector();
     const Placed a(scaled_shape(name_a, size), pose_a);

@@ -1,4 +1,4 @@
-// L5.3: how the points of a face manifold are named, and that the names stay.
+// L5.3: the feature ids of a face manifold, and their persistence.
 #include <cs550/graded_test.hpp>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::string show(const FeatureId& id) {
          std::to_string(id.of_b());
 }
 
-/// The name of the point whose anchor on B is at a place in B's frame.
+/// The feature id of the point with its anchor on B at a position in B's frame.
 std::string feature_at(const Manifold& manifold, const Vec3& place, bool on_body_b) {
   for (const ContactPoint& point : manifold.points) {
     const Vec3& anchor = on_body_b ? point.anchor_b : point.anchor_a;
@@ -64,7 +64,7 @@ GRADED_TEST(Lab5, FeaturesNameWhatMeets, 2, "L5.3") {
   const Index slab_corner = vertex_at(below, Vec3(1, 1, t));
   const Index slab_side = edge_number(below, Vec3(1, -1, t), Vec3(1, 1, t));
   const Index cube_side = edge_number(above, inner_corner, Vec3(half, -half, -half));
-  // The slab's corner (1, 1) and its side x = 1 as the cube sees them.
+  // The slab's corner (1, 1) and its side x = 1 in the cube's frame.
   const Vec3 at_slab_corner(Real(-0.2), Real(-0.2), -half);
   const Vec3 at_crossing(Real(-0.2), -half, -half);
   story.given("a cube over the corner of a slab that is larger");

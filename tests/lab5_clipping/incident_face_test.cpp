@@ -1,4 +1,4 @@
-// L5.2: which face of the other body is clipped.
+// L5.2: the choice of the incident face.
 #include <cs550/graded_test.hpp>
 
 #include "lab5_clipping/contacts.hpp"
@@ -38,7 +38,7 @@ GRADED_TEST(Lab5, IncidentFaceIsTheMostAntiParallel, 3, "L5.2") {
         smallest = std::min(smallest, cosine);
       }
       here.picture([&] { return incident_picture(body, normal, incident, face); });
-      // Two faces whose cosines differ by rounding are both right.
+      // If the cosines of two faces differ only by rounding, both are correct.
       require(here.expect_near("cosine of the angle between the normals",
                                static_cast<double>(normal.dot(body.plane(face).normal)), smallest,
                                2e-6));

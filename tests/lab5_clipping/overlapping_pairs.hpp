@@ -1,7 +1,7 @@
 #pragma once
 /// @file overlapping_pairs.hpp
-/// Random pairs of fixtures that overlap, and what build_manifold() owes them. The axes are those of
-/// find_separating_axis(), which has lab 4's tests.
+/// Random pairs of overlapping fixtures, and checks of build_manifold() on them. The axes are those
+/// of find_separating_axis(), which lab 4 tests.
 
 #include <array>
 #include <string>
@@ -12,15 +12,15 @@
 
 namespace cs550::test {
 
-/// How far the depth of a manifold may be from the largest separation over all axes: the faces are
-/// preferred by edge_preference, and may be given up only beyond it. Rounding comes on top.
+/// The allowed difference between the depth of a manifold and the largest separation over all axes:
+/// faces are preferred by edge_preference. Rounding is added.
 inline Real depth_tolerance(const PosedShape& a, const PosedShape& b) {
   return edge_preference * std::min(a.shape->radius, b.shape->radius) +
          Real(3e-6) * (a.shape->radius + b.shape->radius);
 }
 
 /// Draws two bodies until they overlap by less than 0.4 of the smaller radius.
-/// @param origin where the first body is
+/// @param origin position of the first body
 struct OverlappingPair {
   Placed a;
   Placed b;
@@ -43,10 +43,10 @@ struct OverlappingPair {
   }
 };
 
-/// How many manifolds of each kind were seen.
+/// The number of manifolds of each kind.
 using ReferenceCount = std::array<int, 4>;
 
-/// Checks one pair: a manifold that is sound and reports the depth of the axis.
+/// Checks that the manifold of a pair is valid and reports the depth of the axis.
 inline void require_depth(Story story, const PosedShape& a, const PosedShape& b,
                           const SeparatingAxis& axis, ReferenceCount& seen, SourceLine at = {}) {
   const Manifold manifold = build_manifold(a, b, axis, 0);

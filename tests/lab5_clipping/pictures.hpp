@@ -1,6 +1,6 @@
 #pragma once
 /// @file pictures.hpp
-/// What a failed test of lab 5 looks like.
+/// Pictures of failed tests of lab 5.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace cs550::test {
 
-/// A direction points up on the page.
+/// A view in which a direction points up on the page.
 inline drawing::View seen_from_the_side(const Vec3& upward) {
   drawing::View view;
   if (!(upward.norm() > 0)) return view;
@@ -22,7 +22,7 @@ inline drawing::View seen_from_the_side(const Vec3& upward) {
   return view;
 }
 
-/// What a plane should leave of a polygon beside what it left, seen along the polygon's normal.
+/// The expected polygon after a clip beside the actual one, seen along its normal.
 inline std::string clip_picture(const ClipPolygon& before, const Plane& plane,
                                 const std::vector<Vec3>& expected, const ClipPolygon& got) {
   drawing::View flat = drawing::view_from_above();
@@ -35,7 +35,7 @@ inline std::string clip_picture(const ClipPolygon& before, const Plane& plane,
       "Numbers: the order of the corners, counter-clockwise.");
 }
 
-/// Where the points of a manifold should be beside where they are, half-way between their anchors.
+/// The expected points of a manifold beside the actual ones, half-way between their anchors.
 inline std::string contact_picture(const PosedShape& a, const PosedShape& b,
                                    const std::vector<Vec3>& expected, const Manifold& got) {
   drawing::Drawing wanted = drawing::draw_contact(a, b, {}, drawing::Role::Expected);
@@ -49,7 +49,7 @@ inline std::string contact_picture(const PosedShape& a, const PosedShape& b,
                              seen_from_the_side(upward));
 }
 
-/// A manifold that is not what it should be, seen across its normal.
+/// A wrong manifold, seen perpendicular to its normal.
 inline std::string manifold_picture(const PosedShape& a, const PosedShape& b, const Manifold& got,
                                     const Vec3& axis) {
   drawing::Drawing drawing = drawing::draw_contact(a, b, got, drawing::Role::Got);
@@ -61,7 +61,7 @@ inline std::string manifold_picture(const PosedShape& a, const PosedShape& b, co
                       {drawing::Scene{drawing, seen_from_the_side(axis)}});
 }
 
-/// The points that were kept, seen along the normal.
+/// The kept points, seen along the normal.
 inline std::string reduction_picture(std::span<const ContactPoint> points,
                                      std::span<const ContactPoint> kept, const Vec3& normal) {
   drawing::View flat;
@@ -73,7 +73,7 @@ inline std::string reduction_picture(std::span<const ContactPoint> points,
                       {drawing::Scene{drawing, flat}});
 }
 
-/// The incident face beside the one that was found, the reference normal upward.
+/// The correct incident face beside the one found, with the reference normal upward.
 inline std::string incident_picture(const PosedShape& body, const Vec3& normal, Index expected,
                                     Index got) {
   const auto drawn = [&](Index face, drawing::Role role) {

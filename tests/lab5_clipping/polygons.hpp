@@ -1,6 +1,6 @@
 #pragma once
 /// @file polygons.hpp
-/// Polygons made by hand for the tests of clip_polygon().
+/// Polygons for the tests of clip_polygon().
 
 #include <sstream>
 #include <string>
@@ -39,7 +39,7 @@ inline std::string show(const ClipPolygon& polygon) {
   return text.str();
 }
 
-/// The same polygon, beginning with another corner.
+/// The same polygon, starting at another corner.
 inline ClipPolygon rotated(const ClipPolygon& polygon, int first) {
   ClipPolygon result;
   for (int i = 0; i < polygon.size(); ++i) {
@@ -55,7 +55,7 @@ inline bool same_corners(const ClipPolygon& p, const ClipPolygon& q, Real tolera
   return p.size() == q.size();
 }
 
-/// Checks the corners, in this order round the polygon; it may begin with any of them.
+/// Checks the corners in this cyclic order, starting at any of them.
 inline bool expect_corners(Story& story, const ClipPolygon& got, const std::vector<Vec3>& expected,
                            Real tolerance = 0, SourceLine at = {}) {
   const ClipPolygon wanted = polygon_of(expected);

@@ -1,6 +1,6 @@
 #pragma once
 /// @file reduction.hpp
-/// Random contact polygons, and the best four points by trying them all.
+/// Random contact polygons, and the best four points by brute force.
 
 #include <algorithm>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace cs550::test {
 
-/// The shares of reduce_manifold() that its tests demand. Over 120,000 random polygons the recipe of
-/// the header kept at least 71 % of the best four points' area, 98 % on average; a recipe that takes
+/// The area that reduce_manifold() must keep. Over 120,000 random polygons the algorithm of the
+/// header kept at least 71 % of the best four points' area, 98 % on average; a recipe that takes
 /// one point on each side of the longest line falls to 43 % and 92 %.
 inline constexpr double least_share = 0.65;
 inline constexpr double mean_share = 0.96;
@@ -71,7 +71,7 @@ inline double best_area_of_four(const ContactRing& ring) {
   return best;
 }
 
-/// Checks a number of random rings of one size.
+/// Checks random polygons of one size.
 inline void require_good_reductions(Story story, Random& random, Real size, int count) {
   story.given("size", size, "m");
   double sum = 0;

@@ -1,4 +1,4 @@
-// L5.5: four points in place of many.
+// L5.5: the reduction to four points.
 #include <cs550/graded_test.hpp>
 
 #include "lab5_clipping/reduction.hpp"

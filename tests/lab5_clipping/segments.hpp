@@ -1,6 +1,6 @@
 #pragma once
 /// @file segments.hpp
-/// The distance of two segments by trying every pair of features, in double precision.
+/// The distance of two segments by brute force over their features, in double precision.
 
 #include <algorithm>
 
@@ -14,8 +14,8 @@ inline double point_to_segment(const Point& point, const Point& from, const Poin
   return (from + t * along - point).norm();
 }
 
-/// The smallest of: each end to the other segment, and, where the closest points of the two lines lie
-/// inside both segments, the distance of the lines.
+/// The minimum over the distances of each end from the other segment and, if the closest points of
+/// the two lines are inside both segments, the distance of the lines.
 inline double segment_distance(const Point& a0, const Point& a1, const Point& b0, const Point& b1) {
   double smallest = std::min({point_to_segment(a0, b0, b1), point_to_segment(a1, b0, b1),
                               point_to_segment(b0, a0, a1), point_to_segment(b1, a0, a1)});

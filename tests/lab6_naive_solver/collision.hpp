@@ -1,7 +1,7 @@
 #pragma once
 /// @file collision.hpp
-/// Bodies and constraints for the tests of lab 6, and the same collision as matrices in double precision:
-/// V = [v_A, ω_A, v_B, ω_B], J = [−d, −r_A × d, d, r_B × d], M⁻¹ of 12 × 12.
+/// Bodies and constraints for the tests of lab 6, and the same collision as matrices in double
+/// precision: V = [v_A, ω_A, v_B, ω_B], J = [−d, −r_A × d, d, r_B × d], M⁻¹ of 12 × 12.
 
 #include <Eigen/LU>
 #include <vector>
@@ -28,7 +28,7 @@ inline SolverBody movable(Real mass, const Vec3& half_extents,
   return body;
 }
 
-/// Bodies 0 and 1, or others, that touch.
+/// A contact between bodies 0 and 1, or others.
 inline ContactConstraint touching(const Vec3& n, const Vec3& r_a, const Vec3& r_b,
                                   Real restitution = 0, Index body_a = 0, Index body_b = 1) {
   ContactConstraint constraint;
@@ -49,7 +49,7 @@ struct Collision {
   ContactConstraint constraint;
 };
 
-/// Random boxes of a given size (m) that approach; their masses differ by up to a factor of 100.
+/// Random approaching boxes of a given size (m). Their masses differ by up to a factor of 100.
 inline Collision random_collision(Random& random, Real size, Real restitution = 0) {
   const auto random_box = [&random, size] {
     const Vec3 shape = Vec3::Constant(Real(0.55)) + random.point_in_box(Vec3::Constant(Real(0.45)));
@@ -75,7 +75,7 @@ inline bool same_motion(const SolverBody& a, const SolverBody& b) {
   return a.v == b.v && a.w == b.w;
 }
 
-/// Runs the solver over the one contact of a collision.
+/// Runs the solver on the contact of a collision.
 inline void collide(Collision& collision) {
   std::vector<SolverBody> bodies = {collision.a, collision.b};
   resolve_contacts_naive(std::span(&collision.constraint, 1), bodies);
@@ -124,7 +124,7 @@ inline Eigen::Vector3d linear_momentum(const SolverBody& body) {
   return body.v.cast<double>() / double{body.inverse_mass};
 }
 
-/// I·ω + x × m·v about the point from which the centre of mass lies at x.
+/// I·ω + x × m·v about a point, with the centre of mass at x relative to it.
 inline Eigen::Vector3d angular_momentum(const SolverBody& body, const Vec3& x) {
   return body.world_inverse_inertia.cast<double>().inverse() * body.w.cast<double>() +
          x.cast<double>().cross(linear_momentum(body));

@@ -1,4 +1,4 @@
-// L6.1 and L6.2: the numbers that an impulse is made of.
+// L6.1 and L6.2: effective mass and normal velocity.
 #include <cs550/graded_test.hpp>
 
 #include "helpers/story.hpp"
@@ -33,7 +33,7 @@ GRADED_TEST(Lab6, EffectiveMassMatchesDense, 6, "L6.1") {
       here.given("size", size, "m")
           .given("r_A", at.constraint.r_a, "m")
           .given("r_B", at.constraint.r_b, "m");
-      // Only positive terms are added: nothing can cancel, a few roundings of float remain.
+      // All terms are positive, so there is no cancellation, only a few roundings of float.
       require(here.expect_near("m_e", got, exact, 1e-5 * exact, "kg"));
     }
   }
@@ -105,7 +105,7 @@ GRADED_TEST(Lab6, NormalVelocityMatchesDense, 4, "L6.2") {
       const double got = normal_velocity(at.a, at.b, at.constraint.r_a, at.constraint.r_b, n);
       Story here = story;
       here.given("size", size, "m").given("n", n);
-      // Speeds of up to ten sizes a second are added and may cancel.
+      // Speeds of up to ten sizes per second are added and may cancel.
       require(here.expect_near("v_n", got, exact, 1e-5 * size, "m/s"));
     }
   }

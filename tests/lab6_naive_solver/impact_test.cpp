@@ -37,7 +37,7 @@ GRADED_TEST(Lab6, InelasticCentralCollision, 3, "L6.3") {
 
 GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
   // A rod of mass M and length l along x, hit across its tip by a point mass m: 1/m_e = 1/m + 4/M,
-  // and the rod takes V = j/M, ω = 6·j/(M·l). The motion along the rod is not touched.
+  // and the rod takes V = j/M, ω = 6·j/(M·l). The motion along the rod is not affected.
   const Vec3 z = Vec3::UnitZ();
   Collision at;
   at.a.inverse_mass = 1;
@@ -77,7 +77,7 @@ GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
     const auto expected = [&exact](int first) {
       return Vec3(exact.segment<3>(first).cast<Real>());
     };
-    // A few roundings of float at speeds of some sizes a second.
+    // A few roundings of float at speeds of some sizes per second.
     here.expect_near("v_A", boxes.a.v, expected(0), 1e-4 * size, "m/s");
     here.expect_near("ω_A", boxes.a.w, expected(3), 1e-4, "rad/s");
     here.expect_near("v_B", boxes.b.v, expected(6), 1e-4 * size, "m/s");
@@ -85,7 +85,7 @@ GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
   }
 }
 
-/// Checks that the bodies collide while they approach.
+/// Checks that the bodies approach each other.
 void require_blow(Collision at) {
   const Collision before = at;
   collide(at);

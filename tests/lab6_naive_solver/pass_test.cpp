@@ -1,4 +1,4 @@
-// L6.4: restitution, many constraints, and what one pass over them cannot do.
+// L6.4: restitution, many constraints, and the limits of a single pass.
 #include <cs550/graded_test.hpp>
 
 #include "helpers/story.hpp"
@@ -37,7 +37,7 @@ GRADED_TEST(Lab6, MomentumIsKeptAndEnergyNeverGrows, 4, "L6.4") {
         Collision at = random_collision(random, size, e);
         const Collision before = at;
         collide(at);
-        // About the contact point, where the centres of mass lie at −r.
+        // About the contact point, relative to which the centres of mass are at −r.
         const auto spin = [](const Collision& c) -> Eigen::Vector3d {
           return angular_momentum(c.a, -c.constraint.r_a) +
                  angular_momentum(c.b, -c.constraint.r_b);

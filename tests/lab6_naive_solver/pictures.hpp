@@ -1,6 +1,6 @@
 #pragma once
 /// @file pictures.hpp
-/// What a failed collision looks like.
+/// Pictures of failed collisions.
 
 #include <algorithm>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace cs550::test {
 
-/// Two bodies as their centres of mass, their levers to the contact and their velocities.
+/// Two bodies as centres of mass, lever arms and velocities.
 /// @param meters_per_speed length of an arrow for 1 m/s
 inline drawing::Drawing draw_collision(const Collision& at, Real meters_per_speed) {
   using drawing::Role;
@@ -37,11 +37,11 @@ inline drawing::Drawing draw_collision(const Collision& at, Real meters_per_spee
   return drawing;
 }
 
-/// A collision before and after the pass, at one scale.
+/// A collision before and after the pass, at the same scale.
 inline std::string collision_picture(const Collision& before, const Collision& after) {
   const Real fastest = std::max(before.a.v.norm(), before.b.v.norm());
   const Real reach = std::max(before.constraint.r_a.norm(), before.constraint.r_b.norm());
-  // Arrows that begin at neighbouring places must not cover each other.
+  // Arrows from neighbouring points must not cover each other.
   const Real scale = fastest > 0 && reach > 0 ? Real(0.45) * reach / fastest : Real(1);
   drawing::View view;
   drawing::Drawing start = draw_collision(before, scale);

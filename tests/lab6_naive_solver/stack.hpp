@@ -1,12 +1,13 @@
 #pragma once
 /// @file stack.hpp
-/// Boxes of 1 kg and 1 m on a floor, one contact between each two: the smallest stack there is.
+/// The simplest stack: boxes of 1 kg and 1 m on a floor, with one contact between neighbours.
 
 #include "lab6_naive_solver/collision.hpp"
 
 namespace cs550::test {
 
-/// Body 0 is the floor, body k the k-th box from below; constraint k is the contact below box k + 1.
+/// Body 0 is the floor, body k the k-th box from below; constraint k is the contact
+/// below box k + 1.
 struct Stack {
   explicit Stack(int boxes) : bodies(1), heights(1, Real(-0.5)) {
     const Vec3 up = Vec3(0, 0, Real(0.5));
@@ -17,7 +18,7 @@ struct Stack {
     }
   }
 
-  /// What gravity does to the velocities in a time h.
+  /// Applies gravity to the velocities for a time h.
   void fall(Real speed) {
     for (std::size_t k = 1; k < bodies.size(); ++k) bodies[k].v.z() -= speed;
   }

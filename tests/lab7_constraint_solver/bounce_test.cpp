@@ -9,7 +9,7 @@ namespace {
 
 constexpr int heights = 64;
 
-/// How high boxes rise after their first bounce, relative to the height they fell from.
+/// The height of boxes after their first bounce, relative to the height of their fall.
 std::vector<double> apexes(Real restitution, Story& story) {
   World world = checked_world();
   add_floor(world, 20, Real(0.5));

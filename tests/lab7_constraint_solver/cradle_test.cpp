@@ -5,7 +5,7 @@
 namespace cs550::test {
 namespace {
 
-/// Speeds along x of equal cubes in a row without friction, the first of which came at 2 m/s.
+/// Speeds along x of equal cubes in a row without friction. The first arrives at 2 m/s.
 std::vector<double> cradle(int count, Real gap, Story& story) {
   World world = checked_world();
   add_floor(world, 20, 0);
@@ -30,7 +30,7 @@ std::vector<double> cradle(int count, Real gap, Story& story) {
 
 GRADED_TEST(Lab7, CradlePassesTheBlowOn, 1, "L7.9") {
   Story story("in a row with gaps the last cube leaves with the speed of the first");
-  // More than what a cube travels in two steps: each impact is over before the next begins.
+  // More than a cube travels in two steps, so that each impact ends before the next begins.
   story.given("5 equal cubes, gaps 0.1 m, e = 1, no friction, the first at 2 m/s").when("1 s");
   story.likely("each impact is −e·v_n⁰ of its own constraint")
       .likely(

@@ -1,7 +1,7 @@
 #pragma once
 /// @file dense_contact.hpp
-/// The oracle of lab 7: contacts as dense matrices in double precision, from the definition of the
-/// relative velocity and nothing else.
+/// The oracle of lab 7: contacts as dense matrices in double precision, derived only from the
+/// definition of the relative velocity.
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -20,7 +20,7 @@ using Mat12 = Eigen::Matrix<double, 12, 12>;
 
 inline Eigen::Vector3d wide(const Vec3& v) { return v.cast<double>(); }
 
-/// d·(v_B + ω_B × r_B − v_A − ω_A × r_A), as it stands.
+/// d·(v_B + ω_B × r_B − v_A − ω_A × r_A).
 inline double relative_speed(const Vec12& velocity, const Vec3& direction, const Vec3& r_a,
                              const Vec3& r_b) {
   const Eigen::Vector3d w_a = velocity.segment<3>(3);
@@ -30,7 +30,7 @@ inline double relative_speed(const Vec12& velocity, const Vec3& direction, const
   return wide(direction).dot(at_b - at_a);
 }
 
-/// J from the definition: what each unit velocity contributes.
+/// J from the definition, as the contribution of each unit velocity.
 inline Vec12 dense_jacobian(const Vec3& direction, const Vec3& r_a, const Vec3& r_b) {
   Vec12 jacobian;
   for (int i = 0; i < 12; ++i) {
@@ -74,7 +74,7 @@ inline SolverBody random_body(Random& random, Real size = 1) {
 
 inline SolverBody immovable_body() { return {}; }
 
-/// A contact in a random direction at random offsets; nothing prepared.
+/// A contact in a random direction at random offsets, not prepared.
 inline ContactConstraint random_constraint(Random& random, Real size = 1) {
   ContactConstraint constraint;
   constraint.body_a = 0;
@@ -96,7 +96,7 @@ inline Eigen::Matrix<double, 3, 12> dense_jacobians(const ContactConstraint& con
   return j;
 }
 
-/// Does what prepare_contacts() does for a rigid contact, so that later steps need not wait for it.
+/// Replaces prepare_contacts() for a rigid contact, so that later steps can be tested without it.
 inline void prepare_densely(ContactConstraint& constraint, const SolverBody& a,
                             const SolverBody& b) {
   const Eigen::Matrix<double, 3, 12> j = dense_jacobians(constraint);
@@ -106,7 +106,7 @@ inline void prepare_densely(ContactConstraint& constraint, const SolverBody& a,
   constraint.tangent_mass = tangents.inverse().cast<Real>();
 }
 
-/// Two bodies that meet.
+/// Two bodies with a contact.
 struct Meeting {
   SolverBody a;
   SolverBody b;
@@ -140,7 +140,7 @@ struct Meeting {
   }
 };
 
-/// A prepared meeting in which both bodies move at random.
+/// A prepared contact between two bodies with random motion.
 inline Meeting random_meeting(Random& random, Real size = 1) {
   Meeting meeting;
   meeting.a = random_body(random, size);
@@ -157,8 +157,8 @@ inline void make_approach(Meeting& meeting) {
   prepare_densely(meeting.constraint, meeting.a, meeting.b);
 }
 
-/// A floor and a body above it, a unit cube whose centre is straight over the contact: it lands without
-/// turning.
+/// A floor and a unit cube above it. Its centre is directly above the contact, so that it lands
+/// without turning.
 inline Meeting landing(Real mass, const Vec3& velocity) {
   Meeting meeting;
   meeting.b.inverse_mass = 1 / mass;
@@ -170,7 +170,7 @@ inline Meeting landing(Real mass, const Vec3& velocity) {
   meeting.constraint.u = Vec3::UnitX();
   meeting.constraint.r_b = Vec3(0, 0, Real(-0.5));
   meeting.constraint.normal_mass = mass;
-  // Along the floor the body also turns: 1/m + r²/I = (1 + 0.25 · 6)/m.
+  // A tangential impulse also turns the body: 1/m + r²/I = (1 + 0.25 · 6)/m.
   meeting.constraint.tangent_mass = mass / Real(2.5) * Mat2::Identity();
   return meeting;
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// @file dense_lcp.hpp
-/// The answer that sequential impulses must find, by trying all sets of pushing constraints in double:
+/// The solution of sequential impulses, by brute force over the active constraints in double:
 /// λ ≥ 0, w = J·V' + b ≥ 0, λ·w = 0. Murty, *Linear Complementarity* (1988), §1.
 
 #include <Eigen/QR>
@@ -41,15 +41,15 @@ struct DenseContacts {
   }
 };
 
-/// λ of a small system (up to a dozen constraints) with b = 0. Of redundant constraints it finds one of the
-/// solutions; V' is the same for all.
+/// λ of a small system (up to a dozen constraints) with b = 0. If constraints are redundant, it is
+/// one of several solutions with the same V'.
 inline std::optional<Eigen::VectorXd> solve_lcp(const DenseContacts& contacts) {
   const Eigen::MatrixXd k =
       contacts.jacobian * contacts.inverse_mass * contacts.jacobian.transpose();
   const Eigen::VectorXd q = contacts.jacobian * contacts.velocity;
   const double tiny = 1e-9 * q.norm();
   for (unsigned set = 0; set < 1U << q.size(); ++set) {
-    // Constraints that do not push are replaced by λ = 0.
+    // Inactive constraints are replaced by λ = 0.
     Eigen::MatrixXd system = Eigen::MatrixXd::Identity(q.size(), q.size());
     Eigen::VectorXd right = Eigen::VectorXd::Zero(q.size());
     for (Eigen::Index i = 0; i < q.size(); ++i) {
@@ -59,7 +59,7 @@ inline std::optional<Eigen::VectorXd> solve_lcp(const DenseContacts& contacts) {
     }
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(system);
     if (solver.rank() < q.size())
-      continue;  // Redundant constraints: a smaller set has a solution, too.
+      continue;  // Redundant constraints: a smaller set also has a solution.
     const Eigen::VectorXd impulses = solver.solve(right);
     const Eigen::VectorXd w = k * impulses + q;
     if (impulses.minCoeff() >= -tiny * impulses.norm() && w.minCoeff() >= -tiny) return impulses;

@@ -37,7 +37,7 @@ void require_slide(Story slide, Meeting meeting, double angle, int passes) {
   require(slide.expect_near("velocity after", meeting.b.v, in_plane(angle, 30 - 1.5), 1e-5, "m/s"));
 }
 
-/// A beam along x over the contact: it turns easily about x, so that m_t is 0.5 kg along v and
+/// A beam along x above the contact. It turns easily about x, so that m_t is 0.5 kg along v and
 /// 1.6 kg along u.
 Meeting beam() {
   Meeting meeting = landing(2, Vec3::Zero());
@@ -60,7 +60,7 @@ GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 2, "L7.7") {
     const double angle = 0.1 + k * static_cast<double>(pi) / 6;
     require_slide(cube, landing(2, Vec3::Zero()), angle, 1);
     require_slide(cube, landing(2, Vec3::Zero()), angle, 3);
-    // A second solve would meet another slip: the first has turned the beam.
+    // A second solve would have another slip, because the first has turned the beam.
     require_slide(long_beam, beam(), angle, 1);
   }
 }

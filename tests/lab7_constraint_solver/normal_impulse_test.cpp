@@ -22,7 +22,7 @@ GRADED_TEST(Lab7, OneImpulseStopsTheApproach, 2, "L7.6") {
     Meeting meeting = random_meeting(random);
     make_approach(meeting);
     const double approach = -meeting.contact_velocity()[0];
-    // Apart: some of the approach is allowed. Deep: a push apart comes on top.
+    // If separated, some approach is allowed. If deep, a push is added.
     const double depth = i % 3 - 1;
     const double b = depth > 0 ? 0.5 * approach : depth;
     const double h = static_cast<double>(step.h);
@@ -59,11 +59,11 @@ GRADED_TEST(Lab7, AnImpulseMayGoBackDownButNeverPulls, 2, "L7.6") {
     contact.expect_near("v_n after", static_cast<double>(meeting.b.v.z()), speed_after, 1e-6,
                         "m/s");
   };
-  solve(0, 3, 0, 3);           // Nothing to take back: the body leaves as it will.
-  solve(10, 3, 4, 0);          // Too much was given: 2 kg · 3 m/s are taken back.
-  solve(4, 3, 0, 1);           // All of it is taken back, and no more.
-  solve(4, Real(-1.5), 7, 0);  // And when approaching, the sum grows.
-  solve(6, 3, 0, 0);           // Exactly released.
+  solve(0, 3, 0, 3);           // Nothing to reduce: the bodies separate freely.
+  solve(10, 3, 4, 0);          // Too large: it is reduced by 2 kg · 3 m/s.
+  solve(4, 3, 0, 1);           // It is reduced to zero, not below.
+  solve(4, Real(-1.5), 7, 0);  // If the bodies approach, the sum increases.
+  solve(6, 3, 0, 0);           // Reduced to exactly zero.
 }
 
 GRADED_TEST(Lab7, NormalImpulsesConserveMomentum, 1, "L7.6") {
@@ -122,7 +122,7 @@ GRADED_TEST(Lab7, TheSeparationFollowsTheBodies, 1, "L7.6") {
     moved << wide(meeting.a.delta_position), wide(meeting.a.delta_rotation),
         wide(meeting.b.delta_position), wide(meeting.b.delta_rotation);
     const double closed = dense_jacobians(meeting.constraint).row(0).dot(moved);
-    // A gap now that half of the approach closes in the substep.
+    // A gap that half of the approach would close in the substep.
     const double half = -0.5 * meeting.contact_velocity()[0];
     const double gap = half * static_cast<double>(step.h);
     meeting.constraint.separation = static_cast<Real>(gap - closed);
@@ -130,7 +130,7 @@ GRADED_TEST(Lab7, TheSeparationFollowsTheBodies, 1, "L7.6") {
     Story contact = story;
     contact.given("separation at the start", meeting.constraint.separation, "m");
     contact.given("separation now", gap, "m");
-    // A rounding of the separation, some cm, counts 1/h-fold.
+    // A rounding of the separation, some cm, is multiplied by 1/h.
     require(contact.expect_near("v_n after", meeting.contact_velocity()[0], -half,
                                 rounding * (1 + half), "m/s"));
   }

@@ -31,7 +31,7 @@ GRADED_TEST(Lab7, SequentialImpulsesFindTheAnswerOfTheWholeSystem, 2, "L7.8") {
     Story here = story;
     here.given(i % 2 == 0 ? "three bodies, four contacts" : "a box that lands on four corners");
     here.when("1000 passes");
-    // Float cannot see a residual below some roundings of the speeds.
+    // Float cannot resolve a residual below some roundings of the speeds.
     require(here.expect_near("distance of the velocities from the dense answer", error, 0,
                              1e-4 * (1 + before.velocity.norm()), "m/s"));
   }
@@ -66,7 +66,7 @@ GRADED_TEST(Lab7, APassAndItsReverseAreMirrorImages, 2, "L7.8") {
   story.likely("friction is limited by the normal impulse that the constraint has at that moment")
       .likely("backwards everything is reversed, also the two halves of a constraint");
   Meeting meeting = landing(2, Vec3(4, 0, -3));
-  // The centre is not above the contact: friction and normal feel each other.
+  // The centre is not above the contact, so that friction and normal are coupled.
   meeting.constraint.r_b.x() = Real(0.3);
   prepare_densely(meeting.constraint, meeting.a, meeting.b);
   meeting.constraint.friction = Real(0.5);

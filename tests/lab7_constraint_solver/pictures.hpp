@@ -1,6 +1,6 @@
 #pragma once
 /// @file pictures.hpp
-/// What a failed test of lab 7 looks like.
+/// Pictures of failed tests of lab 7.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace cs550::test {
 
-/// The friction disk with the impulse that was expected and the one that came out.
+/// The friction disk with the expected and the actual impulse.
 /// @param limit μ·λ_n (N·s)
 /// @param slip along u and v, before friction (m/s)
 inline std::string friction_picture(Real limit, const Vec3& expected, const Vec2& got,
@@ -39,7 +39,7 @@ inline drawing::Drawing movable_bodies(const World& world, drawing::Role role) {
   return drawing;
 }
 
-/// The farthest that any body has moved, in words.
+/// The largest displacement of any body, in words.
 inline std::string farthest_move(const World& start, const World& now) {
   Real farthest = 0;
   for (std::size_t i = 0; i < start.bodies().size(); ++i) {
@@ -50,7 +50,7 @@ inline std::string farthest_move(const World& start, const World& now) {
          drawing::length_text(static_cast<double>(farthest)) + ".";
 }
 
-/// How bodies stood, and should stand still, beside how they stand now.
+/// The initial poses of bodies at rest beside their present poses.
 inline std::string standing_picture(const World& start, const World& now) {
   drawing::Drawing expected = movable_bodies(start, drawing::Role::Expected);
   expected.title = "as at the start";

@@ -17,7 +17,7 @@ ContactStep bouncing_step(int sweeps) {
   return step;
 }
 
-/// One sweep over the one constraint of a meeting.
+/// One sweep over the constraint of a contact.
 void bounce(Meeting& meeting) {
   SolverBody bodies[] = {meeting.a, meeting.b};
   apply_restitution({&meeting.constraint, 1}, bodies, bouncing_step(1));
@@ -38,7 +38,7 @@ GRADED_TEST(Lab7, ImpactsLeaveWithAShareOfTheirApproach, 1, "L7.9") {
     Meeting meeting = random_meeting(random);
     meeting.constraint.restitution = random.real(Real(0.1), 1);
     meeting.constraint.approach_velocity = random.real(-6, -1);
-    // Large enough that none is taken back in full: v_n is some m/s.
+    // Large enough that none is reduced to zero: v_n is some m/s.
     meeting.constraint.normal_impulse = 100 * meeting.constraint.normal_mass;
     const Meeting before = meeting;
     bounce(meeting);
@@ -158,7 +158,7 @@ GRADED_TEST(Lab7, CornersReachTheirTargetsTogether, 1, "L7.9") {
     }
     if (sweeps == 0) swept.expect_near("largest error of v_n", worst, 2, 0, "m/s");
     if (sweeps == 1) swept.expect_at_least("largest error of v_n", worst, 0.02, "m/s");
-    // Each sweep takes at least a fifth of the error away: 0.8⁴⁰ ≈ 1e-4.
+    // Each sweep reduces the error by at least a fifth: 0.8⁴⁰ ≈ 1e-4.
     if (sweeps == 40) swept.expect_at_most("largest error of v_n", worst, 1e-3, "m/s");
   }
 }

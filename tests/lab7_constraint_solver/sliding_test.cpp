@@ -8,7 +8,7 @@ namespace {
 const Vec3 cube_half(Real(0.5), Real(0.5), Real(0.5));
 const Vec3 long_half(Real(1), Real(0.2), Real(0.2));
 
-/// A box at rest on a slope, laid flat with gravity tilted, for a time: where it is then.
+/// The position after a time of a box that starts at rest on a slope, modelled by tilted gravity.
 struct Slide {
   Vec3 moved;
   Vec3 velocity;
@@ -19,7 +19,7 @@ Slide slide(const Vec3& half_extents, double slope, double azimuth, double secon
   world.settings().gravity = gravity_on_slope(slope, azimuth);
   add_floor(world, 20, 1);
   BodyDef def = body_at(box_shape(half_extents), {0, 0, half_extents.z()});
-  def.friction = Real(0.25);  // The pair's is √(0.25 · 1) = 0.5.
+  def.friction = Real(0.25);  // That of the pair is √(0.25 · 1) = 0.5.
   def.pose.orientation = yaw(Real(0.3));
   const BodyId box = world.add_body(def);
   run_world(world, story, seconds);
@@ -83,7 +83,7 @@ GRADED_TEST(Lab7, SlidingBoxesStopAfterTheirStoppingDistance, 1, "L7.8") {
       run_world(world, story, 1.5);
       const double distance = 9 / (2 * 0.4 * gravity);
       const Vec3 expected = static_cast<Real>(distance / 3) * def.linear_velocity;
-      // A substep of 1/240 s at 3 m/s, halved: half a per cent of the way; and again for the tilt.
+      // Half of a substep of 1/240 s at 3 m/s: 0.5 % of the distance, and as much for the tilt.
       require(story.expect_near("distance moved", world.body(box).pose.position - def.pose.position,
                                 expected, 0.01 * distance, "m"));
       require(story.expect_near("velocity in the end", world.body(box).linear_velocity,

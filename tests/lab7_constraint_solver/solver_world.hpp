@@ -1,7 +1,7 @@
 #pragma once
 /// @file solver_world.hpp
-/// Whole worlds for tests of the solver: shapes from recorded meshes, a floor, and steps that end at
-/// the first thing that is missing or broken.
+/// Complete worlds for tests of the solver: shapes from recorded meshes, a floor, and steps that
+/// end the test at the first missing or failed stage.
 
 #include <regex>
 #include <stdexcept>
@@ -17,7 +17,7 @@ namespace cs550::test {
 inline constexpr Real step_length = Real(1) / 60;
 inline constexpr double gravity = 9.81;
 
-/// A box: the recorded cube, stretched.
+/// A box: the recorded cube, scaled.
 inline ShapePtr box_shape(const Vec3& half_extents) {
   HalfEdgeMesh mesh = fixture_mesh("cube");
   for (Vec3& vertex : mesh.vertices) vertex = 2 * vertex.cwiseProduct(half_extents);
@@ -36,7 +36,7 @@ inline BodyDef body_at(const ShapePtr& shape, const Vec3& position) {
 
 inline Quat yaw(Real angle) { return rotation_exp(Vec3(0, 0, angle)); }
 
-/// A world that checks what its stages promise.
+/// A world that checks the postconditions of its stages.
 inline World checked_world() {
   WorldSettings settings;
   settings.check_stages = true;
@@ -53,15 +53,15 @@ inline void add_floor(World& world, Real half_width, Real friction,
   world.add_body(floor);
 }
 
-/// Gravity as a body on a slope feels it that goes down at an angle in the direction of an azimuth,
-/// when the slope is laid flat.
+/// The gravity in the frame of a slope that descends at an angle in the direction of an azimuth, so
+/// that the slope can be horizontal.
 inline Vec3 gravity_on_slope(double slope, double azimuth) {
   return Vec3(static_cast<Real>(gravity * std::sin(slope) * std::cos(azimuth)),
               static_cast<Real>(gravity * std::sin(slope) * std::sin(azimuth)),
               static_cast<Real>(-gravity * std::cos(slope)));
 }
 
-/// Ends the test as if the step that is not written yet had been called by it.
+/// Ends the test as if it had called the unwritten step itself.
 inline void throw_if_unwritten(const StageProblem& problem) {
   static const std::regex pattern(R"(not implemented: (\S+) (\S+) \((\S+):(\d+)\).*)");
   std::smatch part;
@@ -70,7 +70,7 @@ inline void throw_if_unwritten(const StageProblem& problem) {
                        std::stoi(part[4]));
 }
 
-/// One step. A stage that breaks its promise ends the test.
+/// One step. A violated postcondition ends the test.
 /// @throws NotImplemented if a stage is not written yet
 inline void step_world(World& world, Story& story) {
   world.step(step_length);

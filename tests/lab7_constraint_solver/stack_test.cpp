@@ -10,12 +10,12 @@
 namespace cs550::test {
 namespace {
 
-/// The same pile in another place, order, material and size: none of it may matter.
+/// Variations of a pile in place, order, material and size. None of them may matter.
 struct Variation {
   std::uint32_t seed;
   Real yaw_degrees;
   Real density;
-  Real size;      ///< of a box (m); gravity and the length unit go with it
+  Real size;      ///< of a box (m); gravity and the length unit scale with it
   Real sideways;  ///< each box is moved by up to this share of its size
 };
 
@@ -33,8 +33,8 @@ World scaled_world(Real size) {
   return world;
 }
 
-/// Boxes at places given in sizes, each moved sideways, added in a shuffled order. Returns their names
-/// in the order of the places.
+/// Boxes at positions in multiples of their size, each moved sideways, added in a shuffled order.
+/// Returns their ids in the order of the positions.
 std::vector<BodyId> add_boxes(World& world, const std::vector<Vec3>& places,
                               const Variation& variation) {
   Random random(variation.seed);

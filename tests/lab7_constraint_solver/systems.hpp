@@ -1,6 +1,6 @@
 #pragma once
 /// @file systems.hpp
-/// A few bodies and frictionless constraints, prepared by dense algebra.
+/// Systems of a few bodies and frictionless constraints, prepared by dense algebra.
 
 #include "lab7_constraint_solver/dense_contact.hpp"
 
@@ -35,7 +35,8 @@ inline System random_system(Random& random) {
   return system;
 }
 
-/// A box of 1 kg at rest that touches the floor with its four lower corners: four constraints of rank three.
+/// A box of 1 kg at rest that touches the floor with its four lower corners: four constraints of
+/// rank three.
 inline System box_on_floor(const Vec3& half_extents) {
   System system;
   const Vec3 squares = half_extents.cwiseProduct(half_extents);
@@ -60,7 +61,7 @@ inline System box_on_floor(const Vec3& half_extents) {
   return system;
 }
 
-/// The same, falling and turning at random.
+/// The same box with a random motion.
 inline System landing_box(Random& random, const Vec3& half_extents) {
   System system = box_on_floor(half_extents);
   system.bodies[1].v = random.point_in_box(Vec3(1, 1, 1)) - Vec3(0, 0, 3);

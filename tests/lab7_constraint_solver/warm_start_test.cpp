@@ -9,7 +9,7 @@ namespace {
 /// Roundings of float in a few products and sums, relative to the largest term.
 constexpr double rounding = 5e-6;
 
-/// Two bodies whose constraint remembers impulses that change speeds by some m/s.
+/// Two bodies with accumulated impulses that change speeds by some m/s.
 Meeting loaded_meeting(Random& random) {
   Meeting meeting = random_meeting(random);
   ContactConstraint& constraint = meeting.constraint;
@@ -54,7 +54,7 @@ GRADED_TEST(Lab7, WarmStartConservesMomentum, 1, "L7.5") {
     warm_start(meeting.constraint, meeting.a, meeting.b);
     const Vec12 change = meeting.velocity() - velocity;
     const double moved = (meeting.momentum() - before).norm();
-    // What each body gained is rounded on its own, at the scale of its momentum.
+    // The change of each body is rounded separately, at the scale of its momentum.
     require(story.expect("the bodies have got an impulse", change.norm() > 0));
     require(
         story.expect_near("change of P and L", moved, 0, rounding * (1 + before.norm()), "N·s"));

@@ -1,4 +1,4 @@
-// Milestones: what is compared, and what a departure is called.
+// Milestones: the compared quantities, and the messages for deviations.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(Distance, OfNanIsNan) {
   EXPECT_TRUE(std::isnan(distance({1, 0, 0, 0}, {nan, 0, 0, 0})));
 }
 
-/// A quantity that stays 1 for a second, as a run and as its record.
+/// A quantity that is 1 for a second, as a run and as a record.
 Track constant_track() {
   Track track;
   for (int i = 0; i <= 10; ++i) {
@@ -92,7 +92,7 @@ TEST(Records, EveryLabHasOne) {
   for (int lab = 1; lab <= 7; ++lab) EXPECT_FALSE(milestones_of(lab).empty()) << lab;
 }
 
-/// The same bodies, the last one first: every sum in the solver runs in another order.
+/// The same bodies in reverse order, so that all sums of the solver are computed in another order.
 Scene turned_round(Scene scene) {
   std::reverse(scene.bodies.begin(), scene.bodies.end());
   std::reverse(scene.body_names.begin(), scene.body_names.end());
@@ -118,7 +118,7 @@ TEST(Milestones, AnotherOrderOfSummationReachesThem) {
   }
 }
 
-/// Several things are wrong at once, so that every milestone meets one of them.
+/// Several mistakes at once, so that every milestone is affected by one of them.
 Scene spoiled(Scene scene) {
   scene.settings.gravity += Vec3(0, 0, 1);
   scene.settings.solver = SolverKind::Naive;

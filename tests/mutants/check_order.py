@@ -19,7 +19,7 @@ def unwritten(step):
 
 
 def problems(step, rows):
-    """What differs from the order that labN.json promises."""
+    """The differences from the order in labN.json."""
     blocked = step.get("blocked", {})
     for row in rows:
         name = row["test"].split(".")[-1]
@@ -31,7 +31,7 @@ def problems(step, rows):
 
 
 def check_lab(build, file):
-    """Prints a line per step. Returns how many there were and how many have problems."""
+    """Prints a line per step. Returns the number of steps and of those with problems."""
     lab = int(file.stem.removeprefix("lab"))
     steps = json.loads(file.read_text())["order"]
     reference = Reference(build, lab)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the graded tests with wrong solutions.
+"""Checks that the graded tests detect wrong solutions.
 
 A mutant in labN.json is one mistake: an edit of the reference. The edited reference must compile,
 lose points in the step that the mistake breaks, keep those of every step that it does not touch, and
@@ -26,11 +26,11 @@ SECONDS_PER_MUTANT = 240
 
 
 class Unusable(Exception):
-    """The mutant cannot be judged: its text does not occur once, or it does not compile."""
+    """The mutant cannot be run: its text does not occur exactly once, or it does not compile."""
 
 
 class Reference:
-    """A lab's graded tests on its reference, and how the build makes the reference's library."""
+    """A lab's graded tests on its reference, and the commands that build the reference's library."""
 
     def __init__(self, build, lab):
         target = f"lab{lab}_reference"
@@ -53,7 +53,7 @@ class Reference:
         place = command.index("-o") + 1
         old, command[place] = command[place], edited.with_suffix(".o")
         command[command.index("-c") + 1] = edited
-        # A mistake may leave a variable unused: no reason to refuse it.
+        # A mistake may leave a variable unused. That warning is not an error here.
         run([*command, "-w", "-iquote", original.parent], cwd=self.build)
         return old, edited.with_suffix(".o")
 
@@ -82,7 +82,7 @@ def mutated_sources(mutant):
 
 
 def with_body(text, function, body):
-    """A source with another body of a function; nothing if the source does not define it."""
+    """A source with another body of a function, or None if the source does not define it."""
     start = re.search(r"^ *" + re.escape(function), text, re.MULTILINE)
     if not start:
         return None
@@ -95,7 +95,7 @@ def with_body(text, function, body):
 
 
 def sources_with_bodies(reference, bodies):
-    """The sources that define some functions, with other bodies: pairs of "Real height(" and a body."""
+    """The sources that define some functions, with other bodies, given as pairs of "Real height(" and a body."""
     sources = {}
     for function, body in bodies:
         for source in reference.compile:
@@ -146,7 +146,7 @@ def row_of(results):
 
 
 def faults(mutant, failed):
-    """What is wrong with the graded tests, or with what the mutant says of itself."""
+    """The errors in the graded tests or in the description of the mutant."""
     step, may_also_fail = mutant["step"], mutant["may_also_fail"]
     own = [row for row in failed if row["step"] == step]
     if not own:
@@ -201,7 +201,7 @@ def name_of(wrong):
 
 
 def prove_lab(build, file, only, jobs):
-    """Prints a line per wrong answer. Returns how many there were and how many have faults."""
+    """Prints a line per wrong solution. Returns the number of solutions and of those with errors."""
     lab = int(file.stem.removeprefix("lab"))
     listed = json.loads(file.read_text())
     answers = [wrong for wrong in listed["mutants"] + listed["vacuous"]

@@ -1,5 +1,5 @@
 # With the label `mutant`:
-#   mutant.LabN   wrong answers earn no points, see run_mutants.py
+#   mutant.LabN   known mistakes lose points, see run_mutants.py
 #   order.LabN    the steps can be written in the order of labN.json, see check_order.py
 function(cs550_add_mutant_test name script number)
   add_test(NAME ${name}.Lab${number}

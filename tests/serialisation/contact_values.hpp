@@ -1,6 +1,6 @@
 #pragma once
 /// @file contact_values.hpp
-/// What labs 6 and 7 are called with: two bodies that move, and contacts between them.
+/// Arguments for labs 6 and 7: two moving bodies and contacts between them.
 
 #include <vector>
 
@@ -20,7 +20,7 @@ inline SolverBody moving(Random& random) {
   return body;
 }
 
-/// A contact that approaches, overlaps, slides and has impulses from before.
+/// A contact that approaches, overlaps, slides and has accumulated impulses.
 inline ContactConstraint touching(Random& random) {
   ContactConstraint constraint;
   constraint.body_a = 0;

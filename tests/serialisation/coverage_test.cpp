@@ -1,4 +1,4 @@
-/// A function that a header of the contract asks for is called across a wire in one of these files.
+/// Every lab function of the contract is called with serialised arguments in one of these files.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 const fs::path root = fs::path(CS550_ASSETS) / "../..";
 
-/// The functions whose comment names a step of a lab, in all headers of the contract.
+/// The functions with a step in their comment, in all headers of the contract.
 std::set<std::string> declared_lab_functions() {
   const std::regex step(R"(\*\*L\d+\.\d+\*\*)");
   const std::regex function(R"((\w+)\()");

@@ -19,7 +19,7 @@ ClipPolygon triangle() {
   return corners;
 }
 
-/// More points than a manifold keeps.
+/// More points than a manifold can keep.
 std::vector<ContactPoint> nine_points() {
   std::vector<ContactPoint> points;
   Random random(31);

@@ -1,7 +1,7 @@
 #pragma once
 /// @file wire.hpp
-/// Calls across a wire: the arguments of a lab's function become bytes, the function is called with
-/// what is read from them, and its answer comes back as bytes.
+/// Calls a lab's function on arguments that went through a serialisation round trip. Its results go
+/// through another one.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace cs550::test {
 
 using namespace serialisation;
 
-/// What a parameter becomes while it waits to be passed: a value that owns all that it says.
+/// The type that owns the value of a parameter until the call.
 template <class P>
 struct Parameter {
   using Stored = std::remove_cvref_t<P>;
@@ -42,7 +42,7 @@ struct Parameter<T*> {
 template <class... P>
 using Arguments = std::tuple<typename Parameter<P>::Stored...>;
 
-/// Calls a function; its answer is what it returns, and the arguments, which it may have changed.
+/// Calls a function. The result is its return value and its arguments, which it may have changed.
 template <class R, class... P>
 auto answer(R (*function)(P...), Arguments<P...> arguments) {
   const auto call = [&](auto&... stored) { return function(Parameter<P>::pass(stored)...); };
@@ -55,7 +55,7 @@ auto answer(R (*function)(P...), Arguments<P...> arguments) {
   }
 }
 
-/// Two overlapping bodies, whose shapes the receiver of a call has.
+/// Two overlapping bodies. The receiver of a call has their shapes.
 struct TwoBodies {
   ShapePtr cube = fixture_shape("cube");
   ShapePtr hull = fixture_shape("dodecahedron");
@@ -89,15 +89,16 @@ void expect_same_across_wire(R (*function)(P...), typename Parameter<P>::Stored.
   EXPECT_EQ(to_bytes(received), request);
 }
 
-/// Calls a lab's function here and across the wire. coverage_test.cpp looks for this word.
+/// Calls a lab's function directly and across the wire. coverage_test.cpp searches for this name.
 #define EXPECT_SAME_ACROSS_WIRE(function, ...)      \
   do {                                              \
     SCOPED_TRACE(#function);                        \
     expect_same_across_wire(function, __VA_ARGS__); \
   } while (false)
 
-/// Sends a value whose every byte is 1 to where every byte is 0. Members are words of four bytes, or
-/// smaller with padding around them: a word that is still 0 is a member that was not sent.
+/// Serialises a value with all bytes 1 and reads it into one with all bytes 0. Members are words of
+/// four bytes, or smaller ones with padding, so a word that is still 0 is a member that was not
+/// archived.
 template <class T>
 void expect_every_word_sent(const char* name) {
   alignas(T) std::array<std::byte, sizeof(T)> sent;

@@ -1,4 +1,4 @@
-// What the program does with its command line.
+// The command line of the viewer.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -125,7 +125,7 @@ TEST_F(CommandLine, ListsTheSettingsOfAPage) {
   EXPECT_NE(outcome.output.find("direction="), std::string::npos) << outcome.output;
 }
 
-// There is no such program where labs/ is missing.
+// Without labs/ this program does not exist.
 #ifdef CS550_VIEWER_ON_STARTERS
 /// The starters: every function throws NotImplemented.
 TEST_F(CommandLine, AnUnwrittenStageShowsItsMessageInsteadOfAPicture) {
@@ -134,7 +134,7 @@ TEST_F(CommandLine, AnUnwrittenStageShowsItsMessageInsteadOfAPicture) {
     const Outcome outcome = run_program({CS550_VIEWER_ON_STARTERS, "--student", "--lab", number,
                                          "--size", "320x200", "--snapshot", file("stub.png")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-    // Clipping begins with an axis: lab 5 waits for lab 4.
+    // Clipping needs an axis, so lab 5 reports that lab 4 is missing.
     const std::string missing = lab == 5 ? "4" : number;
     EXPECT_NE(outcome.output.find("not implemented: L" + missing + "."), std::string::npos)
         << outcome.output;

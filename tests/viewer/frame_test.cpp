@@ -1,4 +1,4 @@
-// Many frames: memory and time.
+// Memory and time over many frames.
 #include <gtest/gtest.h>
 #include <malloc.h>
 
@@ -23,12 +23,12 @@ class Frames : public testing::Test {
   Interface ui{nullptr, 1};
 };
 
-/// The least that the program has asked for and not given back, after any of so many frames (bytes).
-/// Not simply what it has after the last one: llvmpipe, Mesa's driver without a graphics card, writes
-/// its commands into blocks of 64 KiB and keeps them until the same list of commands is used again.
-/// How many blocks wait so depends on its threads; up to 80 of them, 5 MB, came and went here. And
-/// large buffers, such as the 1 MB of the plots' vertices, are sometimes in the heap and sometimes
-/// mapped by themselves: malloc's threshold moves with what is given back.
+/// The minimum of allocated memory over a number of frames (bytes). The value after the last frame
+/// is too noisy. llvmpipe, Mesa's software driver, writes its commands into blocks of 64 KiB and
+/// keeps them until the same list of commands is reused. The number of kept blocks depends on its
+/// threads: up to 80 of them, 5 MB, were observed to come and go. Large buffers, such as the 1 MB
+/// of the plots' vertices, are sometimes in the heap and sometimes mapped separately, because
+/// malloc adapts its threshold when memory is freed.
 std::size_t least_bytes_in_use(App& app, Canvas& canvas, int frames) {
   std::size_t least = SIZE_MAX;
   for (int i = 0; i < frames; ++i) {
@@ -40,11 +40,11 @@ std::size_t least_bytes_in_use(App& app, Canvas& canvas, int frames) {
   return least;
 }
 
-/// A running scene with every overlay, after its plots are full.
+/// A running scene with all overlays and full plots.
 TEST_F(Frames, AThousandDoNotGrowLong) {
   Options options;
   options.scene = "bounce";
-  options.steps = 950;  // more than the plots remember
+  options.steps = 950;  // more than the plots keep
   for (const char* overlay : {"contacts", "impulses", "bounds", "tree", "velocities"}) {
     options.settings.push_back(std::string(overlay) + "=on");
   }
@@ -56,7 +56,7 @@ TEST_F(Frames, AThousandDoNotGrowLong) {
   const std::size_t before = least_bytes_in_use(app, canvas, half);
   const std::size_t after = least_bytes_in_use(app, canvas, half);
   const auto growth = static_cast<std::ptrdiff_t>(after - before);
-  // Less than 32 bytes a frame would take a day at 60 frames a second to fill 150 MB.
+  // At 60 frames a second, 32 bytes per frame fill 150 MB in a day.
   EXPECT_LT(growth, 32 * half) << "bytes in " << half << " frames";
 }
 
@@ -114,7 +114,7 @@ Projection view_of(const Content& content, Size size, Real turn = 0) {
           Area{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)}};
 }
 
-/// What is skipped because it was drawn before must be what would be drawn now.
+/// A skipped picture must be equal to the one that would have been drawn.
 TEST_F(Frames, AnOldContentRendererPaintsWhatANewOneDoes) {
   const Size size{320, 180};
   Content content = boxes(3);
@@ -150,7 +150,7 @@ TEST_F(Frames, AnOldContentRendererPaintsWhatANewOneDoes) {
   expect_fresh("the camera turned", Real(0.3), 2);
 }
 
-/// One sample for each pixel looks like several from a little farther away.
+/// At half size, one sample per pixel looks like several.
 TEST_F(Frames, AQuickOneLooksLikeAFineOne) {
   const Size size{640, 360};
   const Content content = boxes(4);
@@ -164,7 +164,7 @@ TEST_F(Frames, AQuickOneLooksLikeAFineOne) {
   EXPECT_LT(share_that_differs(pictures[0], pictures[1]), 0.1);
 }
 
-/// Reported, not judged: machines differ.
+/// Only reported, because machines differ.
 TEST_F(Frames, ReportsTheTimeOfAThousandBodies) {
   const Size size{1280, 720};
   const Content content = boxes(10);

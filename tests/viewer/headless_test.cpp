@@ -1,4 +1,4 @@
-// Pictures where EGL is missing: by a hidden window, or a message that says what to install.
+// Pictures without EGL: with a hidden window, or a message with the packages to install.
 #include "viewer/gl/headless_context.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using viewer::HeadlessContext;
 using viewer::HeadlessWay;
 
-/// The dispatcher of EGL (libglvnd) then knows no driver.
+/// Makes the dispatcher of EGL (libglvnd) find no driver.
 const std::string no_egl = "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null";
 
 viewer::Options small_page() {

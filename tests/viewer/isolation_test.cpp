@@ -1,4 +1,4 @@
-// Code that may fail is asked in a process of its own.
+// Code that may fail runs in a child process.
 #include <gtest/gtest.h>
 
 #include <csignal>

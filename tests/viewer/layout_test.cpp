@@ -1,4 +1,4 @@
-// Where panels and picture are.
+// The layout of panels and picture.
 #include "viewer/ui/layout.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ const Size sizes[] = {{64, 64},     {200, 1200},  {495, 300},   {640, 360},  {80
                       {1366, 768},  {1920, 1080}, {1080, 1920}, {2000, 300}, {2560, 1440},
                       {3840, 2160}, {8192, 8192}};
 
-/// Side by side from left to right, as high as the window, and nothing between them.
+/// Checks that the areas are side by side, as high as the window, and without gaps.
 void expect_covers(const Layout& layout, Size window) {
   float right = 0;
   for (const Area& area : {layout.panel, layout.picture, layout.plots}) {
@@ -76,7 +76,7 @@ TEST(Layout, ALargePictureIsTheSameButFiner) {
   EXPECT_EQ(layout.picture.width, 2 * usual.picture.width);
 }
 
-/// The rule as every page follows it, from size to size in one window.
+/// The layout of every page while the size of one window changes.
 TEST(Layout, EveryPageFollowsIt) {
   const HeadlessContext context;
   Interface interface(nullptr, 1);

@@ -1,4 +1,4 @@
-# The project without the viewer: it can be configured, and asking for the viewer says why there is none.
+# Checks that the project can be configured without the viewer, and that building the viewer reports why it is missing.
 # Variables: SOURCE, the project; SCRATCH, a folder to write to; COMPILER.
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")

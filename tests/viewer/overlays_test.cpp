@@ -1,4 +1,4 @@
-// What is drawn over a world.
+// Drawings on top of a world.
 #include "pages/world/overlays.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 /// @file pictures.hpp
-/// Pictures that are compared.
+/// Compares pictures.
 
 #include <array>
 #include <filesystem>
@@ -11,19 +11,19 @@ namespace cs550::test {
 
 using viewer::Picture;
 
-/// @throws std::runtime_error if it is not a PNG file
+/// Reads a PNG file. @throws std::runtime_error if it is none
 Picture read_png(const std::filesystem::path& file);
 
-/// Half as wide and high; each pixel is the mean of four.
+/// The picture at half the width and height. Each pixel is the mean of four.
 Picture halved(const Picture& picture);
 
-/// The share of pixels of which a channel differs by more than 2 %; 1 for other sizes.
+/// The share of pixels with a channel that differs by more than 2 %, or 1 if the sizes differ.
 double share_that_differs(const Picture& a, const Picture& b);
 
 /// The share of pixels within 12 % of a colour. @param colour red, green, blue, 0–255
 double share_of_colour(const Picture& picture, const std::array<int, 3>& colour);
 
-/// How many different colours there are, in steps of a sixteenth: a blank picture has few.
+/// The number of different colours, in steps of a sixteenth. A blank picture has few.
 int colour_count(const Picture& picture);
 
 }  // namespace cs550::test

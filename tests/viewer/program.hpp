@@ -1,25 +1,25 @@
 #pragma once
 /// @file program.hpp
-/// Running the viewer as its users do.
+/// Runs the viewer as its users do.
 
 #include <string>
 #include <vector>
 
 namespace cs550::test {
 
-/// How a program ended, and what it said.
+/// The exit code and output of a program.
 struct Outcome {
   int exit_code = -1;  ///< −1 if a signal ended it
   std::string output;  ///< standard output and error
 };
 
-/// Runs a program to its end.
+/// Runs a program and waits for its end.
 Outcome run_program(const std::vector<std::string>& command);
 
-/// A program that runs until this object goes away.
+/// A program that runs until this object is destroyed.
 class Background {
  public:
-  /// @param output what its standard output goes to: a file descriptor, or −1 for nowhere
+  /// @param output file descriptor of its standard output, or −1 to discard it
   Background(const std::vector<std::string>& command, int output);
   ~Background();
   Background(const Background&) = delete;

@@ -1,6 +1,6 @@
 #pragma once
 /// @file screen.hpp
-/// A screen that nobody sees.
+/// A virtual screen.
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace cs550::test {
 
-/// An X server of its own; DISPLAY names it as long as it lives.
+/// An X server. DISPLAY names it as long as this object exists.
 class Screen {
  public:
   Screen();

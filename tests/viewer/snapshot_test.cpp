@@ -1,4 +1,4 @@
-// The picture of every page, compared with the one that people looked at and liked.
+// The picture of every page, compared with its accepted reference.
 #include "viewer/snapshot.hpp"
 
 #include <gtest/gtest.h>
@@ -16,17 +16,17 @@ namespace {
 namespace fs = std::filesystem;
 using viewer::Options;
 
-/// The version of Dear ImGui whose letters and widgets the references show.
+/// The version of Dear ImGui that drew the references.
 constexpr int recorded_with = 18600;
 
-/// CPUs and drivers round differently at the edges of things.
+/// CPUs and drivers round differently at edges.
 constexpr double tolerated_share = 1e-3;
 
-/// A picture that is taken and what must be in it.
+/// A picture and its expected contents.
 struct Case {
   std::string name;  ///< of the reference
   Options options;
-  std::array<int, 3> expected_colour;  ///< of something that the page is about
+  std::array<int, 3> expected_colour;  ///< of the main subject of the page
 };
 
 void PrintTo(const Case& test_case, std::ostream* out) { *out << test_case.name; }

@@ -1,4 +1,4 @@
-// The problem that the pages of labs 6 and 7 solve, and how its error is measured.
+// The contact problem on the pages of labs 6 and 7, and its error measure.
 #include "pages/labs/stack_runs.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ const StackSettings stacks[] = {{1, 1, 0, 0, 0},
                                 {5, 4, -1, Real(0.5), 0},
                                 {5, 1, Real(0.2), 1, Real(0.5)}};
 
-/// Conditions of complementarity, which determine the velocities.
+/// Checks the complementarity conditions, which determine the velocities.
 TEST(StackAnswer, KeepsContactsFromApproachingAndNeedsNoPull) {
   for (const StackSettings& settings : stacks) {
     const Stack start = make_stack(settings);
@@ -23,7 +23,7 @@ TEST(StackAnswer, KeepsContactsFromApproachingAndNeedsNoPull) {
       const Real before = approach_velocity(constraint, start);
       EXPECT_NEAR(approach_velocity(constraint, stack), -settings.restitution * before, 1e-6);
     }
-    // Each level passes on, upwards, what all boxes above it gained.
+    // Each level transmits the momentum gained by all boxes above it.
     Real gained = 0;
     for (std::size_t i = stack.bodies.size() - 1; i > 0; --i) {
       const Vec3 change = stack.bodies[i].v - start.bodies[i].v;

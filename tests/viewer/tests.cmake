@@ -3,7 +3,7 @@ add_test(NAME viewer.IsLeftOutWhereItCannotBeBuilt
   "-DCOMPILER=${CMAKE_CXX_COMPILER}" -P "${PROJECT_SOURCE_DIR}/tests/viewer/left_out_test.cmake")
 set_tests_properties(viewer.IsLeftOutWhereItCannotBeBuilt PROPERTIES LABELS viewer)
 
-# Programs that the viewer's tests run. The sanitizers find leaks in the OpenGL driver, not in us.
+# Tests that run the viewer. Builds with sanitizers leave them out, because the OpenGL driver leaks.
 if(CMAKE_CXX_FLAGS_DEBUG MATCHES "fsanitize" OR NOT CS550_HAS_VIEWER)
   return()
 endif()
@@ -14,7 +14,7 @@ target_compile_definitions(tests_viewer PRIVATE
 
 add_dependencies(tests_viewer cs550_viewer)
 
-# As a student sees it on the first day. Without labs/ there are no starters to look at.
+# The viewer on the starters, as a student sees it on the first day. It needs labs/.
 foreach(number IN LISTS CS550_LABS)
   if(NOT TARGET lab${number}_stub_code)
     return()

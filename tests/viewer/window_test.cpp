@@ -1,4 +1,4 @@
-// The viewer in a window, used by a mouse and keys that xdotool moves, on a screen of its own.
+// The viewer in a window on a virtual screen. xdotool moves the mouse and presses keys.
 #include "viewer/window.hpp"
 
 #include <gtest/gtest.h>
@@ -21,14 +21,14 @@ void xdotool(std::vector<std::string> words) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
 }
 
-/// What a person does, and what must be seen some frames later.
+/// An action of the user, and its expected effect some frames later.
 struct Act {
   std::string name;
   std::function<void(App&)> act;
   std::function<bool(App&)> is_done;
 };
 
-/// Lets acts follow each other; one that shows no effect within many frames fails.
+/// Performs actions one after another. One without effect after many frames fails.
 class Play {
  public:
   explicit Play(std::deque<Act> acts) : acts_(std::move(acts)) {}

@@ -6,7 +6,7 @@
 
 namespace cs550::pages {
 
-/// Of a picture or a window.
+/// The size of a picture or a window.
 struct Size {
   int width = 0;   ///< pixels
   int height = 0;  ///< pixels

@@ -8,8 +8,8 @@
 namespace cs550::pages {
 namespace {
 
-constexpr Real steepest = Real(1.55);    ///< rad; straight down, right and up would be undefined
-constexpr Real near_share = Real(0.02);  ///< of the distance: what is closer is cut away
+constexpr Real steepest = Real(1.55);    ///< rad; at π/2 the axes of the view are undefined
+constexpr Real near_share = Real(0.02);  ///< of the distance: closer objects are clipped
 constexpr Real far_share = 40;           ///< of the distance
 constexpr Real degree = pi / 180;
 
@@ -116,7 +116,7 @@ Projection::Projection(const Camera& camera, Size canvas, const Area& area)
   Matrix4 lens = Matrix4::Zero();
   lens(0, 0) = 2 * focal_pixels_ / width;
   lens(1, 1) = 2 * focal_pixels_ / height;
-  // The target is seen in the middle of the area, not of the canvas.
+  // The target is in the middle of the area, not of the canvas.
   lens(0, 2) = 1 - 2 * center_.x() / width;
   lens(1, 2) = 2 * center_.y() / height - 1;
   lens(2, 2) = (near + far) / (near - far);

@@ -1,6 +1,6 @@
 #pragma once
 /// @file camera.hpp
-/// From where a scene is seen.
+/// The camera of a scene.
 
 #include <string>
 
@@ -9,56 +9,56 @@
 
 namespace cs550::pages {
 
-/// 4 × 4, column-major, as OpenGL takes it.
+/// 4 × 4, column-major, as OpenGL expects.
 using Matrix4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;
 
-/// A camera on a sphere about what it looks at; z is up.
+/// A camera on a sphere around its target; z is up.
 struct Camera {
   Vec3 target = Vec3::Zero();  ///< m, in the middle of the picture
   Real distance = 5;           ///< from the target (m)
   Real yaw = Real(-1.05);      ///< about z, from the x axis (rad)
   Real pitch = Real(0.38);     ///< above the horizontal (rad)
 
-  /// Where it is (m).
+  /// The position of the eye (m).
   Vec3 eye() const;
-  /// Turns by angles (rad); stays short of the poles.
+  /// Turns by angles (rad), but not over the poles.
   void orbit(Real yaw_change, Real pitch_change);
-  /// Moves sideways and up, so that what is at the target follows the mouse. @param pixels down right
+  /// Moves parallel to the picture, so that the target follows the mouse. @param pixels right, down
   void pan(const Vec2& pixels, const Area& area);
   /// Multiplies the distance.
   void zoom(Real factor);
 };
 
-/// A camera that looks from a side; where it is follows from fitted(). @param yaw, pitch rad
+/// A camera with a direction; fitted() determines its position. @param yaw, pitch rad
 Camera seen_from(Real yaw, Real pitch);
 
-/// The angle that the shorter side of a picture spans (rad).
+/// The field of view along the shorter side of a picture (rad).
 inline constexpr Real field_of_view = Real(0.56);
 
-/// A camera that sees the whole of a ball from its present direction.
+/// The camera with its direction, moved so that a ball is completely visible.
 Camera fitted(Camera camera, const Vec3& center, Real radius);
 
-/// Reads YAW,PITCH[,DISTANCE[,X,Y,Z]] (degrees, metres); what is left out stays as it is.
-/// @throws std::invalid_argument that says what is wrong and how to mend it
+/// Reads YAW,PITCH[,DISTANCE[,X,Y,Z]] (degrees, metres). Omitted values are kept.
+/// @throws std::invalid_argument with what is wrong and how to fix it
 Camera parse_camera(const std::string& text, Camera camera);
 
-/// How world coordinates become pixels of an area of a canvas.
+/// The projection from world coordinates to the pixels of an area of a canvas.
 class Projection {
  public:
-  /// @param area where the camera's target is in the middle; what is outside is drawn, too
+  /// @param area centred at the camera's target; what is outside of it is drawn too
   Projection(const Camera& camera, Size canvas, const Area& area);
 
-  /// World to OpenGL's clip coordinates.
+  /// From the world to OpenGL's clip coordinates.
   const Matrix4& matrix() const { return matrix_; }
-  /// Pixels from the top left. Precondition: is_in_front(point)
+  /// Pixels from the top left. @pre is_in_front(point)
   Vec2 pixel(const Vec3& point) const;
-  /// Whether a point is before the camera.
+  /// Whether a point is in front of the camera.
   bool is_in_front(const Vec3& point) const;
-  /// The direction, unit, in which a pixel is seen.
+  /// The direction of the ray through a pixel, unit.
   Vec3 ray(const Vec2& pixel) const;
-  /// What is closer to the eye than this is not seen (m).
+  /// Distance of the near clipping plane (m).
   Real nearest() const { return nearest_; }
-  /// Where the camera is (m), and its axes.
+  /// Position (m) and axes of the camera.
   /// @{
   const Vec3& eye() const { return eye_; }
   const Vec3& forward() const { return forward_; }

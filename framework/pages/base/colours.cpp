@@ -28,7 +28,7 @@ Rgba ground_colour() { return {0.93F, 0.93F, 0.92F, 1.0F}; }
 
 Rgba body_colour(Index mesh, Index body) {
   using drawing::Colour;
-  // Okabe & Ito's hues, the most different ones first.
+  // Okabe & Ito's hues, sorted by contrast.
   constexpr Colour hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x56, 0xB4, 0xE9},
                              {0xD5, 0x5E, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7}};
   constexpr int hue_count = 6;

@@ -1,6 +1,6 @@
 #pragma once
 /// @file colours.hpp
-/// Colours with opacity, for solids and the graphics card, in the hues of drawing/palette.hpp.
+/// Colours with opacity for solids and the GPU, in the hues of drawing/palette.hpp.
 
 #include "cs550/math.hpp"
 #include "drawing/palette.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// @file content.hpp
-/// All that a page shows, as a value that another process can send.
+/// The content of a page, as a value that can be sent from another process.
 
 #include <string>
 #include <vector>
@@ -12,21 +12,21 @@
 
 namespace cs550::pages {
 
-/// A name and a value with its unit, a line of a table.
+/// A line of a table: a name, and a value with its unit.
 struct Fact {
   std::string name;   ///< "kinetic energy"
   std::string value;  ///< "12.3 kJ"
 };
 
-/// What a page shows.
+/// The content of a page.
 struct Content {
   std::vector<Solid> solids;         ///< shaded bodies
   drawing::Drawing drawing;          ///< lines, dots, polygons, labels, legend, notes
   std::vector<drawing::Plot> plots;  ///< beside the picture
   std::vector<Fact> facts;           ///< numbers on the panel
-  int step_count = 0;                ///< how many steps the page's walk has
-  Focus focus;                       ///< what the camera sees at first
-  std::string problem;               ///< why there is no picture: an unwritten or broken stage
+  int step_count = 0;                ///< number of steps in the page's walk
+  Focus focus;                       ///< the initial view
+  std::string problem;               ///< why there is no picture: an unwritten or failed stage
 };
 
 }  // namespace cs550::pages

@@ -1,7 +1,7 @@
 #pragma once
 /// @file content_archive.hpp
-/// How cereal archives what a page shows. As in contract_archive.hpp, a new member breaks the build
-/// here until it is archived.
+/// Archives the content of a page with cereal. As in contract_archive.hpp, a new member that is not
+/// archived does not compile.
 
 #include <cereal/types/memory.hpp>
 #include <cereal/types/string.hpp>

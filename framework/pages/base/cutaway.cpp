@@ -5,7 +5,7 @@
 namespace cs550::pages {
 namespace {
 
-constexpr float glass = 0.10F;         ///< opacity of what is in the way
+constexpr float glass = 0.10F;         ///< opacity of a ground that is in the way
 constexpr Real too_many = Real(0.08);  ///< share of the other solids that may be hidden
 
 bool hides(const Solid& ground, const Vec3& point, const Vec3& eye) {

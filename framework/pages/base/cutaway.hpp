@@ -1,6 +1,6 @@
 #pragma once
 /// @file cutaway.hpp
-/// Seeing into boxes.
+/// Makes walls translucent that hide the scene.
 
 #include <vector>
 
@@ -8,12 +8,12 @@
 
 namespace cs550::pages {
 
-/// How far along a ray a convex mesh is entered (m); HUGE_VALF for a miss.
+/// The distance along a ray to its entry into a convex mesh (m), or HUGE_VALF for a miss.
 /// @param origin, direction in the mesh's frame
 Real entry_distance(const HalfEdgeMesh& mesh, const Vec3& origin, const Vec3& direction);
 
-/// Makes ground that hides more than a few of the other solids translucent: the near wall of a pit.
-/// @param eye world (m)
+/// Makes ground translucent if it hides many other solids, such as the near wall of a pit.
+/// @param eye world frame (m)
 void open_view(std::vector<Solid>& solids, const Vec3& eye);
 
 }  // namespace cs550::pages

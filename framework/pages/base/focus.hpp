@@ -1,13 +1,13 @@
 #pragma once
 /// @file focus.hpp
-/// Where the action is.
+/// The part of a scene that matters.
 
 #include "cs550/math.hpp"
 
 namespace cs550::pages {
 
-/// The ball that matters: the camera frames it, shadows are sharp in it, and far outside of it the
-/// ground fades.
+/// A ball around the part that matters. The camera frames it, shadows inside it are sharp, and the
+/// ground fades far outside of it.
 struct Focus {
   Vec3 center = Vec3::Zero();  ///< m
   Real radius = 1;             ///< m
@@ -17,7 +17,7 @@ struct Focus {
   }
 };
 
-/// The ball around a box. @param bounds not empty
+/// The ball around a box. @pre bounds is not empty
 inline Focus focus_of(const Bounds& bounds) {
   return {bounds.center(), Real(0.5) * bounds.extent().norm()};
 }

@@ -28,7 +28,7 @@ class Page {
   virtual int lab() const = 0;
   /// The heading.
   virtual std::string title() const = 0;
-  /// One or two sentences on what the page shows and why it matters.
+  /// One or two sentences about what the page shows and why it matters.
   virtual std::string story() const = 0;
   /// Visits every setting.
   virtual void describe(ControlVisitor& visit) = 0;
@@ -38,19 +38,19 @@ class Page {
   virtual const Content& content() const = 0;
   /// The initial direction of view; only yaw and pitch are used.
   virtual Camera first_view() const { return {}; }
-  /// Advances by one step of time, of a walk or of an algorithm; wraps around at the end.
+  /// Advances by one step of time, of a walk or of an algorithm. The last is followed by the first.
   virtual void advance() = 0;
-  /// Goes back to the first step of a walk.
+  /// Returns to the first step of a walk.
   virtual void rewind() {}
-  /// A point that the user can drag, if there is one (world, m).
+  /// The point that the user can drag, if any (world, m).
   virtual std::optional<Vec3> handle() const { return {}; }
   /// Moves the dragged point.
   virtual void move_handle(const Vec3& /*point*/) {}
 };
 
-/// How many labs have a page.
+/// Number of labs with a page.
 inline constexpr int lab_page_count = 7;
-/// The names of the pages, of the world first.
+/// The names of the pages, starting with the world.
 const char* page_name(int lab);
 
 }  // namespace cs550::pages

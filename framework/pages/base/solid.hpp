@@ -1,6 +1,6 @@
 #pragma once
 /// @file solid.hpp
-/// A body as it is shown.
+/// A shaded body.
 
 #include <memory>
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace cs550::pages {
 
-/// How meshes are shared.
+/// A shared mesh.
 using MeshPtr = std::shared_ptr<const HalfEdgeMesh>;
 
-/// A mesh at a place, in a colour. An opacity below 1 shows what is behind.
+/// A mesh with a pose and a colour. With an opacity below 1 it is translucent.
 struct Solid {
-  MeshPtr mesh;                ///< body frame; nothing is drawn without
+  MeshPtr mesh;                ///< body frame; if null, nothing is drawn
   Pose pose;                   ///< body → world
-  Rgba colour = {1, 1, 1, 1};  ///< of its faces; edges are darker
-  bool is_ground = false;      ///< has a grid of metres, throws no shadow
+  Rgba colour = {1, 1, 1, 1};  ///< of the faces; edges are darker
+  bool is_ground = false;      ///< has a grid of 1 m, casts no shadow
 
   bool operator==(const Solid& other) const {
     return mesh == other.mesh && pose.position == other.pose.position &&

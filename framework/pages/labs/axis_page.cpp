@@ -32,7 +32,7 @@ void describe(AxisSettings& settings, ControlVisitor& visit) {
   visit.toggle({"minkowski", "Minkowski difference", ""}, settings.minkowski);
 }
 
-/// The pairs of edges whose arcs cross.
+/// The pairs of edges with crossing arcs.
 std::vector<EdgePair> crossing_pairs(const PosedShape& a, const PosedShape& b) {
   const std::vector<GaussArc> arcs_a = drawing::gauss_arcs(a);
   const std::vector<GaussArc> arcs_b = drawing::gauss_arcs(b, true);
@@ -47,7 +47,7 @@ std::vector<EdgePair> crossing_pairs(const PosedShape& a, const PosedShape& b) {
   return pairs;
 }
 
-/// The three queries as B turns about z, from 90 degrees before its pose to 90 degrees after it.
+/// The results of the three queries as B turns about z by −90 to 90 degrees.
 drawing::Plot plot_turning(const PosedShape& a, const PosedShape& b) {
   constexpr int most = 90;  // degrees
   constexpr int step = 3;   // degrees
@@ -76,7 +76,7 @@ drawing::Plot plot_turning(const PosedShape& a, const PosedShape& b) {
   return plot;
 }
 
-/// Beside the bodies, in the direction that is to the right of the first view.
+/// Moves a drawing beside the bodies, to their right in the initial view.
 constexpr Real beside = Real(2.6);
 
 Content show(const AxisSettings& settings) {
@@ -110,7 +110,7 @@ Content show(const AxisSettings& settings) {
       {"crossing arcs", std::to_string(pairs.size())}};
   const std::array<PosedShape, 2> both{a, b};
   content.focus = focus_on(content.drawing, both);
-  const bool is_flat = !settings.minkowski;  // from this side
+  const bool is_flat = !settings.minkowski;  // seen from this side
   if (is_flat) content.focus.radius *= Real(0.9);
   return content;
 }

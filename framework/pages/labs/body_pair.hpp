@@ -1,26 +1,26 @@
 #pragma once
 /// @file body_pair.hpp
-/// Two bodies that the pages of labs 4 and 5 share.
+/// The two bodies of the pages of labs 4 and 5.
 
 #include "pages/base/controls.hpp"
 #include "pages/labs/shapes.hpp"
 
 namespace cs550::pages {
 
-/// Which shapes, and where B is; A is at the origin.
+/// The shapes, and the pose of B. A is at the origin.
 struct PairSettings {
-  int shape_a = Box;             ///< place in shape_names
-  int shape_b = Box;             ///< place in shape_names
+  int shape_a = Box;             ///< index in shape_names
+  int shape_b = Box;             ///< index in shape_names
   Vec3 position = Vec3::Zero();  ///< of B (m)
   Vec3 turn = Vec3::Zero();      ///< of B, about x, then y, then z (degrees)
 
   bool operator==(const PairSettings&) const = default;
 };
 
-/// Visits them.
+/// Visits the settings.
 void describe(PairSettings& settings, ControlVisitor& visit);
 
-/// The bodies; they own their shapes.
+/// The bodies with their shapes.
 struct BodyPair {
   ShapePtr shape_a;  ///< of A
   ShapePtr shape_b;  ///< of B

@@ -1,4 +1,4 @@
-// Lab 3: a walk over the vertices, uphill.
+// Lab 3: an uphill walk over the vertices.
 #include "cs550/hill_climbing.hpp"
 #include "drawing/climb_drawing.hpp"
 #include "pages/labs/lab_page.hpp"

@@ -27,7 +27,7 @@ void describe(ClippingSettings& settings, ControlVisitor& visit) {
   pages::describe(settings.pair, visit);
 }
 
-/// The corners of a face, in the world.
+/// The corners of a face, world frame.
 std::vector<Vec3> corners_of(const PosedShape& body, Index face) {
   std::vector<Vec3> corners;
   for (const Index edge : face_edges(body.mesh(), face)) {
@@ -36,7 +36,7 @@ std::vector<Vec3> corners_of(const PosedShape& body, Index face) {
   return corners;
 }
 
-/// The planes of the faces around a face, in the world.
+/// The planes of the neighbours of a face, world frame.
 std::vector<Plane> planes_around(const PosedShape& body, Index face) {
   std::vector<Plane> planes;
   for (const Index edge : face_edges(body.mesh(), face)) {
@@ -45,7 +45,7 @@ std::vector<Plane> planes_around(const PosedShape& body, Index face) {
   return planes;
 }
 
-/// A polygon before any plane and after each of them.
+/// A polygon before clipping and after each plane.
 std::vector<ClipPolygon> clipped_by_each(const std::vector<Vec3>& corners,
                                          const std::vector<Plane>& planes) {
   ClipPolygon polygon;

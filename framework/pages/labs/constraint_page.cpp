@@ -1,4 +1,4 @@
-// Lab 7: the same stack by accumulated impulses, with and without a warm start.
+// Lab 7: the same stack, solved by accumulated impulses with and without warm starting.
 #include "drawing/impulse_drawing.hpp"
 #include "pages/base/units.hpp"
 #include "pages/labs/lab_page.hpp"
@@ -33,7 +33,7 @@ void describe(ConstraintSettings& settings, ControlVisitor& visit) {
   visit.whole({"constraint", "of contact", ""}, settings.constraint, 0, 39);
 }
 
-/// Beside the stack, flat on the ground; its radius stands for the limit.
+/// Draws the disk beside the stack, flat on the ground. Its radius is proportional to the limit.
 void add_disk(const ContactConstraint& constraint, const Stack& before, Content& content) {
   const Real limit = constraint.friction * constraint.normal_impulse;
   if (limit <= 0) return;
@@ -48,7 +48,7 @@ void add_disk(const ContactConstraint& constraint, const Stack& before, Content&
 Content show(const ConstraintSettings& settings) {
   const Stack start = make_stack(settings.stack);
   const StackRun cold = solve_accumulating(start, settings.passes, {});
-  // The warm start of a stack that stood still: what an earlier step has found.
+  // Warm starting: the impulses that an earlier step found for the stack at rest.
   const StackRun warm = solve_accumulating(start, settings.passes, cold.back().constraints);
   const StackRun& run = settings.warm_start ? warm : cold;
 

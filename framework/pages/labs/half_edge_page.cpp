@@ -1,4 +1,4 @@
-// Lab 2: a walk over half-edges, before and after merging; faults of triangles and of meshes.
+// Lab 2: a walk over half-edges, before and after merging, and defects of triangles and meshes.
 #include "cs550/half_edge_mesh.hpp"
 #include "cs550/mesh_validation.hpp"
 #include "cs550/primitives.hpp"
@@ -63,7 +63,7 @@ TriangleSoup triangles_of(const HalfEdgeSettings& settings) {
   return soup;
 }
 
-/// Where a walk leads; links of unfinished code may lead anywhere.
+/// The half-edge at the end of a walk. Links of unfinished code may be invalid.
 Index walk(const HalfEdgeMesh& mesh, Index edge, std::span<const int> moves) {
   for (const int move : moves) {
     if (edge < 0 || edge >= mesh.edge_count()) return edge;
@@ -79,7 +79,7 @@ Index walk(const HalfEdgeMesh& mesh, Index edge, std::span<const int> moves) {
   return edge;
 }
 
-/// The elements of a defect, in the lists that draw_mesh_fault() takes.
+/// The elements of a defect, as lists for draw_mesh_fault().
 Drawing draw_defect(const HalfEdgeMesh& mesh, const MeshDefect& defect) {
   const std::vector<Index> here{defect.index};
   const std::vector<Index> nothing;
@@ -90,8 +90,8 @@ Drawing draw_defect(const HalfEdgeMesh& mesh, const MeshDefect& defect) {
                                   if_is(MeshElement::HalfEdge), if_is(MeshElement::Vertex));
 }
 
-/// Light triangles with dark edges, among which those that are at fault stand out. Triangles that are
-/// wound the wrong way round show where they think that outside is.
+/// Light triangles with dark edges, so that the defective ones stand out. Triangles with the wrong
+/// winding show their normals.
 Drawing draw_refused(const TriangleSoup& soup, const MeshIssue& issue) {
   const bool all_are_wrong = issue.error == MeshError::InsideOut;
   const drawing::MeshStyle quiet = {.role = drawing::Role::Faint,

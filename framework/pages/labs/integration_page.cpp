@@ -1,4 +1,4 @@
-// Lab 1: the same free body turned by the explicit method and by implicit midpoint.
+// Lab 1: a freely rotating body, integrated by the explicit method and by the implicit midpoint.
 #include "cs550/integration.hpp"
 #include "drawing/trajectory_drawing.hpp"
 #include "pages/base/units.hpp"
@@ -32,7 +32,7 @@ void describe(IntegrationSettings& settings, ControlVisitor& visit) {
   visit.whole({"step", "shown step", ""}, settings.step, -1, 2000);
 }
 
-/// What one method makes of the body.
+/// The motion of the body by one method.
 struct Run {
   std::vector<Pose> poses;
   std::vector<Vec3> spins;  // body frame
@@ -40,7 +40,7 @@ struct Run {
   std::vector<Real> momenta;  // |L| by R·I·Rᵀ·ω
 };
 
-/// Mass 1 kg: only ratios of inertias matter here.
+/// The mass is 1 kg, because only ratios of inertias matter here.
 RigidBody spinning_box(const IntegrationSettings& settings) {
   const Vec3 squared = settings.half_extents.cwiseAbs().cwiseMax(Real(0.01)).cwiseAbs2();
   const Vec3 inertia(squared.y() + squared.z(), squared.x() + squared.z(),
@@ -66,13 +66,13 @@ Run run(const IntegrationSettings& settings, RotationMethod method) {
   return run;
 }
 
-/// The first poses of a run, up to the one that is shown.
+/// The poses of a run up to the displayed one.
 template <class T>
 std::span<const T> until(const std::vector<T>& values, int step) {
   return {values.data(), static_cast<std::size_t>(step) + 1};
 }
 
-/// One method's column: the box with the trail of a corner, below it the polhode.
+/// The column of a method: the box with the trail of a corner, and the polhode below it.
 Drawing column(const IntegrationSettings& settings, const Run& run, int step, Role role,
                const std::string& name, Real x) {
   const RigidBody start = spinning_box(settings);

@@ -1,6 +1,6 @@
 #pragma once
 /// @file lab_page.hpp
-/// The page of a lab: a pure function of its settings, run where it can do no harm.
+/// The page of a lab: a pure function of its settings. A child process can run it.
 
 #include <algorithm>
 #include <utility>
@@ -10,26 +10,26 @@
 
 namespace cs550::pages {
 
-/// What the page of a lab is made from. `Settings` can be compared, and has an int `step`, the place
-/// in a walk that the page shows; a negative one counts from the end.
+/// The parts of a lab's page. `Settings` is comparable and has a member `int step`, the displayed
+/// step of a walk. A negative one counts from the end.
 template <class Settings>
 struct LabPageParts {
   int lab = 0;             ///< its number
-  const char* story = "";  ///< what is to be seen
+  const char* story = "";  ///< what the page shows
   Camera first_view;       ///< only yaw and pitch matter
-  Settings settings;       ///< at first
+  Settings settings;       ///< initial values
   /// Visits the settings.
   void (*describe)(Settings& settings, ControlVisitor& visit) = nullptr;
-  /// Makes the content; calls the functions of the lab, which may throw, crash or never end.
+  /// Makes the content. It calls functions of the lab, which may throw, crash or never return.
   Content (*show)(const Settings& settings) = nullptr;
-  /// What can be dragged, if anything.
+  /// The point that can be dragged, if any.
   /// @{
   Vec3 (*handle)(const Settings& settings) = nullptr;
   void (*move_handle)(Settings& settings, const Vec3& point) = nullptr;
   /// @}
 };
 
-/// The page itself.
+/// The page of a lab.
 template <class Settings>
 class LabPage final : public Page {
  public:
@@ -84,7 +84,7 @@ class LabPage final : public Page {
   Content content_;
 };
 
-/// The step that is shown, of so many: negative ones count from the end.
+/// The index of the displayed step. A negative step counts from the end.
 inline int shown_step(int step, int count) {
   return std::clamp(step < 0 ? step + count : step, 0, std::max(count - 1, 0));
 }

@@ -1,4 +1,4 @@
-// Lab 6: a stack of boxes by impulses that are never taken back.
+// Lab 6: a stack of boxes, solved by impulses that are never reduced.
 #include "pages/labs/lab_page.hpp"
 #include "pages/labs/stack_runs.hpp"
 

@@ -27,7 +27,7 @@ ShapePtr recorded_shape(int name) {
   if (!loaded.error.empty()) throw std::runtime_error(loaded.error);
   const ShapeResult measured = make_shape(loaded.mesh);
   if (!measured) throw std::runtime_error(measured.error);
-  // The same radius for all: pages need not be told how large a shape is.
+  // All shapes have the same radius, so that pages do not depend on the size of a shape.
   const ShapeResult result = make_shape(scaled(loaded.mesh, 1 / measured.shape->radius));
   if (!result) throw std::runtime_error(result.error);
   return result.shape;

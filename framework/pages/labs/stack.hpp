@@ -1,7 +1,7 @@
 #pragma once
 /// @file stack.hpp
-/// The contact problem that the pages of labs 6 and 7 solve: boxes on top of each other. It is made
-/// by hand, so that it needs no lab's code.
+/// The contact problem on the pages of labs 6 and 7: a stack of boxes. Its constraints are
+/// constructed directly, so that it needs no lab's code.
 
 #include <span>
 #include <vector>
@@ -13,60 +13,60 @@
 
 namespace cs550::pages {
 
-/// What the stack is like.
+/// The settings of the stack.
 struct StackSettings {
-  int boxes = 5;              ///< on top of each other
-  Real top_mass = 1;          ///< of the uppermost box (kg); the others have 1 kg
-  Real push = Real(0.2);      ///< sideways velocity of the uppermost box (m/s)
+  int boxes = 5;              ///< number of boxes
+  Real top_mass = 1;          ///< mass of the top box (kg); the others have 1 kg
+  Real push = Real(0.2);      ///< horizontal velocity of the top box (m/s)
   Real friction = Real(0.5);  ///< μ
   Real restitution = 0;       ///< e
 
   bool operator==(const StackSettings&) const = default;
 };
 
-/// Visits those that both solvers know.
+/// Visits the settings that both solvers use.
 void describe(StackSettings& settings, ControlVisitor& visit);
 
-/// A moment after gravity acted for one step and before any contact did.
+/// The state after gravity has acted for one step, before contacts are solved.
 struct Stack {
   std::vector<SolverBody> bodies;              ///< the ground first
   std::vector<Vec3> centers;                   ///< of mass (m)
   std::vector<ContactConstraint> constraints;  ///< four under each box
 };
 
-/// Length of the step that gravity acted for (s).
+/// Length of the step of gravity (s).
 inline constexpr Real stack_step = Real(1) / 60;
 
 Stack make_stack(const StackSettings& settings);
 
-/// The boxes and the ground, for the painter.
+/// The boxes and the ground as solids.
 std::vector<Solid> stack_solids(const Stack& stack);
 
-/// The largest speed at which a contact still approaches (m/s).
+/// The largest approach speed of a contact (m/s).
 Real approach_error(const Stack& stack);
 
-/// The same stack without friction, whose answer is known: all boxes together leave the ground at e
-/// times the speed at which they met it, and keep the rest of their velocities.
+/// The same stack without friction. Its solution is known: all boxes leave the ground at e times
+/// the speed of their impact, and keep their tangential velocities.
 Stack without_friction(Stack stack);
-/// That answer, for a stack before any contact acted.
+/// That solution, for a stack before contacts are solved.
 std::vector<SolverBody> frictionless_answer(const Stack& start);
-/// How far the velocities of a stack are from an answer: √(2T/m) of the difference, with T its
-/// kinetic energy and m the mass of all boxes, so that every solver is measured alike (m/s).
+/// The distance of a stack's velocities from a solution: √(2T/m) of the difference, with its
+/// kinetic energy T and the mass m of all boxes (m/s). It is a fair measure for every solver.
 Real velocity_error(const Stack& stack, std::span<const SolverBody> answer);
 
-/// velocity_error() over the passes of some solvers.
+/// Plots velocity_error() over the passes of solvers.
 drawing::Plot plot_velocity_errors(std::span<const drawing::Convergence> runs);
 
-/// What carries each box: the normal impulses of the four constraints under it together (N·s).
+/// The load under each box: the sum of the normal impulses of its four lower constraints (N·s).
 std::vector<Real> level_impulses(const Stack& stack);
 
-/// level_impulses() after each pass.
+/// Plots level_impulses() after each pass.
 drawing::Plot plot_levels(std::span<const std::vector<Real>> history);
 
-/// n·(velocity of B − velocity of A) at a constraint (m/s).
+/// n·(v_B − v_A) at a constraint (m/s).
 Real approach_velocity(const ContactConstraint& constraint, const Stack& stack);
 
-/// Velocity of B relative to A at a constraint, along u and v (m/s).
+/// v_B − v_A at a constraint, along u and v (m/s).
 Vec2 slip_velocity(const ContactConstraint& constraint, const Stack& stack);
 
 }  // namespace cs550::pages

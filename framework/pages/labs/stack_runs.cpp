@@ -20,7 +20,7 @@ StackRun solve_naively(Stack stack, int passes) {
 StackRun solve_accumulating(Stack stack, int passes, std::span<const ContactConstraint> warm) {
   ContactStep step;
   step.h = stack_step;
-  step.use_bias = false;  // boxes that touch exactly: a rigid contact
+  step.use_bias = false;  // rigid contacts: the boxes touch exactly
   prepare_contacts(stack.constraints, stack.bodies, step);
   for (std::size_t i = 0; i < warm.size(); ++i) {
     ContactConstraint& constraint = stack.constraints[i];
@@ -48,7 +48,7 @@ drawing::Plot compare_solvers(const Stack& start, int passes) {
   try {
     add("naive", solve_naively(slippery, passes), true);
   } catch (const NotImplemented&) {
-    // Lab 7 may be looked at without lab 6.
+    // The page of lab 7 works without lab 6.
   }
   const bool bounces = start.constraints.front().restitution > 0;
   try {
@@ -58,7 +58,7 @@ drawing::Plot compare_solvers(const Stack& start, int passes) {
       add("warm start", solve_accumulating(slippery, passes, cold.back().constraints), false);
     }
   } catch (const NotImplemented&) {
-    // Lab 6 comes before lab 7.
+    // Students write lab 6 before lab 7.
   }
   return plot_velocity_errors(curves);
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// @file overlays.hpp
-/// What can be drawn over a world.
+/// Drawings on top of a world.
 
 #include "drawing/drawing.hpp"
 #include "pages/base/controls.hpp"
@@ -8,30 +8,30 @@
 
 namespace cs550::pages {
 
-/// Switches of what is drawn.
+/// Which drawings are shown.
 struct Overlays {
-  bool wireframe = false;    ///< bodies show through
+  bool wireframe = false;    ///< bodies are transparent
   bool contacts = false;     ///< points and normals
-  bool impulses = false;     ///< as arrows, one length unit for the weight of a step
-  bool feature_ids = false;  ///< which features meet in a point
+  bool impulses = false;     ///< as arrows; one length unit is the impulse of a weight in a step
+  bool feature_ids = false;  ///< of each contact point
   bool bounds = false;       ///< boxes of the broad phase
-  bool tree = false;         ///< boxes of its tree
-  bool velocities = false;   ///< linear ones
+  bool tree = false;         ///< inner boxes of its tree
+  bool velocities = false;   ///< linear velocities
   bool spins = false;        ///< angular velocities
   bool momenta = false;      ///< P and L
   bool centers = false;      ///< of mass
 
-  /// Whether what is drawn begins inside of bodies.
+  /// Whether any drawing begins inside a body.
   bool are_inside() const { return velocities || spins || momenta || centers; }
 };
 
 void describe(Overlays& overlays, ControlVisitor& visit);
 
-/// What the switches ask for. @param length of a contact normal (m); other arrows follow it
+/// Draws the selected ones. @param length of a contact normal (m); other arrows are scaled to it
 drawing::Drawing draw_overlays(const Overlays& overlays, const WorldFrame& frame,
                                const std::vector<MeshPtr>& meshes, Real length);
 
-/// The outline of a body, around the selected one.
+/// The outline of the selected body.
 drawing::Drawing draw_selection(const HalfEdgeMesh& mesh, const Pose& pose);
 
 }  // namespace cs550::pages

@@ -10,7 +10,7 @@
 namespace cs550::pages {
 namespace {
 
-constexpr Real pull_hertz = 2;         ///< of the spring between body and mouse, whatever the mass
+constexpr Real pull_hertz = 2;         ///< of the spring between body and mouse, for any mass
 constexpr Real pull_damping = 1;       ///< critical: the body comes to rest at the mouse
 constexpr Real thrown_density = 2000;  ///< kg/m³
 
@@ -74,7 +74,7 @@ void Simulation::throw_box(const Throw& thrown) {
   world_->add_body(def);
 }
 
-/// A damped spring, as stiff as the body is heavy.
+/// A damped spring. Its stiffness is proportional to the mass.
 void Simulation::pull(const Pull& pull) {
   if (pull.body == no_index || !world_->is_alive(world_->id_at(pull.body))) return;
   RigidBody& body = world_->body(world_->id_at(pull.body));
@@ -88,7 +88,7 @@ void Simulation::pull(const Pull& pull) {
   try {
     add_force(body, force, point);
   } catch (const NotImplemented&) {
-    // The step that follows names what is missing of lab 1.
+    // The next step reports which function of lab 1 is missing.
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// @file simulation.hpp
-/// The world behind the world page.
+/// The simulation of the world page.
 
 #include <map>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace cs550::pages {
 
-/// Owns a world and does with it what requests say.
+/// Owns a world and answers requests.
 class Simulation {
  public:
   /// @throws std::runtime_error for a scene that cannot be read

@@ -3,7 +3,7 @@
 namespace cs550::pages {
 namespace {
 
-/// An enumeration as a choice: its enumerators count from 0 in the order of the names.
+/// An enumeration as a choice. @pre its enumerators are 0, 1, … in the order of the names
 template <class Enum>
 void visit_enum(ControlVisitor& visit, const Control& control, Enum& value,
                 std::span<const char* const> names) {

@@ -1,7 +1,7 @@
 #pragma once
 /// @file world_frame.hpp
-/// A running world as values: what is asked of it, and what it looks like after each step. Nothing
-/// else of a world reaches the viewer, so it may as well live in another process.
+/// A running world as values: requests, and its state after each step. The viewer sees nothing else
+/// of a world, so the world can run in another process.
 
 #include <array>
 #include <cereal/types/array.hpp>
@@ -18,38 +18,38 @@ namespace cs550::pages {
 
 /// A spring between a point of a body and the mouse.
 struct Pull {
-  Index body = no_index;       ///< none: no pull
+  Index body = no_index;       ///< if none, nothing is pulled
   Vec3 anchor = Vec3::Zero();  ///< body frame (m)
   Vec3 target = Vec3::Zero();  ///< world (m)
 };
 
-/// A box that is thrown in.
+/// A box to throw.
 struct Throw {
   Vec3 position = Vec3::Zero();  ///< world (m)
   Vec3 velocity = Vec3::Zero();  ///< world (m/s)
   Real side = 1;                 ///< of the box (m)
 };
 
-/// What a world is to do.
+/// A request to a world.
 struct WorldRequest {
-  std::string scene;                      ///< name or path: build it anew; empty: go on
-  std::optional<WorldSettings> settings;  ///< from now on
-  int steps = 0;                          ///< to take now
-  Pull pull;                              ///< while they are taken
-  std::optional<Throw> thrown;            ///< before them
+  std::string scene;                      ///< name or path of a scene to build; empty: continue
+  std::optional<WorldSettings> settings;  ///< new settings
+  int steps = 0;                          ///< number of steps to take
+  Pull pull;                              ///< acts during these steps
+  std::optional<Throw> thrown;            ///< before these steps
 };
 
-/// What a scene says of itself.
+/// The description of a scene.
 struct SceneInfo {
-  std::string name;                     ///< of its file
+  std::string name;                     ///< name of its file
   std::string title;                    ///< one line
-  std::string description;              ///< some sentences
+  std::string description;              ///< a few sentences
   std::vector<std::string> body_names;  ///< by body; may be empty strings
-  WorldSettings settings;               ///< as it begins
+  WorldSettings settings;               ///< initial settings
   Real h = Real(1) / 60;                ///< step (s)
 };
 
-/// Figures of one step, for plots.
+/// Measurements of one step, for plots.
 struct StepSample {
   double time = 0;                            ///< s
   double kinetic = 0;                         ///< J
@@ -64,16 +64,16 @@ struct StepSample {
 
 /// A world between two steps.
 struct WorldFrame {
-  std::optional<SceneInfo> scene;     ///< after it was built anew
-  std::vector<HalfEdgeMesh> meshes;   ///< those that were not sent before, in order
-  std::vector<Index> mesh_of_body;    ///< by body, in the order in which meshes were sent
-  std::vector<RigidBody> bodies;      ///< all places
+  std::optional<SceneInfo> scene;     ///< after it has been built
+  std::vector<HalfEdgeMesh> meshes;   ///< meshes not sent before, in order
+  std::vector<Index> mesh_of_body;    ///< by body: index among all meshes sent
+  std::vector<RigidBody> bodies;      ///< all slots, also of removed bodies
   std::vector<char> is_alive;         ///< by body
   std::vector<Contact> contacts;      ///< pairs of the broad phase
   std::vector<Bounds> bounds;         ///< by body, world (m)
   std::vector<Bounds> tree;           ///< inner nodes of the broad phase (m)
-  std::vector<StepSample> samples;    ///< of the steps just taken
-  std::vector<std::string> problems;  ///< stages that are missing or broken
+  std::vector<StepSample> samples;    ///< of the last steps
+  std::vector<std::string> problems;  ///< unwritten or failed stages
   std::int64_t step = 0;              ///< number of steps since the beginning
   double time = 0;                    ///< simulated (s)
 };

@@ -1,6 +1,6 @@
 #pragma once
 /// @file world_page.hpp
-/// A scene that runs.
+/// The page of a running scene.
 
 #include <deque>
 #include <optional>
@@ -24,25 +24,25 @@ class WorldPage final : public Page {
   const Content& content() const override { return content_; }
   void advance() override { take_steps(1); }
 
-  /// Begins a scene. Settings that were changed stay for the same scene.
+  /// Begins a scene. If it is the present one, changed settings are kept.
   void load(const std::string& scene);
-  /// Begins the present scene again, in a new process if it is a student's.
+  /// Restarts the scene, with a student's code in a new process.
   void reset();
-  /// Steps of the scene's own length.
+  /// Advances by steps of the scene's own length.
   void take_steps(int count);
   /// Throws a box from one point through another.
   void throw_box(const Vec3& from, const Vec3& through);
 
-  /// Which body a ray meets first; immovable ones only block the view.
+  /// The first body that a ray hits. Immovable bodies cannot be picked, but hide others.
   struct Hit {
-    Index body = no_index;      ///< place in bodies
+    Index body = no_index;      ///< index in bodies
     Vec3 point = Vec3::Zero();  ///< world (m)
   };
   std::optional<Hit> pick(const Vec3& origin, const Vec3& direction) const;
-  /// Shows a body's state; none if empty.
+  /// Shows the state of a body; if empty, of none.
   void select(std::optional<Index> body);
   std::optional<Index> selected() const { return selected_; }
-  /// Pulls the body at a point, until let_go().
+  /// Pulls a body at a point, until let_go().
   void grab(const Hit& hit);
   void drag_to(const Vec3& target) { pull_.target = target; }
   void let_go() { pull_ = {}; }
@@ -50,7 +50,7 @@ class WorldPage final : public Page {
 
   const WorldFrame& frame() const { return frame_; }
   const WorldSettings& settings() const { return settings_; }
-  /// Times differ from run to run: pictures that are compared leave them out.
+  /// Leaves out timings, which differ from run to run, so that pictures can be compared.
   void show_times(bool show) { shows_times_ = show; }
 
  private:

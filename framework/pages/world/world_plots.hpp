@@ -1,6 +1,6 @@
 #pragma once
 /// @file world_plots.hpp
-/// What happened in a world, over time.
+/// The history of a world as plots.
 
 #include <deque>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace cs550::pages {
 
-/// Energy, momentum, penetration, contacts and, if wished, the time that each stage took.
+/// Energy, momentum, penetration, contacts and, optionally, the time of each stage.
 std::vector<drawing::Plot> world_plots(const std::deque<StepSample>& history, bool with_times);
 
 }  // namespace cs550::pages

@@ -1,6 +1,6 @@
 #pragma once
 /// @file canvas.hpp
-/// Where a frame is drawn before it reaches a window or a file.
+/// The framebuffer of a frame, before it is shown in a window or written to a file.
 
 #include <cstdint>
 
@@ -11,26 +11,26 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// How much work a frame may be.
+/// How a frame is sampled. Multisampling is slow without a GPU.
 enum class Quality : std::uint8_t {
-  Fine,   ///< several samples per pixel: pictures, and windows on a graphics card
-  Quick,  ///< one sample: a window that a processor draws, as long as something moves
+  Fine,   ///< several samples per pixel: for pictures, and for windows with a GPU
+  Quick,  ///< one sample: for windows without a GPU while anything moves
 };
 
-/// What a frame is drawn on: what is three-dimensional first, panels on top of it.
+/// A frame: first the 3D scene, then the panels on top of it.
 class Canvas {
  public:
   explicit Canvas(Size size, Quality quality = Quality::Fine);
 
   Size size() const { return size_; }
   Quality quality() const { return quality_; }
-  /// What is drawn from now on is three-dimensional. @param scene its number, for holds()
+  /// Begins the 3D scene. @param scene its number, for holds()
   void begin_scene(int scene);
-  /// Whether that scene is still there without the panels: it need not be drawn again.
+  /// Whether the canvas still holds that scene, without panels, so that it need not be drawn again.
   bool holds(int scene) const { return held_ == scene; }
-  /// Averages the samples. What is drawn from now on goes on top of the result.
+  /// Averages the samples. Later drawing is on top of the result.
   void resolve() const;
-  /// Shows the canvas in the window's own frame, and goes on drawing there.
+  /// Copies the canvas to the window's own framebuffer, where drawing continues.
   void show_in_window() const;
   /// The framebuffer that holds the result.
   GLuint result() const { return result_.name(); }
@@ -46,7 +46,7 @@ class Canvas {
   Renderbuffer depth_;
 };
 
-/// Whether the processor does the graphics card's work.
+/// Whether OpenGL runs on the CPU.
 bool draws_in_software();
 
 }  // namespace cs550::viewer

@@ -8,11 +8,11 @@
 namespace cs550::viewer {
 namespace {
 
-/// A display of Mesa's surfaceless platform, which needs neither a screen nor a graphics card.
+/// A display of Mesa's surfaceless platform, which needs neither a screen nor a GPU.
 class EglContext final : public GlContext {
  public:
   EglContext() {
-    // Functions of an extension that is missing must not be called.
+    // The functions of a missing extension must not be called.
     if (!epoxy_has_egl() ||
         !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
       throw std::runtime_error("libEGL does not support rendering without a screen");

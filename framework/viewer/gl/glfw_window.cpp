@@ -1,7 +1,7 @@
 #include "viewer/gl/glfw_window.hpp"
 
 #include <epoxy/gl.h>
-// After epoxy, which brings OpenGL's functions.
+// Must follow epoxy, which declares OpenGL's functions.
 #include <GLFW/glfw3.h>
 
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #pragma once
 /// @file glfw_window.hpp
-/// A window with OpenGL in it.
+/// A window with an OpenGL context.
 
 #include "viewer/gl/canvas.hpp"
 
@@ -8,7 +8,7 @@ struct GLFWwindow;
 
 namespace cs550::viewer {
 
-/// GLFW, from its beginning to its end.
+/// Initialises GLFW, and terminates it when destroyed.
 class WindowSystem {
  public:
   /// @throws std::runtime_error if there is no screen
@@ -18,10 +18,10 @@ class WindowSystem {
   WindowSystem& operator=(const WindowSystem&) = delete;
 };
 
-/// A window with OpenGL 3.3, which is current.
+/// A window with a current OpenGL 3.3 context.
 class Window {
  public:
-  /// @throws std::runtime_error if there is no such OpenGL
+  /// @throws std::runtime_error if OpenGL 3.3 is not available
   Window(Size size, bool is_visible);
   ~Window();
   Window(const Window&) = delete;
@@ -29,8 +29,8 @@ class Window {
 
   GLFWwindow* get() const { return window_; }
   Size pixels() const;
-  /// How much larger than on a screen of 100 dots per inch things should be, beyond what the window
-  /// system does by itself.
+  /// The scale of text and lines, 1 on a screen of 100 dots per inch. Scaling that the window
+  /// system applies itself is not included.
   float scale() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 /// @file handle.hpp
-/// OpenGL's names of things as owners: what a Handle names is deleted with it.
+/// Owning handles of OpenGL objects: the object is deleted with its handle.
 
 #include <epoxy/gl.h>
 
@@ -25,7 +25,7 @@ class Handle {
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
 
-  /// What OpenGL calls it.
+  /// OpenGL's name of the object.
   GLuint name() const { return name_; }
 
  private:
@@ -82,7 +82,7 @@ using Texture = Handle<TextureKind>;
 using Renderbuffer = Handle<RenderbufferKind>;
 using Framebuffer = Handle<FramebufferKind>;
 
-/// A place in a buffer, as OpenGL wants it said: its parameter was once a pointer to memory.
+/// An offset into a buffer. OpenGL takes it as a pointer, for historical reasons.
 inline const void* buffer_offset(std::uintptr_t bytes) {
   return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }

@@ -1,13 +1,13 @@
 #pragma once
 /// @file headless_context.hpp
-/// OpenGL without a window that anybody sees.
+/// OpenGL without a visible window.
 
 #include <cstdint>
 #include <memory>
 
 namespace cs550::viewer {
 
-/// Something that keeps OpenGL current until it goes away.
+/// Keeps an OpenGL context current as long as it exists.
 class GlContext {
  public:
   GlContext() = default;
@@ -16,24 +16,24 @@ class GlContext {
   virtual ~GlContext() = default;
 };
 
-/// How OpenGL is reached.
+/// How the context is created.
 enum class HeadlessWay : std::uint8_t {
-  Any,           ///< EGL; where it fails a hidden window
-  Egl,           ///< without a screen (surfaceless)
-  HiddenWindow,  ///< on a screen, but not shown
+  Any,           ///< EGL, or a hidden window if EGL fails
+  Egl,           ///< surfaceless: needs no screen
+  HiddenWindow,  ///< needs a screen
 };
 
-/// An OpenGL 3.3 context for pictures. At most one at a time.
+/// An OpenGL 3.3 context for drawing pictures. At most one at a time.
 class HeadlessContext {
  public:
-  /// @throws std::runtime_error that says what is missing and names the packages to install
+  /// @throws std::runtime_error with what is missing and which packages to install
   explicit HeadlessContext(HeadlessWay way = HeadlessWay::Any);
 
  private:
   std::unique_ptr<GlContext> context_;
 };
 
-/// The two ways. @throws std::runtime_error that says what is missing
+/// The two implementations. @throws std::runtime_error with what is missing
 /// @{
 std::unique_ptr<GlContext> open_egl();
 std::unique_ptr<GlContext> open_hidden_window();

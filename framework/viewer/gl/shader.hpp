@@ -1,6 +1,6 @@
 #pragma once
 /// @file shader.hpp
-/// Programs that run on the graphics card.
+/// Programs that run on the GPU.
 
 #include <epoxy/gl.h>
 
@@ -11,17 +11,17 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// A vertex and a fragment shader, linked.
+/// A linked vertex and fragment shader.
 class Shader {
  public:
-  /// @param name for the message, @param vertex, fragment GLSL 3.30 without the #version line
+  /// @param name for error messages, @param vertex, fragment GLSL 3.30 without the #version line
   /// @throws std::runtime_error with the compiler's message
   Shader(const char* name, const char* vertex, const char* fragment);
   ~Shader();
   Shader(const Shader&) = delete;
   Shader& operator=(const Shader&) = delete;
 
-  /// Makes it the one that draws.
+  /// Selects it for drawing.
   void use() const;
   /// Sets a uniform; the shader must be in use. Unknown names are ignored, as OpenGL does.
   /// @{

@@ -12,7 +12,7 @@ vec3 backdrop(float height) {
 
 namespace {
 
-/// One triangle that is larger than the viewport.
+/// A triangle that covers the viewport.
 constexpr const char* vertex_source = R"(
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0);

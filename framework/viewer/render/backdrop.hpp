@@ -1,6 +1,6 @@
 #pragma once
 /// @file backdrop.hpp
-/// What is behind everything.
+/// The background of a picture.
 
 #include "viewer/gl/handle.hpp"
 #include "viewer/gl/shader.hpp"
@@ -10,11 +10,11 @@ namespace cs550::viewer {
 /// GLSL: `vec3 backdrop(float height)`, linear light, height 0 at the bottom and 1 at the top.
 extern const char* const backdrop_source;
 
-/// A quiet gradient, like paper in a studio.
+/// A soft gradient, like the paper of a photo studio.
 class Backdrop {
  public:
   Backdrop();
-  /// Covers what nothing opaque has covered.
+  /// Fills the pixels that nothing opaque covers.
   void draw(float height_pixels) const;
 
  private:

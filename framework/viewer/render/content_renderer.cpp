@@ -6,7 +6,7 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// @return whether the picture is another one than before
+/// @return whether the picture has changed
 bool ContentRenderer::set(const Content& content, const Projection& projection, float scale) {
   std::vector<Solid> solids = content.solids;
   open_view(solids, projection.eye());

@@ -10,9 +10,9 @@ namespace {
 using drawing::Drawing;
 using drawing::Role;
 
-constexpr float hidden_opacity = 0.22F;       ///< of strokes behind something
-constexpr Real covering_opacity = Real(0.7);  ///< of polygons that hide strokes behind them
-constexpr Real outline = Real(1.2);  ///< pixels around a stroke that is too light for paper
+constexpr float hidden_opacity = 0.22F;       ///< of hidden strokes
+constexpr Real covering_opacity = Real(0.7);  ///< at which a polygon hides strokes behind it
+constexpr Real outline = Real(1.2);  ///< pixels around a stroke too light for a white background
 
 void append(std::vector<float>& floats, const Vec3& v) {
   floats.insert(floats.end(), {v.x(), v.y(), v.z()});
@@ -21,7 +21,7 @@ void append(std::vector<float>& floats, const Rgba& c) {
   floats.insert(floats.end(), {c.x(), c.y(), c.z(), c.w()});
 }
 
-/// @param rim pixels that the stroke is wider on every side
+/// @param rim pixels by which the stroke is widened on every side
 void append_line(std::vector<float>& floats, const drawing::Line& line, const Rgba& colour,
                  float scale, float rim) {
   append(floats, line.from);
@@ -65,7 +65,7 @@ Real distance(const drawing::Polygon& polygon, const Vec3& eye) {
   return sum.norm() / static_cast<Real>(std::max<std::size_t>(polygon.corners.size(), 1));
 }
 
-/// Polygons that cover, then the others; each from back to front.
+/// First the polygons that hide strokes, then the others; each group from back to front.
 std::vector<const drawing::Polygon*> in_order(const Drawing& drawing, const Vec3& eye) {
   std::vector<const drawing::Polygon*> order;
   for (const drawing::Polygon& polygon : drawing.polygons) order.push_back(&polygon);
@@ -134,7 +134,7 @@ InkRenderer::InkRenderer()
       polygon_shader_("polygon", ink::polygon_vertex, ink::polygon_fragment),
       ball_shader_("ball", ink::ball_vertex, ink::ball_fragment) {}
 
-/// Fills a buffer and says what a record consists of. @return whether it held anything else before
+/// Fills a buffer and sets its vertex format. @return whether the contents have changed
 bool InkRenderer::fill(Batch& batch, std::vector<float> records, std::initializer_list<GLint> parts,
                        GLuint divisor) {
   if (records == batch.records) return false;
@@ -172,7 +172,7 @@ void InkRenderer::draw_areas(const Projection& projection) const {
   glEnable(GL_DEPTH_TEST);
   begin_blending();
   set_camera(ball_shader_, projection);
-  // Balls hide what is drawn behind them later: their depth counts.
+  // Balls hide what is drawn later behind them, so they write depth.
   glDepthMask(GL_TRUE);
   glBindVertexArray(balls_.layout.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls_.count);

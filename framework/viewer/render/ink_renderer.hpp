@@ -14,26 +14,27 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// Draws what a Drawing holds, save its labels, which are text.
+/// Draws everything in a Drawing except its labels.
 class InkRenderer {
  public:
   InkRenderer();
 
-  /// Prepares a frame. @param scale pixels per pixel of the drawing: above 1 on a fine screen
-  /// @param eye from where it is seen (m)
-  /// @return whether anything differs from the frame before
+  /// Prepares a frame. @param scale pixels per pixel of the drawing: above 1 on a high-resolution
+  /// screen
+  /// @param eye position of the camera (m)
+  /// @return whether anything has changed since the last frame
   bool begin(const drawing::Drawing& drawing, float scale, const Vec3& eye);
-  /// Balls and polygons; after opaque solids.
+  /// Draws balls and polygons; call it after opaque solids are drawn.
   void draw_areas(const Projection& projection) const;
-  /// Lines and dots, those behind something fainter; after everything else.
+  /// Draws lines and dots, hidden ones fainter; call it last.
   void draw_strokes(const Projection& projection, Size canvas) const;
 
  private:
-  /// A buffer of equal records and how many they are.
+  /// A buffer of records of one size.
   struct Batch {
     VertexArray layout;
     Buffer buffer;
-    std::vector<float> records;  ///< what is in the buffer
+    std::vector<float> records;  ///< the contents of the buffer
     GLsizei count = 0;           ///< of records
   };
 
@@ -49,7 +50,7 @@ class InkRenderer {
   Batch lines_;
   Batch dots_;
   Batch triangles_;
-  GLsizei covering_ = 0;  ///< vertices of polygons that hide what is behind them; they come first
+  GLsizei covering_ = 0;  ///< number of vertices of polygons that hide strokes; these come first
   Batch balls_;
 };
 

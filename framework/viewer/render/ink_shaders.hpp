@@ -1,12 +1,12 @@
 #pragma once
 /// @file ink_shaders.hpp
-/// GLSL of the InkRenderer. Every instance is a rectangle that its fragment shader cuts to shape,
-/// so that edges are smooth whatever the number of samples.
+/// GLSL of the InkRenderer. Every instance is a rectangle, and its fragment shader computes the
+/// coverage of the shape, so that edges are smooth even with one sample per pixel.
 
 namespace cs550::viewer::ink {
 
-/// A line as a rectangle of constant width on the page, cut at the near plane, moved a little
-/// towards the eye so that an edge wins against its own face.
+/// A line as a rectangle of constant width in pixels, clipped at the near plane. It is moved
+/// slightly towards the eye, so that an edge is drawn in front of its own face.
 inline constexpr const char* line_vertex = R"(
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
@@ -70,7 +70,7 @@ float inside(float distance) { return 1.0 - smoothstep(-0.6, 0.6, distance); }
 void main() {
   float half_width = 0.5 * shape.x + shape.w;
   float head = shape.z > 0.5 ? min(3.2 * shape.x + 5.0, along.x + along.y) : 0.0;
-  // Round ends: the distance from the segment, whose end lies in the arrow's head.
+  // Round ends: the distance from the segment, which ends inside the arrowhead.
   float beyond = max(max(-along.x, head * 0.8 - along.y), 0.0);
   float cover = inside(length(vec2(beyond, across)) - half_width);
   if (shape.y > 0.5) cover *= inside(abs(mod(along.x, 11.0) - 3.5) - 3.5);
@@ -105,7 +105,7 @@ void main() {
 }
 )";
 
-/// A disc with a thin light rim, which sets it off from what is behind.
+/// A disc with a thin light rim that separates it from the background.
 inline constexpr const char* dot_fragment = R"(
 uniform float opacity;
 in vec2 place;
@@ -135,7 +135,7 @@ void main() {
 }
 )";
 
-/// A little light from the side of the sun: neighbouring faces can be told apart.
+/// Slight directional shading, so that neighbouring faces can be distinguished.
 inline constexpr const char* polygon_fragment = R"(
 uniform vec3 eye;
 in vec3 world;
@@ -149,7 +149,7 @@ void main() {
 }
 )";
 
-/// A square that faces the eye and holds the outline of the ball.
+/// A square that faces the eye and encloses the outline of the ball.
 inline constexpr const char* ball_vertex = R"(
 layout(location = 0) in vec4 ball;  // center, radius
 layout(location = 1) in vec4 tint;

@@ -9,7 +9,7 @@ ShadowMap::ShadowMap(int side) : side_(side) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  // Outside of the map nothing is in the way of the light.
+  // Nothing outside of the map casts a shadow.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
   constexpr float far[] = {1, 1, 1, 1};
@@ -28,7 +28,7 @@ Matrix4 ShadowMap::begin(const Vec3& light, const Vec3& center, Real radius) con
   Matrix4 matrix = Matrix4::Identity();
   matrix.block<1, 3>(0, 0) = across.transpose() / radius;
   matrix.block<1, 3>(1, 0) = light.cross(across).transpose() / radius;
-  // Twice as deep: the ground beyond the ball still lies in the map.
+  // Twice as deep, so that the ground beyond the ball is inside the map.
   matrix.block<1, 3>(2, 0) = -light.transpose() / (2 * radius);
   matrix.block<3, 1>(0, 3) = -matrix.block<3, 3>(0, 0) * center;
   return matrix;

@@ -1,6 +1,6 @@
 #pragma once
 /// @file shadow_map.hpp
-/// What the light sees.
+/// The depth map for shadows.
 
 #include "cs550/math.hpp"
 #include "viewer/gl/handle.hpp"
@@ -8,7 +8,8 @@
 
 namespace cs550::viewer {
 
-/// Distances from a far light, drawn before the scene, asked while it is drawn.
+/// Distances from a directional light. They are drawn before the scene and sampled while it is
+/// drawn.
 class ShadowMap {
  public:
   /// @param side pixels
@@ -16,10 +17,10 @@ class ShadowMap {
 
   int side() const { return side_; }
 
-  /// What is drawn from now on is what casts shadows inside a ball.
-  /// @return world to the light's clip coordinates
+  /// Begins the shadow casters inside a ball.
+  /// @return the matrix from world to the light's clip coordinates
   Matrix4 begin(const Vec3& light, const Vec3& center, Real radius) const;
-  /// Makes the distances a texture. @param unit of textures
+  /// Binds the distances as a texture. @param unit texture unit
   void bind(int unit) const;
 
  private:

@@ -5,11 +5,11 @@
 namespace cs550::viewer {
 namespace {
 
-/// A corner of a face, or its middle.
+/// A corner or the middle of a face.
 struct Corner {
   Vec3 position;
   Vec3 normal;
-  float height;  ///< 0 on the outline of the face and 1 in its middle: small where an edge is drawn
+  float height;  ///< 0 on the outline of the face, 1 in its middle
 };
 
 Vec3 middle(const HalfEdgeMesh& mesh, Index face) {

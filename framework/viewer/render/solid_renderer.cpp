@@ -51,7 +51,7 @@ void main() {
 
 constexpr const char* shadow_fragment_source = "void main() {}\n";
 
-/// Light from one far source and from sky and ground, in linear light.
+/// Directional light and hemispherical ambient light, in linear colour.
 constexpr const char* fragment_source = R"(
 uniform mat4 light_matrix;
 uniform sampler2DShadow shadows;
@@ -73,8 +73,8 @@ float open(vec3 place, vec2 offset) {
   return texture(shadows, vec3(place.xy + offset, place.z - 0.0005));
 }
 
-// The share of the light that arrives: a soft-edged average over 3 x 3 places around, of which the
-// corners are enough where they agree.
+// The share of the light that arrives: an average over 3 x 3 samples of the map. If the four
+// corners agree, they are enough.
 float lit(float facing) {
   vec3 lifted = world + normal * texel_metres * (2.5 - 1.5 * facing);
   vec3 place = 0.5 + 0.5 * (light_matrix * vec4(lifted, 1.0)).xyz;
@@ -89,7 +89,7 @@ float lit(float facing) {
   return (corners + 2.0 * sides + 4.0 * open(place, vec2(0.0))) / 16.0;
 }
 
-// How much of a pixel an edge of the face covers; faces of a few pixels show none.
+// The share of a pixel that an edge of the face covers. Faces of a few pixels show no edges.
 float edge_cover() {
   float slope = max(length(vec2(dFdx(height), dFdy(height))), 1e-9);
   return (1.0 - smoothstep(0.4, 1.5, height / slope)) * smoothstep(2.0, 7.0, 1.0 / slope);
@@ -155,8 +155,8 @@ const SolidMesh& SolidRenderer::on_card(const MeshPtr& mesh) {
   return found->second.on_card;
 }
 
-/// Those that may be drawn together are neighbours, and among them the nearest come first: what they
-/// hide need not be shaded. The ground, behind everything, comes last.
+/// Solids that can be drawn together are neighbours. The nearest come first, because hidden pixels
+/// are then not shaded. The ground is behind everything and comes last.
 std::vector<const Solid*> SolidRenderer::drawing_order(const Projection& projection) const {
   struct Entry {
     bool is_ground;

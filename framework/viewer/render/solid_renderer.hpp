@@ -17,27 +17,27 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// Draws solids; keeps their meshes on the graphics card as long as they are drawn.
+/// Draws solids, and keeps their meshes on the GPU as long as they are drawn.
 class SolidRenderer {
  public:
   SolidRenderer();
 
-  /// What is drawn from now on. @return whether it differs from what was drawn before
+  /// Sets the solids to draw. @return whether they have changed
   bool set(std::span<const Solid> solids, const Focus& focus);
-  /// Prepares a frame: what is drawn in which order, and the shadows that it throws.
+  /// Prepares a frame: the order of drawing, and the shadows.
   void begin(const Projection& projection, Quality quality);
-  /// Opaque solids.
+  /// Draws opaque solids.
   void draw_opaque(const Projection& projection, Size canvas) const;
-  /// Translucent solids, from back to front; after everything that is opaque.
+  /// Draws translucent solids from back to front; call it after everything opaque is drawn.
   void draw_translucent(const Projection& projection, Size canvas) const;
 
  private:
   struct Cached {
-    MeshPtr mesh;  ///< keeps the address from being used again
+    MeshPtr mesh;  ///< keeps the address from being reused
     SolidMesh on_card;
     bool is_used;
   };
-  /// Neighbours in the buffer of instances that share a mesh.
+  /// Consecutive instances in the buffer that share a mesh.
   struct Batch {
     const SolidMesh* mesh;
     int first;
@@ -46,7 +46,7 @@ class SolidRenderer {
     bool is_ground;
   };
 
-  /// How solids are drawn at a quality.
+  /// The shaders and shadow map of a quality.
   struct Look {
     Shader shader;
     ShadowMap shadows;

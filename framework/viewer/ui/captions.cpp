@@ -18,7 +18,7 @@ ImU32 packed(drawing::Colour colour, int opacity = 255) {
   return IM_COL32(colour.red, colour.green, colour.blue, opacity);
 }
 
-/// A colour in which text can be read on a light ground.
+/// The colour, darkened enough for text on a light background.
 drawing::Colour readable(drawing::Role role) {
   constexpr drawing::Colour black = {0, 0, 0};
   if (role == drawing::Role::Text || role == drawing::Role::Axis) return drawing::colour(role);
@@ -78,8 +78,8 @@ struct Box {
   }
 };
 
-/// Where a text beside a point hides no other: to the upper right, else at one of the other corners,
-/// else farther away; nowhere in a crowd.
+/// A free place for a text beside a point: to the upper right, at another corner, or farther away.
+/// Nothing if all of these overlap other texts.
 std::optional<Box> free_place(const Vec2& point, ImVec2 size, std::span<const Box> taken) {
   constexpr float gap = 6;
   const auto at = [&](bool right, bool above, float line) {

@@ -1,6 +1,6 @@
 #pragma once
 /// @file captions.hpp
-/// Text in and below the picture: labels, legend, notes.
+/// Text in the picture: labels, legend, notes.
 
 #include "drawing/drawing.hpp"
 #include "pages/base/camera.hpp"
@@ -10,17 +10,17 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// Writes the labels of a drawing beside what they name, with a light rim; those for which there is
-/// no room are left out. @return how many
+/// Writes the labels of a drawing, with a light rim. Labels without room are left out.
+/// @return the number of labels left out
 int show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
                 const Fonts& fonts);
 
 /// Writes legend and notes into the lower left corner of an area.
-/// @param missing_labels how many were left out
+/// @param missing_labels the number of labels left out
 void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts& fonts,
                  int missing_labels);
 
-/// Writes a sentence into the middle of an area, where a picture would be.
+/// Writes a sentence into the middle of an area, in place of a picture.
 void show_problem(const std::string& problem, const Area& area, const Fonts& fonts);
 
 }  // namespace cs550::viewer

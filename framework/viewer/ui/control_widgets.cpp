@@ -69,7 +69,7 @@ void ControlWidgets::choice(const Control& control, int& value,
   ImGui::Combo(hidden_label(control).c_str(), &value, names.data(), static_cast<int>(names.size()));
 }
 
-/// A button for each move, and one that takes the last move back.
+/// A button for each move, and one that undoes the last move.
 void ControlWidgets::moves(const Control& control, std::vector<int>& value,
                            std::span<const char* const> names) {
   if (!is_open_) return;

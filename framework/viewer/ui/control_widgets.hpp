@@ -1,6 +1,6 @@
 #pragma once
 /// @file control_widgets.hpp
-/// Controls as widgets.
+/// Widgets for the settings of a page.
 
 #include "pages/base/controls.hpp"
 
@@ -8,7 +8,7 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// Shows every setting that it visits, in the present window; the user turns them.
+/// Visits settings and shows a widget for each in the present window.
 class ControlWidgets final : public ControlVisitor {
  public:
   ~ControlWidgets() override { end_row(); }

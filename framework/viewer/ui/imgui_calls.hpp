@@ -1,6 +1,6 @@
 #pragma once
 /// @file imgui_calls.hpp
-/// Calls that Dear ImGui spells differently from version to version (1.86 to 1.92).
+/// Calls whose names or arguments differ between versions of Dear ImGui (1.86 to 1.92).
 
 #include <imgui/imgui.h>
 

@@ -12,7 +12,7 @@ namespace cs550::viewer {
 Interface::Interface(GLFWwindow* window, float scale)
     : window_(window), full_scale_(scale), scale_(scale) {
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // no file of window places: every start is the same
+  ImGui::GetIO().IniFilename = nullptr;  // no saved window positions: every start is the same
   fonts_ = apply_theme(scale);
   if (window_ != nullptr) ImGui_ImplGlfw_InitForOpenGL(window_, true);
   ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -24,7 +24,7 @@ Interface::~Interface() {
   ImGui::DestroyContext();
 }
 
-/// A window may count in larger units than pixels.
+/// Window coordinates may be larger than pixels.
 Size Interface::size_for(Size canvas) const {
   if (window_ == nullptr) return canvas;
   Size size;
@@ -36,7 +36,7 @@ void Interface::set_scale(float scale) {
   if (scale == scale_) return;
   scale_ = scale;
 #if IMGUI_VERSION_NUM < 19200
-  // Before Dear ImGui 1.92 the fonts are one texture, made with the first frame.
+  // Before Dear ImGui 1.92, all fonts share one texture, which is created with the first frame.
   const bool is_on_card = ImGui::GetIO().Fonts->TexID != ImTextureID{};
   if (is_on_card) ImGui_ImplOpenGL3_DestroyFontsTexture();
 #endif

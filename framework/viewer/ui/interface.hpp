@@ -1,6 +1,6 @@
 #pragma once
 /// @file interface.hpp
-/// Dear ImGui and what belongs to it, for a window or for a picture.
+/// The context of Dear ImGui, for a window or a picture.
 
 #include "viewer/gl/canvas.hpp"
 #include "viewer/ui/theme.hpp"
@@ -9,20 +9,20 @@ struct GLFWwindow;
 
 namespace cs550::viewer {
 
-/// Owns Dear ImGui's context. At most one at a time; OpenGL is current.
+/// Owns Dear ImGui's context. At most one at a time. @pre an OpenGL context is current
 class Interface {
  public:
-  /// @param window whose mouse and keys it hears; none for a picture
-  /// @param scale of what is drawn where there is room for it
+  /// @param window the source of mouse and key events; null for a picture
+  /// @param scale of text and widgets if there is enough room
   Interface(GLFWwindow* window, float scale);
   ~Interface();
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
 
-  /// Between these two, widgets are made; they are smaller where there is little room for panels.
-  /// @param canvas pixels, @param has_panels what is drawn without panels never shrinks
+  /// Begins a frame. Widgets are created between begin and end, smaller if there is little room.
+  /// @param canvas pixels, @param has_panels without panels nothing is made smaller
   void begin_frame(Size canvas, bool has_panels);
-  /// Draws them to what is drawn to at present.
+  /// Draws the widgets to the current framebuffer.
   void end_frame();
 
   const Fonts& fonts() const { return fonts_; }

@@ -10,7 +10,7 @@ constexpr Size usual = {1280, 720};       ///< a window in which everything has 
 constexpr float panel_width = 330;        ///< pixels at scale 1
 constexpr float plots_width = 300;        ///< pixels at scale 1
 constexpr float least_shrinking = 0.75F;  ///< smaller text is hard to read
-constexpr float shrinking_step = 0.05F;   ///< each makes the fonts anew
+constexpr float shrinking_step = 0.05F;   ///< every change of the scale rebuilds the fonts
 constexpr float most_for_panels = 0.5F;   ///< share of the width
 
 float share_of_usual(Size size) {

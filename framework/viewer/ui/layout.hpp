@@ -1,6 +1,6 @@
 #pragma once
 /// @file layout.hpp
-/// Where panels and picture are, so that the picture always has at least half of the room.
+/// The areas of panels and picture. The picture always has at least half of the width.
 
 #include "pages/base/camera.hpp"
 
@@ -8,7 +8,7 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// Parts of a window; an area without width is not shown.
+/// The parts of a window. An area without width is not shown.
 struct Layout {
   Area panel;                     ///< to the left: pages, settings
   Area plots;                     ///< to the right
@@ -16,18 +16,19 @@ struct Layout {
   bool plots_are_inside = false;  ///< of the panel, below the settings
 };
 
-/// How large things are in a picture that is seen as a whole: a larger one is the same, but finer.
+/// The scale of text and lines in a picture, so that a larger picture only has more detail.
 float picture_scale(Size picture);
 
-/// How large things on panels are. In a small window they shrink, to three quarters at most.
-/// @param screen_scale 1 on a screen of about 100 dots per inch, more on a finer one
+/// The scale of text and widgets on panels. In a small window it shrinks, to at least three
+/// quarters.
+/// @param screen_scale 1 on a screen of about 100 dots per inch, more on a high-resolution one
 float panel_scale(Size window, float screen_scale);
 
-/// Panels beside the picture. Where they would cover more than half, the plots move into the panel;
-/// where the panel alone would, there is none. @param scale of the panels
+/// Panels beside the picture. If they would cover more than half of the width, the plots move into
+/// the panel. If the panel alone would, it is not shown. @param scale of the panels
 Layout lay_out(Size window, float scale, bool has_plots);
 
-/// No panels.
+/// The layout without panels.
 Layout picture_only(Size window);
 
 }  // namespace cs550::viewer

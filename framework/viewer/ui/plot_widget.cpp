@@ -40,7 +40,7 @@ void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& font
   }
 }
 
-/// A line in pieces; `travelled` counts pixels from the start of the curve.
+/// A dashed line. `travelled` is the distance from the start of the curve (pixels).
 void draw_dashes(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, float width,
                  float& travelled) {
   constexpr float period = 9;
@@ -126,7 +126,7 @@ void draw_marks(ImDrawList* list, const Plot& plot, const Axis& x, const Axis& y
   }
 }
 
-/// Title to the left, what the colours mean to the right of it or, if that is too long, below.
+/// The title on the left, and the legend to its right or, if there is no room, below.
 /// @return height in pixels
 float draw_heading(ImDrawList* list, const Plot& plot, ImVec2 at, float width, const Fonts& fonts) {
   const float text = fonts.text.size;

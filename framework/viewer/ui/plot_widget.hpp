@@ -7,7 +7,7 @@
 
 namespace cs550::viewer {
 
-/// Draws a plot in the present window, as wide as it is. @param height pixels
+/// Draws a plot in the full width of the present window. @param height pixels
 void show_plot(const drawing::Plot& plot, float height, const Fonts& fonts);
 
 }  // namespace cs550::viewer

@@ -5,7 +5,7 @@
 namespace cs550::viewer {
 namespace {
 
-/// Where distributions put DejaVu Sans, which has the Greek letters and signs of the formulas.
+/// The paths of DejaVu Sans in common distributions. It has the symbols of the formulas.
 const char* find_font(bool bold) {
   static constexpr const char* plain_places[] = {
       "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",

@@ -1,18 +1,18 @@
 #pragma once
 /// @file theme.hpp
-/// How the panels look.
+/// Colours and fonts of the panels.
 
 #include <imgui/imgui.h>
 
 namespace cs550::viewer {
 
-/// A font at a size.
+/// A font with a size.
 struct Typeface {
   ImFont* font = nullptr;
   float size = 0;  ///< pixels
 };
 
-/// The fonts of the panels; the plain ones of Dear ImGui where no other is installed.
+/// The fonts of the panels. The built-in font of Dear ImGui is used if none is installed.
 struct Fonts {
   Typeface text;   ///< panels
   Typeface title;  ///< headings
@@ -20,10 +20,10 @@ struct Fonts {
 };
 
 /// Sets colours, sizes and fonts of the present Dear ImGui context. @param scale 1 on a screen of
-/// about 100 dots per inch, more on a finer one
+/// about 100 dots per inch, more on a high-resolution one
 Fonts apply_theme(float scale);
 
-/// Colours that widgets of our own share with those of Dear ImGui.
+/// Colours that our own widgets share with those of Dear ImGui.
 /// @{
 inline constexpr ImU32 ink = IM_COL32(27, 30, 35, 255);
 inline constexpr ImU32 quiet_ink = IM_COL32(96, 102, 112, 255);

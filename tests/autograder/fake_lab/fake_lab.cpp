@@ -1,4 +1,4 @@
-/// Graded tests with every kind of ending, for graded_test_test.cpp. "Lab5" stands for any lab.
+/// Graded tests with every outcome, for graded_test_test.cpp. "Lab5" represents any lab.
 #include <cs550/graded_test.hpp>
 #include <cs550/not_implemented.hpp>
 #include <cs550/test_report.hpp>

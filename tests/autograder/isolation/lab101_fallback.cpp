@@ -1,4 +1,4 @@
-/// What defines the functions that lab 101 lacks.
+/// Defines the functions that lab 101 lacks.
 #include "functions.hpp"
 
 namespace cs550 {

@@ -1,4 +1,4 @@
-/// A lab with helpers that another lab has too, with another content.
+/// A lab with helpers whose names another lab uses for different helpers.
 #include "functions.hpp"
 
 namespace cs550 {

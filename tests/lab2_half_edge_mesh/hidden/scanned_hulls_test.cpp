@@ -1,4 +1,4 @@
-// L2.7 again: boxes cut finely, at every scale, and hulls of scanned meshes.
+// L2.7 again: finely triangulated boxes at every scale, and hulls of scanned meshes.
 #include <cs550/graded_test.hpp>
 
 #include "cs550/mesh_io.hpp"

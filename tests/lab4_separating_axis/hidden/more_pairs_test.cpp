@@ -79,7 +79,7 @@ GRADED_TEST(Lab4, OverlapOfSmallBodiesFarAway, 3, "L4.5") {
     const ExactBody b = pair.exact_b();
     const bool expected = gjk_overlap(a, b);
     const bool got = overlap(pair.a, pair.b);
-    // Coordinates of 10 m are rounded to 1e-6 m, 1e-4 of the size: room for some of these.
+    // Coordinates of 10 m are rounded to 1e-6 m, 1e-4 of the size. Several roundings are allowed.
     const double band = 5e-4 * std::max(a.size, b.size);
     if (got != expected && std::abs(best_separations(a, b).largest()) < band) continue;
     Story here = about(story, pair);

@@ -10,31 +10,31 @@
 
 namespace cs550::autograder {
 
-/// How long a test takes: one over 0.5 s at -O1 is Long and runs after the others.
+/// The duration of a test: one over 0.5 s at -O1 is Long and runs after the others.
 enum class Duration { Short, Long };
 
-/// What the manifest says about one graded test.
+/// The entry of a graded test in the manifest.
 struct GradedTestInfo {
   std::string suite;  ///< "Lab3"
-  std::string name;   ///< the property that the test holds the code to
+  std::string name;   ///< the property that the test checks
   std::string file;   ///< relative to the root; a test in a folder `hidden` is hidden
   int line = 0;       ///< of the GRADED_TEST in that file
-  int points = 0;     ///< all of them or none
+  int points = 0;     ///< awarded together or not at all
   std::string step;   ///< "L3.2"
   Duration duration = Duration::Short;  ///< as measured at -O1
 
-  /// "Lab3.Property", as GoogleTest and ctest know it.
+  /// The name in GoogleTest and ctest, "Lab3.Property".
   std::string full_name() const { return suite + "." + name; }
-  /// Whether students do not get to see it.
+  /// Whether the students' copy lacks this test.
   bool hidden() const { return file.find("/hidden/") != std::string::npos; }
   /// The number of the lab, from the suite: 3 for "Lab3".
   int lab() const { return std::stoi(suite.substr(3)); }
 };
 
-/// Every graded test of this program, in the order of the manifest: by file and line, visible first.
+/// All graded tests of this program, in the order of the manifest: by file and line, visible first.
 std::vector<GradedTestInfo> graded_tests();
 
-/// The base of every graded test: turns what leaves the body into a verdict.
+/// The base of every graded test. Turns exceptions from the body into a verdict.
 class GradedTest : public testing::Test {
  protected:
   using enum Duration;  // lets a test say `Long`
@@ -50,7 +50,7 @@ class GradedTest : public testing::Test {
   friend bool register_graded_test(GradedTestInfo info);
 };
 
-/// Adds a test to the list; not for tests with the same name twice.
+/// Adds a test to the list. A second test with the same name is an error.
 void remember_graded_test(const GradedTestInfo& info);
 
 /// Makes GoogleTest run `Test`; always true, so that a static variable can call it.
