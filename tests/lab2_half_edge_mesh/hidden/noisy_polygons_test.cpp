@@ -15,7 +15,7 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
   const TriangleSoup whole = icosphere_soup(5, 1);
   const Index count = static_cast<Index>(whole.triangles.size());
   for (int i = 0; i < 3; ++i) {
-    const auto chosen = random.integer(0, count - 1);
+    const Index chosen = random.integer(0, count - 1);
 
     TriangleSoup reversed = whole;
     std::swap(reversed.triangles[chosen][1], reversed.triangles[chosen][2]);
@@ -23,8 +23,7 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
     Story here = story;
     here.given("triangle", chosen, "is reversed");
     expect_error(here, issue, MeshError::InconsistentWinding);
-    const Index t = static_cast<Index>(chosen);
-    here.expect("it is named", issue.triangle == t || issue.other_triangle == t);
+    here.expect("it is named", issue.triangle == chosen || issue.other_triangle == chosen);
 
     TriangleSoup repeated = whole;
     const auto [a, b, c] = whole.triangles[chosen];
@@ -33,11 +32,11 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
     here = story;
     here.given("triangle", chosen, "is there twice");
     expect_error(here, issue, MeshError::DuplicateTriangle);
-    here.expect_equal("the first", std::min(issue.triangle, issue.other_triangle), t);
+    here.expect_equal("the first", std::min(issue.triangle, issue.other_triangle), chosen);
     here.expect_equal("the second", std::max(issue.triangle, issue.other_triangle), count);
 
     TriangleSoup open = whole;
-    open.triangles.erase(open.triangles.begin() + static_cast<std::ptrdiff_t>(chosen));
+    open.triangles.erase(open.triangles.begin() + chosen);
     issue = issue_of(open);
     here = story;
     here.given("triangle", chosen, "is missing");
