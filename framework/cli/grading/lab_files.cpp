@@ -1,5 +1,7 @@
 #include "cli/grading/lab_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -71,6 +73,32 @@ fs::path first_free_backup(const fs::path& file) {
   }
 }
 
+/// Throws std::runtime_error where the solution is absent.
+Texts solution_of(const std::string& lab_name) {
+  Texts solution = texts_in(project_root() / "solutions" / lab_name);
+  if (!solution.empty()) return solution;
+  throw std::runtime_error(
+      fmt::format("lab {} has no solution here: solutions/{} is missing.\n"
+                  "  Your instructor decides when it is released.",
+                  lab_number(lab_name), lab_name));
+}
+
+/// Puts other files in the place of the student's. Those that differ are kept.
+/// @return the backups
+std::vector<fs::path> replace_lab_files(const std::string& lab_name, const Texts& fresh) {
+  const fs::path folder = lab_folder(lab_name);
+  std::vector<fs::path> backups;
+  for (const auto& [name, text] : texts_in(folder)) {
+    const auto same = fresh.find(name);
+    if (same != fresh.end() && same->second == text) continue;
+    backups.push_back(first_free_backup(folder / name));
+    files::write_file(backups.back(), text);
+    if (same == fresh.end()) fs::remove(folder / name);
+  }
+  for (const auto& [name, text] : fresh) files::write_file(folder / name, text);
+  return backups;
+}
+
 void append(std::vector<fs::path>& files, const std::vector<fs::path>& more) {
   files.insert(files.end(), more.begin(), more.end());
 }
@@ -117,18 +145,13 @@ bool is_untouched(const std::string& lab_name) {
 }
 
 std::vector<fs::path> reset_to_starter(const std::string& lab_name) {
-  const Texts starter = starter_of(lab_name);
-  const fs::path folder = lab_folder(lab_name);
-  std::vector<fs::path> backups;
-  for (const auto& [name, text] : texts_in(folder)) {
-    const auto pristine = starter.find(name);
-    if (pristine != starter.end() && pristine->second == text) continue;
-    backups.push_back(first_free_backup(folder / name));
-    files::write_file(backups.back(), text);
-    if (pristine == starter.end()) fs::remove(folder / name);
-  }
-  for (const auto& [name, text] : starter) files::write_file(folder / name, text);
-  return backups;
+  return replace_lab_files(lab_name, starter_of(lab_name));
+}
+
+std::optional<std::vector<fs::path>> use_solution(const std::string& lab_name) {
+  const Texts solution = solution_of(lab_name);
+  if (texts_in(lab_folder(lab_name)) == solution) return std::nullopt;
+  return replace_lab_files(lab_name, solution);
 }
 
 }  // namespace cs550::cli

@@ -3,6 +3,7 @@
 /// The files that a student edits, and the starters that they began as.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,10 @@ bool is_untouched(const std::string& lab_name);
 /// else in the last commit.
 /// @return the backups; none when the files were the starter already
 std::vector<std::filesystem::path> reset_to_starter(const std::string& lab_name);
+
+/// Copies the lab's solution in place of the student's files, which are kept as above.
+/// Throws std::runtime_error where the solution is absent: a students' copy has released ones only.
+/// @return the backups; nothing when the files were the solution already
+std::optional<std::vector<std::filesystem::path>> use_solution(const std::string& lab_name);
 
 }  // namespace cs550::cli

@@ -36,6 +36,7 @@ struct LabOptions {
   bool asan = false;
   bool debug = false;
   bool reset = false;
+  bool use_solution = false;
   bool run = false;
   bool all = false;  ///< print every report
 };
@@ -161,17 +162,47 @@ int run_hint(const LabOptions& options) {
   return Good;
 }
 
+void print_backups(const std::vector<fs::path>& backups) {
+  std::cout << "Your files were kept as\n";
+  for (const fs::path& backup : backups) {
+    std::cout << "  " << fs::relative(backup, project_root()).string() << '\n';
+  }
+}
+
 int reset_lab(const LabOptions& options) {
   const std::vector<fs::path> backups = reset_to_starter(options.name);
   if (backups.empty()) {
     std::cout << "labs/" << options.name << " is the starter already: nothing was changed.\n";
     return Good;
   }
-  std::cout << "labs/" << options.name << " is the starter again. Your files were kept as\n";
-  for (const fs::path& backup : backups) {
-    std::cout << "  " << fs::relative(backup, project_root()).string() << '\n';
-  }
+  std::cout << "labs/" << options.name << " is the starter again. ";
+  print_backups(backups);
   return Good;
+}
+
+int copy_solution(const LabOptions& options) {
+  const std::optional<std::vector<fs::path>> backups = use_solution(options.name);
+  if (!backups) {
+    std::cout << "labs/" << options.name << " is the solution already: nothing was changed.\n";
+    return Good;
+  }
+  std::cout << "labs/" << options.name << " is now the solution. ";
+  print_backups(*backups);
+  std::cout << fmt::format("./cs550 lab {} --reset restores the starter.\n", options.lab);
+  return Good;
+}
+
+/// For each earlier lab that is not finished and has a solution: how to go on without it.
+void offer_solutions(int lab) {
+  for (const std::string& earlier : lab_names()) {
+    const int number = lab_number(earlier);
+    if (number >= lab || !has_reference(earlier)) continue;
+    if (!is_untouched(earlier) && result_of(earlier).is_finished()) continue;
+    std::cout << fmt::format(
+        "\nLab {0} is not finished, and its solution is in this copy. Your engine can use\n"
+        "it, and your own files are kept:  ./cs550 lab {0} --use-solution\n",
+        number);
+  }
 }
 
 /// Compares the engine made of the student's labs with the recorded reference.
@@ -183,12 +214,14 @@ int run_engine(const LabOptions& options) {
   const Ending ending =
       run({built_program("student", "milestones_student"), "--lab", std::to_string(options.lab)});
   if (ending.signal != 0) std::cout << "\nnot reached: " << ending.in_words() << '\n';
+  if (!ending.good()) offer_solutions(options.lab);
   return ending.good() ? Good : Failed;
 }
 
 int run_lab(LabOptions options) {
   options.name = lab_name(options.lab);
   if (options.reset) return reset_lab(options);
+  if (options.use_solution) return copy_solution(options);
   if (options.run) return run_engine(options);
   const std::vector<GradedTest> all = graded_tests(options.name);
   const std::vector<GradedTest> tests = of_step(all, options.step);
@@ -226,10 +259,13 @@ Action declare_lab(CLI::App& app) {
   auto* run = app.add_flag("--run", options->run,
                            "run the lab's scenes in your own engine and compare\n"
                            "them with the recorded reference");
+  auto* use_solution = app.add_flag("--use-solution", options->use_solution,
+                                    "replace your files by the lab's solution if it has been\n"
+                                    "released; your files are kept as .bak-1, ...");
   debug->excludes(asan);
-  for (CLI::Option* other : {all, asan, debug, reset, run}) hint->excludes(other);
-  for (CLI::Option* other : {step, all, asan, debug, run}) reset->excludes(other);
-  for (CLI::Option* other : {step, all, asan, debug}) run->excludes(other);
+  for (CLI::Option* other : {all, asan, debug, reset, run, use_solution}) hint->excludes(other);
+  for (CLI::Option* other : {step, all, asan, debug, run, use_solution}) reset->excludes(other);
+  for (CLI::Option* other : {step, all, asan, debug, run}) use_solution->excludes(other);
   return [options, hint] {
     options->wants_hint = hint->count() > 0;
     return run_lab(*options);
