@@ -33,9 +33,10 @@ draw_figures() {
     esac
     [ -s "$file" ] || { echo "figures.txt: nothing has drawn $name" >&2; return 1; }
   done <docs/figures/figures.txt
-  for figure in labs/lab*/figure.svg; do
+  for figure in labs/lab*/figure*.svg; do
     lab=${figure#labs/}
-    cp "$figure" "$docs/figures/${lab%%_*}.svg"
+    name=${figure##*/figure}
+    cp "$figure" "$docs/figures/${lab%%_*}$name"
   done
 }
 

@@ -87,8 +87,12 @@ class Book:
 
 
 def figure_key(page, name):
-    """Every handout calls its picture `figure`."""
-    return page.name if name == "figure" else name
+    """Handouts call their pictures `figure` and `figure_topic`."""
+    return page.name + name.removeprefix("figure") if is_of_handout(name) else name
+
+
+def is_of_handout(name):
+    return name == "figure" or name.startswith("figure_")
 
 
 def read_order():

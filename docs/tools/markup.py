@@ -23,7 +23,7 @@ import re
 from html import escape
 from pathlib import Path
 
-from book import FIGURE, figure_key, listing_name
+from book import FIGURE, figure_key, is_of_handout, listing_name
 from listing import find_function
 
 CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
@@ -88,7 +88,7 @@ class Markup:
         if not self.book.is_there(name, kind):
             return "*A picture of the viewer belongs here; the viewer was not built with this book.*"
         key = figure_key(self.page, name)
-        if name != "figure" and name not in self.book.figures:
+        if not is_of_handout(name) and name not in self.book.figures:
             self.error(f"figure {name} is not in figures.txt")
         number, _ = self.book.figure_number[key]
         text = self.inline_html(caption or alt + ".")

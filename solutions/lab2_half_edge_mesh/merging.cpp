@@ -1,5 +1,5 @@
 /// @file merging.cpp
-/// Lab 2, reference, L2.6 and L2.7: coplanar triangles become convex polygons.
+/// Lab 2, reference, L2.6 to L2.9: coplanar triangles become convex polygons.
 
 #include <algorithm>
 #include <optional>

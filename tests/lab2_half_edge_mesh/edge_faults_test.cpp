@@ -51,7 +51,7 @@ GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
   }
 }
 
-GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 3, "L2.2") {
+GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 2, "L2.2") {
   Story story("At an edge meet two triangles, which run along it in opposite directions");
   TriangleSoup fins = cut_from_corners(box(Vec3::Ones()));
   fins.vertices.push_back({3, 0, 0});

@@ -1,4 +1,4 @@
-// L2.7: chains of shared edges, and the limits of merging.
+// L2.7 and L2.8: straight vertices, reflex vertices, and chains of shared edges.
 #include <cs550/graded_test.hpp>
 
 #include "lab2_half_edge_mesh/mesh_checks.hpp"
@@ -6,173 +6,71 @@
 namespace cs550::test {
 namespace {
 
-GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 3, "L2.7") {
+/// A solid that was cut into triangles, and the elements that it has.
+struct Cut {
+  const char* name;
+  TriangleSoup soup;
+  Index vertices, edges, faces;
+};
+
+/// Checks that merging undoes the cuts.
+void require_solid_again(const Story& story, const Cut& cut) {
+  Story here = story;
+  here.given(cut.name).given("triangles", cut.soup.triangles.size());
+  const HalfEdgeMesh built = require_mesh(cut.soup, here);
+  const HalfEdgeMesh mesh = merge_coplanar_faces(built);
+  here.picture([&] { return merge_picture(built, mesh); });
+  require(expect_counts(here, mesh, cut.vertices, cut.edges, cut.faces));
+  require(expect_valid(here, mesh));
+  here.expect_near("volume", volume(mesh), volume(built), 1e-5 * volume(built), "m³");
+  // The corners of the solids are first in the lists, and their order is kept.
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    here.expect_near("vertex " + std::to_string(v), mesh.vertex(v), cut.soup.vertices[v], 0, "m");
+  }
+}
+
+GRADED_TEST(Lab2, StraightVerticesLeaveBothFaces, 4, "L2.7") {
+  require_linked_merge();
+  Story story("A vertex in the middle of an edge is removed once only two faces share it");
+  story.likely(
+      "a vertex in the middle of a straight edge is left with two edges: it goes, from the loops "
+      "of both faces");
+  const TriangleSoup cut_box = cut_from_corners(box(Vec3(1, 2, 3)));
+  const TriangleSoup tetrahedron = tetrahedron_soup(1);
+  for (const Cut& cut :
+       {Cut{"tetrahedron, each triangle split into four", split_at_middles(tetrahedron), 4, 6, 4},
+        Cut{"box, each triangle split into four", split_at_middles(cut_box), 8, 12, 6}}) {
+    require_solid_again(story, cut);
+  }
+}
+
+GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 4, "L2.8") {
   require_linked_merge();
   Story story("A flat face becomes one polygon, however it was cut into triangles");
   story
       .likely(
           "two faces that share a chain of edges lose all of it, and its inner vertices; an edge "
           "taken alone leaves vertices of degree one or two")
-      .likely("where a union has a reflex vertex, the faces behind it join the union")
-      .likely(
-          "a vertex in the middle of a straight edge is left with two edges: it goes, from the "
-          "loops of both faces");
-  struct Case {
-    const char* name;
-    TriangleSoup soup;
-    Index vertices, edges, faces;
-  };
+      .likely("where a union has a reflex vertex, the faces behind it join the union");
   const TriangleSoup cut_box = cut_from_corners(box(Vec3(1, 2, 3)));
   const Solid tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
   // The point around which the top is cut is 2 µm beside one of its edges.
   TriangleSoup with_sliver = cut_from_centres(box(Vec3::Ones()));
   with_sliver.vertices[9] = Vec3(0, Real(1 - 2e-6), 1);
-  const std::vector<Case> cases = {
-      {"dodecahedron, pentagons cut from a corner", cut_from_corners(dodecahedron()), 20, 30, 12},
-      {"box, faces cut around their centres", cut_from_centres(box(Vec3::Ones())), 8, 12, 6},
-      {"dodecahedron, pentagons cut around their centres", cut_from_centres(dodecahedron()), 20, 30,
-       12},
-      {"tetrahedron, triangles cut around their centres", cut_from_centres(tetrahedron), 4, 6, 4},
-      {"box, its top cut around a point just beside an edge", with_sliver, 8, 12, 6},
-      {"box, each triangle split into four", split_at_middles(cut_box), 8, 12, 6},
-      {"box, each triangle split into sixteen", split_at_middles(split_at_middles(cut_box)), 8, 12,
-       6},
-      {"tetrahedron, each triangle split into four", split_at_middles(tetrahedron_soup(1)), 4, 6,
-       4}};
-  for (const Case& each : cases) {
-    Story here = story;
-    here.given(each.name).given("triangles", each.soup.triangles.size());
-    const HalfEdgeMesh built = require_mesh(each.soup, here);
-    const HalfEdgeMesh mesh = merge_coplanar_faces(built);
-    here.picture([&] { return merge_picture(built, mesh); });
-    require(expect_counts(here, mesh, each.vertices, each.edges, each.faces));
-    require(expect_valid(here, mesh));
-    here.expect_near("volume", volume(mesh), volume(built), 1e-5 * volume(built), "m³");
-    // The corners of the solids are first in the lists, and their order is kept.
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      here.expect_near("vertex " + std::to_string(v), mesh.vertex(v), each.soup.vertices[v], 0,
-                       "m");
-    }
+  for (const Cut& cut :
+       {Cut{"tetrahedron, triangles cut around their centres", cut_from_centres(tetrahedron), 4, 6,
+            4},
+        Cut{"box, faces cut around their centres", cut_from_centres(box(Vec3::Ones())), 8, 12, 6},
+        Cut{"dodecahedron, pentagons cut from a corner", cut_from_corners(dodecahedron()), 20, 30,
+            12},
+        Cut{"dodecahedron, pentagons cut around their centres", cut_from_centres(dodecahedron()),
+            20, 30, 12},
+        Cut{"box, its top cut around a point just beside an edge", with_sliver, 8, 12, 6},
+        Cut{"box, each triangle split into sixteen", split_at_middles(split_at_middles(cut_box)), 8,
+            12, 6}}) {
+    require_solid_again(story, cut);
   }
-}
-
-GRADED_TEST(Lab2, FineCylindersKeepTheirRoundness, 3, "L2.7") {
-  require_linked_merge();
-  Story story("Nearly coplanar is not transitive: a cylinder of many sides does not become flat");
-  story
-      .likely(
-          "compare the vertices with the plane of the merged face, not the normals of neighbours: "
-          "each turns by little from the last, and all of them by 360°")
-      .likely("the plane must be that of the face as it would be after merging");
-  struct Case {
-    int sides;
-    Real tolerance;
-    int fewest_sides;
-  };
-  // In the first two, neighbouring sides bend by 2π/n and two of them stay within the tolerance,
-  // but about three do not: a face takes at most four, with some reserve. In the last the angle w
-  // of a face is bounded by its sagitta, 1 − cos(w/2) ≤ 4·tolerance for a cylinder two metres high.
-  for (const auto& [sides, tolerance, fewest_sides] :
-       {Case{1000, coplanar_tolerance, 250}, Case{100, Real(1e-3), 25},
-        Case{300, Real(1e-2), 11}}) {
-    Story here = story;
-    here.given("cylinder of radius and half height 1 m, sides", sides)
-        .given("tolerance", tolerance);
-    const TriangleSoup soup = prism_soup(sides, 1, 1);
-    const HalfEdgeMesh built = require_mesh(soup, here);
-    const HalfEdgeMesh mesh = merge_coplanar_faces(built, tolerance);
-    // A finer mesh would be black with edges.
-    if (sides <= 100) here.picture([&] { return merge_picture(built, mesh); });
-    here.expect_at_least("faces", mesh.face_count(), fewest_sides + 2);
-    here.expect_at_most("faces", mesh.face_count(), sides + 2);
-    // The area of a circle's m-gon is below the circle's by (2π/m)²/6 of it.
-    const double coarsest = 2 * M_PI / fewest_sides;
-    here.expect_near("volume over π·r²·2h", volume(mesh) / (2 * M_PI), 1, coarsest * coarsest / 6);
-    // In double, from the rounded vertices: a tenth of the slack is reserve for float.
-    here.expect_at_most("distance of a corner from its face's plane, over the size",
-                        worst_distance_from_planes(mesh) / 2, 1.1 * double(tolerance));
-    double in_front = 0;
-    for (const Vec3& vertex : soup.vertices) {
-      for (const Face& face : mesh.faces) {
-        in_front = std::max(in_front, double(face.plane.distance(vertex)));
-      }
-    }
-    Story covered = here;
-    covered.likely(
-        "small merges add up: look at all vertices of the mesh, not at those of the face");
-    // The contract promises one slack. A second pass may add another.
-    covered.expect_at_most("distance of a vertex in front of a merged face, over the size",
-                           in_front / 2, 1.5 * double(tolerance));
-    require(expect_valid(here, mesh, 5 * tolerance + Real(1e-4)));
-  }
-}
-
-GRADED_TEST(Lab2, OrderAndRepetitionChangeNothing, 2, "L2.7") {
-  require_linked_merge();
-  Story story(
-      "Merging gives the same faces for every order of the triangles, and none when repeated");
-  story
-      .likely(
-          "which edge is tried first decides where nearly coplanar faces end: sort the edges by "
-          "what they are (how flat, where), not by their number")
-      .likely("one pass over the edges may leave two faces that could still be merged");
-  const std::vector<std::pair<TriangleSoup, Real>> cases = {
-      {cut_from_centres(dodecahedron()), coplanar_tolerance},
-      {prism_soup(250, 1, 1), Real(1.6e-4)},
-      {prism_soup(100, 1, 1), Real(3e-3)},
-      {icosphere_soup(3, 1), Real(4e-3)}};
-  for (const auto& [soup, tolerance] : cases) {
-    Story here = story;
-    here.given("triangles", soup.triangles.size()).given("tolerance", tolerance);
-    const HalfEdgeMesh built = require_mesh(soup, here);
-    const HalfEdgeMesh mesh = merge_coplanar_faces(built, tolerance);
-    require(here.expect_at_most("faces", mesh.face_count(), built.face_count() - 1));
-    require(here.expect_at_least("faces", mesh.face_count(), 4));
-
-    const HalfEdgeMesh again = merge_coplanar_faces(mesh, tolerance);
-    Story repeated = here;
-    repeated.when("merged, and merged again");
-    require(repeated.expect_equal("faces", again.face_count(), mesh.face_count()));
-    require(repeated.expect("they are the same", faces_as_seen(again) == faces_as_seen(mesh)));
-    for (std::uint32_t seed = 1; seed <= 8; ++seed) {
-      Random random(seed);
-      Story reordered = here;
-      reordered.seed(seed).when("the triangles shuffled, connected and merged");
-      const HalfEdgeMesh other = require_mesh(shuffled(soup, random), reordered);
-      const HalfEdgeMesh result = merge_coplanar_faces(other, tolerance);
-      require(reordered.expect_equal("faces", result.face_count(), mesh.face_count()));
-      require(reordered.expect("they are the same", faces_as_seen(result) == faces_as_seen(mesh)));
-    }
-  }
-}
-
-GRADED_TEST(Lab2, HullsOfScatteredPointsStaySound, 2, "L2.7") {
-  require_linked_merge();
-  Story story("Slivers and near misses are merged or left, but the mesh stays closed and convex");
-  story.likely("a merge that leaves two corners to a neighbour must not happen")
-      .likely("a merged plane must not tip so far that other vertices come out in front of it");
-  int merged_faces = 0;
-  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
-    Random random(seed);
-    // Points on a coarse grid have many coplanar neighbours; noise makes them nearly so.
-    const Real noise = seed % 2 == 0 ? Real(1e-6) : Real(3e-5);
-    std::vector<Vec3> points;
-    for (int i = 0; i < 60; ++i) {
-      Vec3 point;
-      for (int axis = 0; axis < 3; ++axis) point[axis] = Real(random.integer(-3, 3)) / 3;
-      points.push_back(point + noise * random.unit_vector());
-    }
-    const SoupResult hull = convex_hull(points);
-    Story here = story;
-    here.seed(seed).given("hull of 60 points on a grid of seven, moved by up to", noise, "m");
-    const HalfEdgeMesh built = require_mesh(hull.soup, here);
-    const HalfEdgeMesh mesh = merge_coplanar_faces(built);
-    merged_faces += built.face_count() - mesh.face_count();
-    require(expect_valid(here, mesh));
-    here.expect_near("volume", volume(mesh), volume(built), 1e-4 * volume(built), "m³");
-  }
-  story.expect_at_least("faces saved in all forty hulls", merged_faces, 1);
 }
 
 }  // namespace

@@ -65,6 +65,20 @@ inline bool expect_valid(Story& story, const HalfEdgeMesh& mesh, Real tolerance 
                             std::string("sound"));
 }
 
+/// Whether validate() finds no defect in the links. It checks the planes of the triangles: those of
+/// the mesh have tests of their own.
+inline bool expect_sound_links(Story& story, HalfEdgeMesh mesh, const TriangleSoup& soup) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = soup.triangles[f];
+    const Vec3d corner = soup.vertices[a].cast<double>();
+    const Vec3d normal = (soup.vertices[b].cast<double>() - corner)
+                             .cross(soup.vertices[c].cast<double>() - corner)
+                             .normalized();
+    mesh.faces[f].plane = {normal.cast<Real>(), static_cast<Real>(normal.dot(corner))};
+  }
+  return expect_valid(story, mesh);
+}
+
 /// Ends the test unless L2.6 links the loop of two merged triangles. Otherwise further merges could
 /// follow wrong links endlessly.
 inline void require_linked_merge() {

@@ -6,7 +6,7 @@
 namespace cs550::test {
 namespace {
 
-GRADED_TEST(Lab2, InsideOutIsRefusedWhereverTheBodyIs, 3, "L2.4") {
+GRADED_TEST(Lab2, InsideOutIsRefusedWhereverTheBodyIs, 2, "L2.4") {
   Story story("A body whose triangles all are clockwise seen from outside is refused");
   story.likely("the sign of the volume tells; abs() would hide it")
       .likely(
@@ -101,7 +101,7 @@ GRADED_TEST(Lab2, NewellFindsThePlaneOfRegularPolygons, 3, "L2.5") {
   }
 }
 
-GRADED_TEST(Lab2, NewellIsNotSpoiledByShortEdgesOrReflexCorners, 3, "L2.5") {
+GRADED_TEST(Lab2, NewellIsNotSpoiledByShortEdgesOrReflexCorners, 2, "L2.5") {
   Story story("The plane comes from all edges, each by the area that it spans with the centroid");
   story.when("polygon_plane(), with every corner once the first")
       .likely(

@@ -202,20 +202,20 @@ HalfEdgeMesh without_removed(const HalfEdgeMesh& mesh);
 /// The default tolerance of merge_coplanar_faces(), relative to the size of the mesh.
 inline constexpr Real coplanar_tolerance = Real(1e-5);
 
-/// **L2.6** (one shared edge) and **L2.7** (chains of shared edges) Merges coplanar neighbours into
-/// convex polygons. This matters in lab 5: a triangular reference face would clip away half of a
-/// box's contact polygon.
+/// **L2.6**–**L2.9** Merges coplanar neighbours into convex polygons. This matters in lab 5: a
+/// triangular reference face would clip away half of a box's contact polygon.
 ///
-/// Faces are merged only if the *merged* face is valid: all its vertices lie within tolerance·size
-/// of its Newell plane (nearly coplanar is not transitive), its outline is convex, and no vertex of
-/// the mesh is farther than that in front of it. If the union of two faces has a reflex vertex, the
-/// coplanar faces behind that vertex are included, so that a flat face becomes one polygon however
-/// it was triangulated. A chain of shared edges is removed as a whole, with its inner vertices. A
-/// vertex that is left with only two edges is removed as well, from both of its faces; nothing is
-/// merged if one of them would not be valid without it.
+/// - L2.6: two faces are merged only if the *merged* face is valid: all its vertices lie within
+///   tolerance·size of its Newell plane (nearly coplanar is not transitive), its outline is convex,
+///   and no vertex of the mesh is farther than that in front of it.
+/// - L2.7: a vertex that is left with only two edges is removed from both of its faces. Nothing is
+///   merged if one of them would not be valid without it.
+/// - L2.8: if the union of two faces has a reflex vertex, the coplanar faces behind that vertex are
+///   included, so that a flat face becomes one polygon however it was triangulated. A chain of shared
+///   edges is removed as a whole, with its inner vertices.
+/// - L2.9: the order of the triangles does not matter, and merging the result changes nothing.
 ///
-/// Unused vertices are removed; the rest keep their order. The result does not depend on the order
-/// of the triangles, and merging it again changes nothing.
+/// Unused vertices are removed; the rest keep their order.
 /// @param tolerance relative to the largest extent of the mesh's bounds
 HalfEdgeMesh merge_coplanar_faces(const HalfEdgeMesh& mesh, Real tolerance = coplanar_tolerance);
 

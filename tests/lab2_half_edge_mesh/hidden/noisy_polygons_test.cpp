@@ -61,7 +61,7 @@ GRADED_TEST(Lab2, HullsOfSphericalCloudsAreClosed, 3, "L2.3") {
     here.seed(seed).given("points", n).given("radius", size, "m");
     const HalfEdgeMesh mesh = require_mesh(soup, here);
     require(expect_counts(here, mesh, n, 3 * n - 6, 2 * n - 4));
-    require(expect_valid(here, mesh));
+    require(expect_sound_links(here, mesh, soup));
     std::vector<int> leaving(mesh.vertices.size(), 0);
     for (const Triangle& triangle : soup.triangles) {
       for (const Index v : triangle) ++leaving[v];

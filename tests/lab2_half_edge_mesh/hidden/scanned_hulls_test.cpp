@@ -1,4 +1,4 @@
-// L2.7 again: finely triangulated boxes at every scale, and hulls of scanned meshes.
+// L2.8 and L2.9 again: finely triangulated boxes at every scale, and hulls of scanned meshes.
 #include <cs550/graded_test.hpp>
 
 #include "cs550/mesh_io.hpp"
@@ -7,7 +7,7 @@
 namespace cs550::test {
 namespace {
 
-GRADED_TEST(Lab2, FinelyCutBodiesMergeAtEveryScale, 2, "L2.7") {
+GRADED_TEST(Lab2, FinelyCutBodiesMergeAtEveryScale, 2, "L2.8") {
   require_linked_merge();
   Random random(271);
   Story story(
@@ -31,7 +31,7 @@ GRADED_TEST(Lab2, FinelyCutBodiesMergeAtEveryScale, 2, "L2.7") {
   }
 }
 
-GRADED_TEST(Lab2, HullsOfScannedMeshesStaySound, 2, "L2.7") {
+GRADED_TEST(Lab2, HullsOfScannedMeshesStaySound, 2, "L2.9") {
   require_linked_merge();
   Story story(
       "The merged hull of a scanned mesh is closed, convex, and has the volume of the hull");
