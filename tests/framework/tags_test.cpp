@@ -204,6 +204,23 @@ TEST_P(Tags, EveryStepHasAMutantAVacuousAnswerAndAPlaceInTheOrder) {
   EXPECT_EQ(document.at("order").size(), steps.size()) << "each step once";
 }
 
+/// From "- **Order:** L1.1, L1.3. ...": the steps in that order.
+std::vector<std::string> stated_order(const std::string& handout) {
+  std::smatch match;
+  if (!std::regex_search(handout, match, std::regex(R"(\n- \*\*Order:\*\* ([L\d., ]*)\. )")))
+    return {};
+  return all_matches(match[1], R"((L\d+\.\d+))");
+}
+
+TEST_P(Tags, TheHandoutStatesTheOrderThatIsChecked) {
+  if (!fs::exists(lab.mutants())) GTEST_SKIP() << "the students' copy has no mutants";
+  const Json document = read_json(lab.mutants());
+  ASSERT_FALSE(document.is_discarded()) << lab.mutants();
+  std::vector<std::string> checked;  // by tests/mutants/check_order.py
+  for (const Json& step : document.at("order")) checked.push_back(step.at("step"));
+  EXPECT_EQ(stated_order(read(lab.handout())), checked) << lab.handout();
+}
+
 std::vector<Lab> labs() {
   std::vector<Lab> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(root / "labs")) {
