@@ -28,11 +28,11 @@ GRADED_TEST(Lab6, EffectiveMassMatchesDense, 6, "L6.1") {
       const Vec3 d = random.unit_vector();
       const double exact =
           dense_effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
-      const double got = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
       Story here = story;
       here.given("size", size, "m")
           .given("r_A", at.constraint.r_a, "m")
           .given("r_B", at.constraint.r_b, "m");
+      const double got = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
       // All terms are positive, so there is no cancellation, only a few roundings of float.
       require(here.expect_near("m_e", got, exact, 1e-5 * exact, "kg"));
     }
@@ -76,14 +76,14 @@ GRADED_TEST(Lab6, EffectiveMassOfImmovableAndSwappedBodies, 4, "L6.1") {
   for (int i = 0; i < 20; ++i) {
     const Collision at = random_collision(random, 1);
     const Vec3 d = at.constraint.n;
-    const double mass = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
-    const double swapped = effective_mass(at.b, at.a, at.constraint.r_b, at.constraint.r_a, d);
-    const double reversed = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, -d);
-    const double reduced = 1 / double{at.a.inverse_mass + at.b.inverse_mass};
     Story here = with_mass_causes(Story("m_e asks neither who is A nor which way the blow goes"));
     here.seed(random.seed())
         .given("r_A", at.constraint.r_a, "m")
         .given("r_B", at.constraint.r_b, "m");
+    const double mass = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
+    const double swapped = effective_mass(at.b, at.a, at.constraint.r_b, at.constraint.r_a, d);
+    const double reversed = effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, -d);
+    const double reduced = 1 / double{at.a.inverse_mass + at.b.inverse_mass};
     const double exact = dense_effective_mass(at.a, at.b, at.constraint.r_a, at.constraint.r_b, d);
     require(here.expect_near("m_e", mass, exact, 1e-5 * exact, "kg"));
     require(here.expect_near("m_e with A and B swapped", swapped, exact, 1e-5 * exact, "kg"));
@@ -102,9 +102,9 @@ GRADED_TEST(Lab6, NormalVelocityMatchesDense, 4, "L6.2") {
       const Vec3 n = random.unit_vector();
       const double exact =
           dense_jacobian(n, at.constraint.r_a, at.constraint.r_b).dot(dense_velocity(at.a, at.b));
-      const double got = normal_velocity(at.a, at.b, at.constraint.r_a, at.constraint.r_b, n);
       Story here = story;
       here.given("size", size, "m").given("n", n);
+      const double got = normal_velocity(at.a, at.b, at.constraint.r_a, at.constraint.r_b, n);
       // Speeds of up to ten sizes per second are added and may cancel.
       require(here.expect_near("v_n", got, exact, 1e-5 * size, "m/s"));
     }
