@@ -17,8 +17,9 @@ Verdict verdict(const std::string& test, const std::string& step, Kind kind,
   return {{test, step, 4, false}, kind, message, 0};
 }
 
-std::string printed(const std::vector<Verdict>& verdicts, bool everything = false) {
-  LabReport report(everything);
+std::string printed(const std::vector<Verdict>& verdicts, bool everything = false,
+                    const std::vector<cs550::cli::KnownCause>& known = {}) {
+  LabReport report(everything, known);
   testing::internal::CaptureStdout();
   report.print(verdicts);
   report.print_total(0);
@@ -54,6 +55,23 @@ TEST(LabReport, ACauseIsPrintedOnce) {
   EXPECT_NE(report.find("      down\n        likely    scale\n        picture   b.svg\n"),
             std::string::npos)
       << report;
+}
+
+TEST(LabReport, ACauseThatAPassingTestExcludesIsNotPrinted) {
+  const std::vector<Verdict> verdicts = {
+      verdict("A", "L3.1", Kind::Failed,
+              "up\n  likely    the sign is wrong\n            the scale is wrong\n"
+              "            the order is wrong\n  picture   a.svg"),
+      verdict("B", "L3.1", Kind::Passed), verdict("C", "L3.2", Kind::Failed)};
+  EXPECT_NE(printed(verdicts, false, {{"the sign", {"A", "B"}}, {"the order", {"A", "C"}}})
+                .find("      up\n        likely    the order is wrong\n"
+                      "                  the scale is wrong\n        picture   a.svg\n"),
+            std::string::npos)
+      << "the cause that explains most failures comes first";
+  EXPECT_NE(printed(verdicts, false, {{"the sign", {"B"}}, {"the scale", {"B"}}, {"order", {"B"}}})
+                .find("the sign is wrong\n"),
+            std::string::npos)
+      << "if none is left, the mistake is another one: all are printed";
 }
 
 TEST(LabReport, ABlockedTestDoesNotHideTheReasonsOfLaterSteps) {

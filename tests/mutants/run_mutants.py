@@ -7,6 +7,9 @@ a test that fails for it must name the cause.
 
 A vacuous answer replaces a function of the reference by one that does nothing, or nearly nothing: it
 returns a constant, or what it was given. It must not earn a single point in its step.
+
+tests/labN_topic/causes.json records which visible tests of its step fail for a named cause, so that
+./cs550 lab leaves out causes that a passing test excludes. --record-causes writes it, every other run checks it.
 """
 
 import argparse
@@ -39,6 +42,7 @@ class Reference:
         self.build = build
         self.program = build / "bin" / target
         self.tests = json.loads(run([self.program, "--manifest"]))["tests"]
+        self.causes = Causes(lab)
         self.compile = {}
         for entry in json.loads((build / "compile_commands.json").read_text()):
             if f"CMakeFiles/{target}_code.dir/" in entry["command"]:
@@ -171,12 +175,37 @@ def run_edited(reference, name, sources, step=None):
         shutil.rmtree(folder, ignore_errors=True)
 
 
+class Causes:
+    """For each cause the visible tests of its step that fail for all mutants that name it."""
+
+    def __init__(self, lab):
+        folder, = (ROOT / "tests").glob(f"lab{lab}_*")
+        self.file = folder / "causes.json"
+        self.recorded = json.loads(self.file.read_text()) if self.file.exists() else {}
+        self.seen = {}
+
+    def see(self, mutant, failed):
+        """Notes the tests that fail for a mutant. Returns those recorded for its cause that do not."""
+        tests = [row["test"].split(".")[-1] for row in failed
+                 if row["step"] == mutant["step"] and not row["hidden"]]
+        cause = mutant["names_cause"]
+        self.seen[cause] = [test for test in self.seen.get(cause, tests) if test in tests]
+        return [test for test in self.recorded.get(cause, []) if test not in tests]
+
+    def record(self):
+        lines = [f"  {json.dumps(cause, ensure_ascii=False)}: {json.dumps(tests)}"
+                 for cause, tests in sorted(self.seen.items()) if tests]
+        self.file.write_text("{\n" + ",\n".join(lines) + "\n}\n")
+
+
 def judge_mutant(reference, mutant):
     """Returns the points lost in the mutant's step, those lost elsewhere, and the faults."""
     rows = run_edited(reference, mutant["name"], mutated_sources(mutant))
     failed = [row for row in rows if row["status"] == "failed"]
     own = sum(row["points"] for row in failed if row["step"] == mutant["step"])
-    return own, sum(row["points"] for row in failed) - own, list(faults(mutant, failed))
+    found = list(faults(mutant, failed))
+    found += [f"causes.json lists {test}, which passes" for test in reference.causes.see(mutant, failed)]
+    return own, sum(row["points"] for row in failed) - own, found
 
 
 def judge_vacuous(reference, answer):
@@ -200,7 +229,7 @@ def name_of(wrong):
     return wrong["name"] if "name" in wrong else f"{wrong['step']}_{wrong['answer']}"
 
 
-def prove_lab(build, file, only, jobs):
+def prove_lab(build, file, only, jobs, record_causes):
     """Prints a line per wrong solution. Returns the number of solutions and of those with errors."""
     lab = int(file.stem.removeprefix("lab"))
     listed = json.loads(file.read_text())
@@ -217,6 +246,8 @@ def prove_lab(build, file, only, jobs):
             verdict = "\n      ".join(found) or "caught"
             print(f"{lab:3}  {name_of(wrong):44} {wrong['step']:5}{own:5}{elsewhere:10}  {verdict}",
                   flush=True)
+    if record_causes:
+        reference.causes.record()
     return len(answers), faulty
 
 
@@ -227,14 +258,18 @@ def main():
     parser.add_argument("--lab", type=int, help="only this lab")
     parser.add_argument("--only", metavar="PATTERN", default="*",
                         help="only mutants of such names, or vacuous answers: 'L3.2_*'")
+    parser.add_argument("--record-causes", action="store_true", help="write causes.json of the labs")
     parser.add_argument("--jobs", type=int, default=2, help="how many at once (default: 2)")
     options = parser.parse_args()
+    if options.record_causes and options.only != "*":
+        parser.error("--record-causes needs all mutants of a lab, not --only some")
 
     files = sorted(Path(__file__).parent.glob(f"lab{options.lab or '*'}.json"))
     print(f"{'lab':3}  {'mutant':44} {'step':5}{'lost':>5}{'elsewhere':>10}  verdict")
     count = faulty = 0
     for file in files:
-        of_lab = prove_lab(options.build.resolve(), file, options.only, options.jobs)
+        of_lab = prove_lab(options.build.resolve(), file, options.only, options.jobs,
+                           options.record_causes)
         count, faulty = count + of_lab[0], faulty + of_lab[1]
     if count == 0:
         print("no such mutant or vacuous answer", file=sys.stderr)

@@ -28,6 +28,8 @@ std::string verdict_word(const Verdict& verdict) {
 
 void LabReport::print(const std::vector<Verdict>& verdicts) {
   for (const Verdict& verdict : verdicts) {
+    if (verdict.kind == Verdict::Kind::Passed) outcomes_.passed.insert(verdict.test.name);
+    if (verdict.kind == Verdict::Kind::Failed) outcomes_.failed.insert(verdict.test.name);
     const bool is_first =
         first_failing_step_.empty() || is_earlier_step(verdict.test.step, first_failing_step_);
     if (verdict.kind == Verdict::Kind::Failed && is_first) first_failing_step_ = verdict.test.step;
@@ -54,24 +56,28 @@ void LabReport::print_reason(const Verdict& verdict) {
                         indent);
 }
 
-/// Leaves out the likely causes that an earlier report has.
+/// Leaves out the likely causes that a passing test excludes, and those that an earlier report has.
 std::string LabReport::with_new_causes(const std::string& message) {
   const std::string label = "  likely    ";
   const std::string blank(label.size(), ' ');
   std::istringstream lines(message);
-  std::string text;
+  std::string before;
+  std::string after;
+  std::vector<std::string> causes;
   bool in_causes = false;
-  bool is_first = true;
   for (std::string line; std::getline(lines, line);) {
     in_causes = line.rfind(label, 0) == 0 || (in_causes && line.rfind(blank, 0) == 0);
-    if (!in_causes) {
-      text += line + '\n';
-    } else if (const std::string cause = line.substr(label.size()); causes_.insert(cause).second) {
-      text += (is_first ? label : blank) + cause + '\n';
-      is_first = false;
+    if (in_causes) {
+      causes.push_back(line.substr(label.size()));
+    } else {
+      (causes.empty() ? before : after) += line + '\n';
     }
   }
-  return text;
+  std::string text;
+  for (const std::string& cause : plausible(causes, known_causes_, outcomes_)) {
+    if (causes_.insert(cause).second) text += (text.empty() ? label : blank) + cause + '\n';
+  }
+  return before + text + after;
 }
 
 bool LabReport::is_after_first_failure(const Verdict& verdict) const {

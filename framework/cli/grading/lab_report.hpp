@@ -5,9 +5,11 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/grading/graded_tests.hpp"
+#include "cli/grading/known_causes.hpp"
 
 namespace cs550::cli {
 
@@ -16,7 +18,8 @@ namespace cs550::cli {
 class LabReport {
  public:
   /// @param everything print the reports of later steps too
-  explicit LabReport(bool everything) : everything_(everything) {}
+  LabReport(bool everything, std::vector<KnownCause> known_causes)
+      : everything_(everything), known_causes_(std::move(known_causes)) {}
 
   void print(const std::vector<Verdict>& verdicts);
 
@@ -29,6 +32,8 @@ class LabReport {
   bool is_after_first_failure(const Verdict& verdict) const;
 
   bool everything_;
+  std::vector<KnownCause> known_causes_;
+  Outcomes outcomes_;                            ///< of the tests printed so far
   std::vector<Verdict> verdicts_;                ///< printed so far
   std::string first_failing_step_;               ///< empty while none fails
   std::map<std::string, std::string> reported_;  ///< the test that first had a message

@@ -130,7 +130,7 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   std::cout << coloured(title(options.name), Colour::Bold) << "\n\n" << std::flush;
   LabResult result = result_of_starter(options.name);
   result.verdicts.clear();
-  LabReport report(options.all);
+  LabReport report(options.all, known_causes(options.name));
   for (const bool is_long : {false, true}) {
     const std::vector<GradedTest> chosen = only(tests, is_long);
     if (chosen.empty()) continue;

@@ -1,0 +1,31 @@
+#pragma once
+/// @file known_causes.hpp
+/// Which tests fail for a cause that a test names: a test that passes excludes causes.
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cs550::cli {
+
+/// A mistake that was tried on the reference (tests/mutants/).
+struct KnownCause {
+  std::string words;            ///< part of the cause as tests name it
+  std::set<std::string> tests;  ///< visible tests that fail for it
+};
+
+/// From tests/labN_topic/causes.json; none where that file is absent.
+std::vector<KnownCause> known_causes(const std::string& lab_name);
+
+/// The tests of a lab that ran, by their outcome.
+struct Outcomes {
+  std::set<std::string> passed;
+  std::set<std::string> failed;
+};
+
+/// The causes that no passing test excludes, those that explain the most failing tests first. If every
+/// cause is excluded, the mistake is not one that was tried: all are returned.
+std::vector<std::string> plausible(const std::vector<std::string>& causes,
+                                   const std::vector<KnownCause>& known, const Outcomes& outcomes);
+
+}  // namespace cs550::cli
