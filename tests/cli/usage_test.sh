@@ -32,6 +32,7 @@ refuses lab 3 --hint 9
 refuses lab 3 --reset --run
 refuses lab 3 --asan --debug
 refuses lab 3 --use-solution --run
+refuses lab 3 --challenge --step L3.1
 refuses submit three
 prints "Lab 1: integration"
 refuses submit 0

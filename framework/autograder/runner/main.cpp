@@ -21,6 +21,7 @@ constexpr const char* usage = R"(Runs the graded tests of one lab.
   --results FILE    write the results as JSON, kept up to date while the tests run;
                     FILE.case describes the running test, and stays if the program crashes
   --manifest        print the list of tests with their points and steps as JSON
+  --challenge       print the counts of the lab's challenges as JSON
   --whose           print for each lab function whose code it is
   --gtest_filter=Lab3.Name    run one test; other GoogleTest options: --gtest_help
 
@@ -42,6 +43,10 @@ std::optional<int> answer(const std::vector<std::string>& arguments, Options& op
     }
     if (argument == "--manifest") {
       std::cout << manifest();
+      return AllPassed;
+    }
+    if (argument == "--challenge") {
+      std::cout << challenge_counts();
       return AllPassed;
     }
     if (argument == "--whose") {

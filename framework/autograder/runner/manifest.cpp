@@ -1,9 +1,26 @@
 #include "manifest.hpp"
 
+#include <cs550/challenge.hpp>
 #include <cs550/graded_test.hpp>
+#include <cs550/not_implemented.hpp>
 #include <nlohmann/json.hpp>
 
 namespace cs550::autograder {
+namespace {
+
+nlohmann::ordered_json counts() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const Challenge& challenge : challenges()) {
+    rows.push_back({{"what", challenge.what},
+                    {"better", challenge.better == Better::Fewer ? "fewer" : "more"},
+                    {"count", challenge.count()}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string challenge_counts() { return counts().dump(2) + '\n'; }
 
 std::string manifest() {
   int visible = 0;
@@ -18,9 +35,14 @@ std::string manifest() {
                     {"hidden", test.hidden()},
                     {"long", test.duration == Duration::Long}});
   }
-  const nlohmann::ordered_json document = {{"lab", tests.empty() ? 0 : tests.front().lab()},
-                                           {"points", {{"visible", visible}, {"hidden", hidden}}},
-                                           {"tests", rows}};
+  nlohmann::ordered_json document = {{"lab", tests.empty() ? 0 : tests.front().lab()},
+                                     {"points", {{"visible", visible}, {"hidden", hidden}}},
+                                     {"tests", rows}};
+  try {
+    document["challenge"] = counts();
+  } catch (const NotImplemented&) {
+    // A starter has nothing to count.
+  }
   return document.dump(2) + '\n';
 }
 

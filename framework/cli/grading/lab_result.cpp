@@ -40,6 +40,12 @@ void remove_picture(int lab, const GradedTest& test) {
 }
 
 Json to_json(const LabResult& result) {
+  Json challenge = Json::array();
+  for (const ChallengeCount& one : result.challenge) {
+    challenge.push_back({{"what", one.what},
+                         {"better", one.fewer_is_better ? "fewer" : "more"},
+                         {"count", one.count}});
+  }
   Json tests = Json::array();
   for (const Verdict& verdict : result.verdicts) {
     tests.push_back({{"test", verdict.test.name},
@@ -57,7 +63,8 @@ Json to_json(const LabResult& result) {
           {"points", result.points()},
           {"earned", result.earned()},
           {"compile_error", result.compile_error},
-          {"tests", tests}};
+          {"tests", tests},
+          {"challenge", challenge}};
 }
 
 LabResult from_json(const Json& json) {
@@ -68,6 +75,9 @@ LabResult from_json(const Json& json) {
                                row.at("message"),
                                row.at("seconds"),
                                row.at("blocked_by")});
+  }
+  for (const Json& row : json.at("challenge")) {
+    result.challenge.push_back({row.at("what"), row.at("better") == "fewer", row.at("count")});
   }
   return result;
 }

@@ -11,11 +11,19 @@
 
 namespace cs550::cli {
 
+/// What a challenge counts: ungraded, once every test passes.
+struct ChallengeCount {
+  std::string what;             ///< "vertices visited by 1000 climbs on a sphere"
+  bool fewer_is_better = true;  ///< else more is
+  long count = 0;
+};
+
 struct LabResult {
   std::string lab_name;
   std::string fingerprint;    ///< of everything that was graded
   std::string compile_error;  ///< the compiler's first error; empty when it compiled
   std::vector<Verdict> verdicts;
+  std::vector<ChallengeCount> challenge = {};  ///< empty until `lab N --challenge`
 
   int earned() const;
   int points() const;

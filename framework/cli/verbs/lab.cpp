@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/grading/challenge.hpp"
 #include "cli/grading/lab_files.hpp"
 #include "cli/grading/lab_report.hpp"
 #include "cli/grading/lab_result.hpp"
@@ -37,6 +38,7 @@ struct LabOptions {
   bool debug = false;
   bool reset = false;
   bool use_solution = false;
+  bool challenge = false;
   bool run = false;
   bool all = false;  ///< print every report
 };
@@ -218,11 +220,32 @@ int run_engine(const LabOptions& options) {
   return ending.good() ? Good : Failed;
 }
 
+/// Counts beside the reference's, once every test passes.
+int run_challenge(const LabOptions& options) {
+  show_status("Grading " + title(options.name) + " ...");
+  LabResult result = result_of(options.name);
+  show_status("");
+  if (!result.is_finished()) {
+    std::cout << fmt::format(
+        "Lab {} has {} of {} points. Its challenge begins when every test passes:\n"
+        "  ./cs550 lab {}\n",
+        options.lab, result.earned(), result.points(), options.lab);
+    return Failed;
+  }
+  std::cout << coloured(title(options.name), Colour::Bold) << ", the challenge (no points)\n\n"
+            << std::flush;
+  result.challenge = students_counts(options.lab);
+  print_counts(result.challenge, reference_counts(options.name));
+  remember(result);
+  return Good;
+}
+
 int run_lab(LabOptions options) {
   options.name = lab_name(options.lab);
   if (options.reset) return reset_lab(options);
   if (options.use_solution) return copy_solution(options);
   if (options.run) return run_engine(options);
+  if (options.challenge) return run_challenge(options);
   const std::vector<GradedTest> all = graded_tests(options.name);
   const std::vector<GradedTest> tests = of_step(all, options.step);
   if (tests.empty()) {
@@ -262,10 +285,17 @@ Action declare_lab(CLI::App& app) {
   auto* use_solution = app.add_flag("--use-solution", options->use_solution,
                                     "replace your files by the lab's solution if it has been\n"
                                     "released; your files are kept as .bak-1, ...");
+  auto* challenge = app.add_flag("--challenge", options->challenge,
+                                 "once every test passes: count how much work your code\n"
+                                 "does, beside the reference (no points)");
   debug->excludes(asan);
   for (CLI::Option* other : {all, asan, debug, reset, run, use_solution}) hint->excludes(other);
   for (CLI::Option* other : {step, all, asan, debug, run, use_solution}) reset->excludes(other);
   for (CLI::Option* other : {step, all, asan, debug, run}) use_solution->excludes(other);
+  for (CLI::Option* other : {step, hint, all, asan, debug, reset, run, use_solution}) {
+    challenge->excludes(other);
+  }
+  for (CLI::Option* other : {step, all, asan, debug}) run->excludes(other);
   return [options, hint] {
     options->wants_hint = hint->count() > 0;
     return run_lab(*options);
