@@ -1,6 +1,7 @@
-# cmake -DPROGRAM=... -DMANIFEST=... -DBUILD=... -P compare_manifest.cmake update|check
+# cmake -DPROGRAM=... -DMANIFEST=... -DBUILD=... -DSTRICT=ON|OFF -P compare_manifest.cmake update|check
 # Compares the manifest that PROGRAM prints with the committed file; `update` rewrites the file.
 cmake_minimum_required(VERSION 3.25)
+include("${CMAKE_CURRENT_LIST_DIR}/manifests.cmake")
 math(EXPR last "${CMAKE_ARGC} - 1")
 set(mode "${CMAKE_ARGV${last}}")
 execute_process(COMMAND "${PROGRAM}" --manifest OUTPUT_VARIABLE current COMMAND_ERROR_IS_FATAL ANY)
@@ -12,6 +13,13 @@ if(current STREQUAL committed)
   return()
 endif()
 if(mode STREQUAL "update")
+  # Wrong sums would stop every later configuration, also that of the build that corrects them.
+  set(CS550_STRICT_MANIFESTS ${STRICT})
+  foreach(kind visible hidden)
+    string(TOUPPER ${kind} KIND)
+    string(JSON points GET "${current}" points ${kind})
+    cs550_check_points("${MANIFEST} was not written" ${kind} ${points} EQUAL ${CS550_${KIND}_POINTS})
+  endforeach()
   file(WRITE "${MANIFEST}" "${current}")
   message(STATUS "Wrote ${MANIFEST}")
 else()

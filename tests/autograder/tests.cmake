@@ -26,6 +26,13 @@ target_compile_definitions(tests_autograder PRIVATE
   CS550_LAB_FUNCTIONS="${lab_functions}")
 add_dependencies(tests_autograder fake_lab)
 
+add_test(NAME autograder.manifest_with_wrong_sums
+         COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:fake_lab>"
+                 "-DUPDATE=${PROJECT_SOURCE_DIR}/framework/cmake/compare_manifest.cmake"
+                 "-DMANIFEST=${result_folder}/fake_manifest.json"
+                 -P "${scripts}/check_manifest_update.cmake")
+set_tests_properties(autograder.manifest_with_wrong_sums PROPERTIES LABELS autograder TIMEOUT 60)
+
 # Two fake labs with helpers of the same name. The first lacks a function.
 if(CS550_ISOLATE_LABS)
   cs550_add_lab_code(101 one "${scripts}/isolation/lab101_one.cpp")
