@@ -133,7 +133,7 @@ TEST_P(Tags, HeaderStarterHandoutAndTestsKnowTheSameSteps) {
   for (const auto& [tag, section] : sections(lab)) handout.insert(tag);
   ASSERT_FALSE(handout.empty()) << lab.handout();
   EXPECT_EQ(lab.tags(read(lab.header())), handout) << lab.header();
-  EXPECT_EQ(lab.tags(lab.starter()), handout) << lab.folder;
+  EXPECT_EQ(lab.tags(lab.starter()), handout) << "the starter in labs/" << lab.folder;
   EXPECT_EQ(lab.tags(read(lab.handout())), handout) << "the handout names a step without a section";
 
   const Json manifest = read_json(lab.manifest());
