@@ -10,7 +10,7 @@ namespace {
 using namespace autograder;
 
 [[maybe_unused]] const bool added = add_challenge(
-    {"queries made while a body flies past another in 1000 steps", Better::Fewer, [] {
+    {"queries made while a body spins past another in 1000 steps", Better::Fewer, [] {
        constexpr int steps = 1000;
        const ShapePtr shape = fixture_shape("dodecahedron");
        const Real reach = 3 * shape->radius;
@@ -19,8 +19,8 @@ using namespace autograder;
        long queries = 0;
        for (int i = 0; i < steps; ++i) {
          const Real t = static_cast<Real>(i) / steps;
-         const Quat turn(Eigen::AngleAxis<Real>(2 * pi * t, Vec3(1, 2, 3).normalized()));
-         const PosedShape flying{shape.get(), {{reach * (2 * t - 1), reach * Real(0.7), 0}, turn}};
+         const Quat turn(Eigen::AngleAxis<Real>(20 * pi * t, Vec3(1, 2, 3).normalized()));
+         const PosedShape flying{shape.get(), {{reach * (2 * t - 1), reach * Real(0.55), 0}, turn}};
          axis = find_separating_axis(still, flying, axis, 0);
          queries += (axis.face_a ? 1 : 0) + (axis.face_b ? 1 : 0) + (axis.edges ? 1 : 0);
        }
