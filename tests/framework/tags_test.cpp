@@ -221,6 +221,30 @@ TEST_P(Tags, TheHandoutStatesTheOrderThatIsChecked) {
   EXPECT_EQ(stated_order(read(lab.handout())), checked) << lab.handout();
 }
 
+TEST_P(Tags, RecordedCausesNameVisibleTestsAndMutants) {
+  const fs::path file = root / "tests" / lab.folder / "causes.json";
+  if (!fs::exists(file)) GTEST_SKIP() << "no causes are recorded for this lab";
+  Names tests;
+  for (const auto& [tag, checks] : visible_checks(read_json(lab.manifest()))) {
+    tests.insert(checks.tests.begin(), checks.tests.end());
+  }
+  Names causes;
+  if (fs::exists(lab.mutants())) {
+    const Json document = read_json(lab.mutants());
+    for (const Json& mutant : document.at("mutants")) {
+      causes.insert(mutant.at("names_cause").get<std::string>());
+    }
+  }
+  const auto recorded = read_json(file).get<std::map<std::string, Names>>();
+  ASSERT_FALSE(recorded.empty()) << file;
+  for (const auto& [cause, failing] : recorded) {
+    if (!causes.empty()) {
+      EXPECT_TRUE(causes.count(cause)) << cause;
+    }
+    for (const std::string& test : failing) EXPECT_TRUE(tests.count(test)) << cause << ": " << test;
+  }
+}
+
 std::vector<Lab> labs() {
   std::vector<Lab> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(root / "labs")) {
