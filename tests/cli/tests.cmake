@@ -34,5 +34,8 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
   add_test(NAME cli.output
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/output_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/output")
-  set_tests_properties(cli.usage cli.launcher cli.output PROPERTIES LABELS cli TIMEOUT 60)
+  add_test(NAME cli.submit
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/submit_test.sh" "$<TARGET_FILE:cs550_cli>"
+                   "${PROJECT_BINARY_DIR}/submit")
+  set_tests_properties(cli.usage cli.launcher cli.output cli.submit PROPERTIES LABELS cli TIMEOUT 60)
 endif()

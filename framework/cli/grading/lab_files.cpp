@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -119,6 +120,20 @@ const std::vector<fs::path>& given_files() {
 
 std::vector<fs::path> lab_files(const std::string& lab_name) {
   return code_in(lab_folder(lab_name));
+}
+
+std::vector<fs::path> files_to_submit(const std::string& lab_name) {
+  static const std::set<fs::path> extensions{".cpp", ".hpp", ".h", ".inl", ".ipp", ".inc"};
+  const fs::path folder = lab_folder(lab_name);
+  std::vector<fs::path> files = files_below(folder);
+  std::erase_if(files, [&](const fs::path& file) {
+    const fs::path name = file.lexically_relative(folder);
+    const bool is_hidden = std::any_of(name.begin(), name.end(), [](const fs::path& part) {
+      return part.native().starts_with('.');
+    });
+    return is_hidden || !extensions.contains(file.extension());
+  });
+  return files;
 }
 
 bool has_reference(const std::string& lab_name) {

@@ -13,6 +13,10 @@ namespace cs550::cli {
 /// labs/lab3_hill_climbing/hill_climbing.cpp, sorted by name.
 std::vector<std::filesystem::path> lab_files(const std::string& lab_name);
 
+/// What the student hands in: all code in the lab's folder and its subfolders, also headers of any
+/// kind, sorted by name. Hidden files are left out.
+std::vector<std::filesystem::path> files_to_submit(const std::string& lab_name);
+
 /// Changes when anything changes that a result of the lab depends on: the lab's files, its tests,
 /// given code, and the other labs that its tests are linked with. In a students' copy those are the
 /// student's earlier labs; no test of a lab calls a later one.
