@@ -80,6 +80,16 @@ std::string padded(const std::string& text, std::size_t width) {
   return text + std::string(width - std::min(width, text.size()), ' ');
 }
 
+std::string duration_text(std::chrono::seconds time) {
+  constexpr long seconds = 60;
+  constexpr long minutes = 60;
+  const long all = time.count();
+  if (all < 2 * seconds) return std::to_string(all) + " s";
+  const long rounded = (all + seconds / 2) / seconds;
+  if (rounded < minutes) return std::to_string(rounded) + " min";
+  return std::to_string(rounded / minutes) + " h " + std::to_string(rounded % minutes) + " min";
+}
+
 void show_status(const std::string& text) {
   if (isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
 }
@@ -92,8 +102,14 @@ void ProgressBar::show(int done) {
 
   constexpr int width = 40;
   const int filled = static_cast<int>(static_cast<long>(done) * width / total_);
-  std::cerr << "\r[" << std::string(filled, '#') << std::string(width - filled, ' ') << "] step "
-            << done << " of " << total_ << std::flush;
+  std::cerr << "\r\033[K[" << std::string(filled, '#') << std::string(width - filled, ' ') << "] "
+            << step_ << ' ' << done << " of " << total_;
+  if (done > 0) {
+    const auto left = (now - start_) * (total_ - done) / done;
+    std::cerr << ", " << duration_text(std::chrono::duration_cast<std::chrono::seconds>(left))
+              << " left";
+  }
+  std::cerr << std::flush;
 }
 
 ProgressBar::~ProgressBar() {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace cs550::cli {
 
@@ -24,15 +25,20 @@ std::string indented(std::string_view text, std::size_t spaces);
 /// The text filled up to `width` columns with spaces.
 std::string padded(const std::string& text, std::size_t width);
 
+/// A length of time that is only roughly known: "40 s", "12 min", "1 h 40 min".
+std::string duration_text(std::chrono::seconds time);
+
 /// On a terminal: a line about what is running, which the next output replaces. Empty text clears
 /// it.
 void show_status(const std::string& text);
 
-/// How far a long run has come: one line on standard error that changes in place. Nothing is shown
-/// where standard error is no terminal, or in the first half second.
+/// How far a long run has come, and how long it still takes: one line on standard error that changes
+/// in place. Nothing is shown where standard error is no terminal, or in the first half second.
 class ProgressBar {
  public:
-  explicit ProgressBar(int total) : total_(total) {}
+  /// @param step what is counted
+  explicit ProgressBar(int total, std::string step = "step")
+      : total_(total), step_(std::move(step)) {}
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -43,7 +49,9 @@ class ProgressBar {
  private:
   using Clock = std::chrono::steady_clock;
   int total_;
-  Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(500);
+  std::string step_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_ + std::chrono::milliseconds(500);
   bool visible_ = false;
 };
 
