@@ -40,7 +40,7 @@ endforeach()
 cs550_add_own_tests(milestones cs550_milestones)
 
 # Further tests of each folder. Some of the files are not in the students' copy.
-foreach(folder drawing autograder install viewer mutants cli docs)
+foreach(folder drawing autograder gradebook install viewer mutants cli docs)
   include("${PROJECT_SOURCE_DIR}/tests/${folder}/tests.cmake" OPTIONAL)
 endforeach()
 

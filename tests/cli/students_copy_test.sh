@@ -46,13 +46,13 @@ for lab in "$copy"/labs/lab*; do
 done
 found=$(cd "$copy" && find solutions tests -name hidden -o -name mutants -o -path 'solutions/*') 2>/dev/null || true
 [ -z "$found" ] || wrong "the copy has" "$found"
-for path in solutions .ci .gitattributes CONTRIBUTING.md docs/instructors.md docs/chapters/answers.md docs/rebuild \
+for path in solutions .ci .gitattributes CONTRIBUTING.md docs/instructors.md docs/chapters/answers.md docs/rebuild framework/gradebook \
   tests/cli; do
   [ ! -e "$copy/$path" ] || wrong "the copy has $path"
 done
 version=$(cat "$copy/.starters/version")
 [ "${version#* }" = "$(git -C "$root" rev-parse --short=12 HEAD)" ] || wrong "its version is $version"
-! "$copy/cs550" help | grep -q starter || wrong "its help lists a verb for instructors"
+! "$copy/cs550" help | grep -qE '^ *(starter|grade) ' || wrong "its help lists a verb for instructors"
 
 echo "A history of its own:"
 history=$(git -C "$copy" log --all --format='%an %ae %s')

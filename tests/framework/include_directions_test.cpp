@@ -32,7 +32,8 @@ const std::map<std::string, Names> may_include{
     {"viewer", {"include", "drawing", "pages", "files"}},
     {"autograder", {"include", "files"}},
     {"milestones", {"include", "files"}},
-    {"cli", {"include", "files"}},
+    {"gradebook", {"files", "cli"}},  // only cli/system
+    {"cli", {"include", "files", "gradebook"}},
 };
 
 /// Libraries that only one folder may use.

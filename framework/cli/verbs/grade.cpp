@@ -1,0 +1,128 @@
+// ./cs550 grade: grades the submissions of a class, and makes reports from records.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/system/project.hpp"
+#include "cli/verb.hpp"
+#include "gradebook/command/compare.hpp"
+#include "gradebook/command/export_sources.hpp"
+#include "gradebook/command/grade.hpp"
+#include "gradebook/command/report.hpp"
+#include "gradebook/records/record_folder.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct GradeOptions {
+  gradebook::GradeRequest grading;
+  std::vector<fs::path> report, compare;
+  fs::path export_folder;
+  bool pseudonyms = false;
+};
+
+int print_comparison(const std::vector<fs::path>& folders) {
+  const std::vector<gradebook::Record> before = gradebook::RecordFolder(folders[0]).records();
+  const std::vector<gradebook::Record> after = gradebook::RecordFolder(folders[1]).records();
+  std::cout << gradebook::comparison(before, after);
+  return Good;
+}
+
+int make_reports(const GradeOptions& options) {
+  const fs::path& out = options.grading.out;
+  if (out.empty() && options.report.size() > 1) {
+    throw std::invalid_argument("--report with several folders needs --out for the merged records");
+  }
+  gradebook::report({project_root(), options.report, out.empty() ? options.report.front() : out,
+                     options.grading.roster, options.grading.course, options.pseudonyms});
+  return Good;
+}
+
+int grade_submissions(gradebook::GradeRequest request) {
+  if (request.out.empty()) {
+    throw std::invalid_argument("grade needs --out DIR, a folder for records and reports");
+  }
+  request.root = project_root();
+  if (request.judge.empty()) request.judge = built_program("test", "grade_lab");
+  if (!fs::exists(request.judge)) {
+    throw std::runtime_error(request.judge.string() + " is missing. It grades a lab; build it:\n" +
+                             "  ./cs550 build test judges");
+  }
+  return gradebook::grade(request) ? Good : Failed;
+}
+
+int run_grade(const GradeOptions& options) {
+  try {
+    if (!options.compare.empty()) return print_comparison(options.compare);
+    if (!options.report.empty()) return make_reports(options);
+    if (options.pseudonyms) {
+      throw std::invalid_argument("--pseudonyms needs --report DIR, a folder with records");
+    }
+    if (options.grading.submissions.empty()) {
+      throw std::invalid_argument("grade needs at least one submission");
+    }
+    if (options.export_folder.empty()) return grade_submissions(options.grading);
+    gradebook::export_sources(project_root(), options.grading.submissions, options.export_folder);
+    return Good;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "cs550: " << error.what() << "\n  ./cs550 grade --help explains the options.\n";
+    return Misused;
+  }
+}
+
+void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
+  app.add_option("SUBMISSION", request.submissions,
+                 "zip, tar.gz or folder of a student, or a folder of such submissions")
+      ->option_text("...");
+  app.add_option("--out", request.out, "folder for records and reports")->option_text("DIR");
+  app.add_option("--labs", request.labs, "labs to grade, such as 3, 1-7 or 1,3-5; by default all")
+      ->option_text("LIST");
+  app.add_option("--jobs", request.jobs, "labs graded at the same time; by default one per core")
+      ->option_text("N")
+      ->check(CLI::Range(1, 256));
+  app.add_flag("--resume", request.resume,
+               "continue an interrupted run, or add submissions to a finished one");
+  app.add_option("--roster", request.roster, "students: CSV with the columns id, name, email")
+      ->option_text("CSV")
+      ->check(CLI::ExistingFile);
+  app.add_option("--course", request.course, "settings of the course: weights, due dates, limits")
+      ->option_text("FILE")
+      ->check(CLI::ExistingFile);
+  app.add_option("--isolation", request.isolation, "auto, bubblewrap or plain")
+      ->option_text("KIND")
+      ->check(CLI::IsMember({"auto", "bubblewrap", "plain"}));
+  app.add_option("--judge", request.judge,
+                 "program that grades one lab; by default build/test/bin/grade_lab")
+      ->option_text("FILE")
+      ->check(CLI::ExistingFile);
+}
+
+}  // namespace
+
+Action declare_grade(CLI::App& app) {
+  const auto options = std::make_shared<GradeOptions>();
+  options->grading.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  add_grading_options(app, options->grading);
+  app.add_option("--report", options->report,
+                 "make all reports again from the records of a folder; several folders are merged")
+      ->option_text("DIR...")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--pseudonyms", options->pseudonyms, "with --report: leave out names");
+  app.add_option("--compare", options->compare, "print what differs between two folders' records")
+      ->option_text("OLD NEW")
+      ->expected(2)
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--export-jplag", options->export_folder,
+                 "write the submissions as JPlag and MOSS expect them, and grade nothing")
+      ->option_text("FOLDER");
+  return [options] { return run_grade(*options); };
+}
+
+}  // namespace cs550::cli

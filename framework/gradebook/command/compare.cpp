@@ -1,0 +1,89 @@
+#include "gradebook/command/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace cs550::gradebook {
+namespace {
+
+const Record* find(const std::vector<Record>& records, const std::string& name) {
+  const auto found = std::find_if(records.begin(), records.end(),
+                                  [&name](const Record& record) { return record.name == name; });
+  return found == records.end() ? nullptr : &*found;
+}
+
+/// "48 of 60", or why there are no points.
+std::string points_of(const LabRecord* lab) {
+  if (lab == nullptr) return "no record";
+  if (!lab->not_graded.empty()) return "not graded";
+  if (!lab->submitted) return "not submitted";
+  return fmt::format("{} of {}", lab->earned(), lab->points());
+}
+
+std::string test_changes(const LabRecord& before, const LabRecord& after) {
+  std::map<std::string, const TestResult*> old;
+  for (const TestResult& test : before.tests) old[test.name] = &test;
+  std::string text;
+  for (const TestResult& test : after.tests) {
+    const TestResult* was = old[test.name];
+    if (was == nullptr) {
+      text += fmt::format("    {}: new, {} ({} points)\n", test.name, test.status, test.earned);
+    } else if (was->status != test.status || was->earned != test.earned) {
+      text += fmt::format("    {}: {} -> {} ({:+} points)\n", test.name, was->status, test.status,
+                          test.earned - was->earned);
+    }
+    old.erase(test.name);
+  }
+  for (const auto& [name, test] : old) {
+    text += fmt::format("    {}: removed ({} points)\n", name, test->earned);
+  }
+  return text;
+}
+
+std::string lab_changes(const std::string& name, int number, const LabRecord* before,
+                        const LabRecord* after) {
+  const std::string tests =
+      before != nullptr && after != nullptr ? test_changes(*before, *after) : std::string();
+  const bool is_new_content = before != nullptr && after != nullptr && before->hash != after->hash;
+  if (points_of(before) == points_of(after) && tests.empty()) return {};
+  return fmt::format("{}, lab {}: {} -> {}{}\n{}", name, number, points_of(before),
+                     points_of(after), is_new_content ? " (other files)" : "", tests);
+}
+
+std::set<int> labs_of(const Record& a, const Record& b) {
+  std::set<int> labs;
+  for (const LabRecord& lab : a.labs) labs.insert(lab.lab);
+  for (const LabRecord& lab : b.labs) labs.insert(lab.lab);
+  return labs;
+}
+
+}  // namespace
+
+std::string comparison(const std::vector<Record>& before, const std::vector<Record>& after) {
+  std::string text;
+  int compared = 0;
+  int changed = 0;
+  for (const Record& record : after) {
+    const Record* was = find(before, record.name);
+    if (was == nullptr) {
+      text += record.name + ": new\n";
+      continue;
+    }
+    ++compared;
+    std::string changes;
+    for (const int lab : labs_of(*was, record)) {
+      changes += lab_changes(record.name, lab, was->lab(lab), record.lab(lab));
+    }
+    changed += changes.empty() ? 0 : 1;
+    text += changes;
+  }
+  for (const Record& record : before) {
+    if (find(after, record.name) == nullptr) text += record.name + ": removed\n";
+  }
+  return text + fmt::format("{} of {} submissions changed.\n", changed, compared);
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,142 @@
+#include "gradebook/command/grade.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "cli/system/process.hpp"
+#include "cli/system/terminal.hpp"
+#include "gradebook/command/settings.hpp"
+#include "gradebook/reports/write_reports.hpp"
+#include "gradebook/run/class_run.hpp"
+#include "gradebook/run/interruption.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The commit of the instructor's copy, marked if files differ from it.
+std::string project_version(const fs::path& root) {
+  try {
+    const std::string commit = cli::output_of({"git", "rev-parse", "HEAD"}, root).substr(0, 40);
+    const bool is_clean =
+        cli::output_of({"git", "status", "--porcelain", "--untracked-files=no"}, root).empty();
+    return is_clean ? commit : commit + "+changes";
+  } catch (const std::exception&) {
+    return "unknown";
+  }
+}
+
+std::vector<int> numbers_of(const Catalogue& catalogue) {
+  std::vector<int> numbers;
+  for (const auto& [number, lab] : catalogue) numbers.push_back(number);
+  return numbers;
+}
+
+/// What a run leaves for the instructor to look at.
+void print_troubles(const std::vector<Record>& records) {
+  for (const Record& record : records) {
+    if (!record.trouble.empty()) {
+      std::cout << fmt::format("unreadable: {}: {}\n", record.name, record.trouble);
+    }
+    for (const LabRecord& lab : record.labs) {
+      if (lab.not_graded.empty()) continue;
+      std::cout << fmt::format("NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
+                               lab.not_graded);
+    }
+  }
+}
+
+/// "1 lab", "2 labs".
+std::string counted(int number, const std::string& noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+void print_outcome(const ClassOutcome& outcome, std::chrono::duration<double> time) {
+  std::cout << fmt::format("{}, {} graded in {:.0f} s, {} reused.\n",
+                           counted(outcome.submissions, "submission"), counted(outcome.runs, "lab"),
+                           time.count(), counted(outcome.known, "result"));
+}
+
+}  // namespace
+
+std::vector<int> parse_labs(const std::string& text, const std::vector<int>& known) {
+  if (text.empty()) return known;
+  static const std::regex range("([0-9]{1,3})(?:-([0-9]{1,3}))?");
+  std::set<int> labs;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    std::smatch match;
+    if (!std::regex_match(part, match, range)) {
+      throw std::invalid_argument("--labs needs numbers such as 3, 1-7 or 1,3-5; found " + text);
+    }
+    const int first = std::stoi(match[1]);
+    const int last = match[2].matched ? std::stoi(match[2]) : first;
+    for (int lab = first; lab <= last; ++lab) labs.insert(lab);
+  }
+  for (const int lab : labs) {
+    if (std::count(known.begin(), known.end(), lab) == 0) {
+      throw std::invalid_argument(fmt::format("there is no lab {}. The labs are {} to {}.", lab,
+                                              known.front(), known.back()));
+    }
+  }
+  return {labs.begin(), labs.end()};
+}
+
+bool grade(const GradeRequest& request) {
+  const std::atomic<bool>& stop = interrupted();
+  const Settings settings = read_settings(request.root, request.course, request.roster,
+                                          request.resume ? request.out : fs::path());
+  const std::vector<int> labs = parse_labs(request.labs, numbers_of(settings.catalogue));
+  Discovery found = find_submissions(request.submissions, settings.catalogue);
+  if (found.submissions.empty()) throw std::runtime_error("no submission was found");
+  for (const IgnoredFile& file : found.skipped) {
+    std::cout << fmt::format("skipped: {}: {}\n", file.path, file.reason);
+  }
+
+  const FolderLock lock(request.out);
+  const RecordFolder folder(request.out);
+  if (!request.resume && folder.has_records()) {
+    throw std::runtime_error(request.out.string() + " has records already.\n" +
+                             "  To continue an interrupted run, or to add submissions, add " +
+                             "--resume.\n  To grade anew, choose another --out.");
+  }
+  keep_settings(settings, request.out);
+  const Judge judge{request.judge, request.root / "labs", fs::absolute(request.out) / "work",
+                    project_version(request.root), request.isolation};
+  const auto start = std::chrono::steady_clock::now();
+  std::optional<cli::ProgressBar> bar;
+  const ClassRun run{std::move(found.submissions), labs, request.jobs, [&bar](int done, int total) {
+                       if (!bar && total > 0) bar.emplace(total, "lab");
+                       if (bar) bar->show(done);
+                     }};
+  const ClassOutcome outcome =
+      grade_class(run, settings.catalogue, settings.course, judge, folder, stop);
+  bar.reset();
+  fs::remove_all(judge.work);
+  if (outcome.interrupted) {
+    std::cout << fmt::format("Interrupted after {}. The same command with --resume continues.\n",
+                             outcome.runs);
+    return false;
+  }
+  print_outcome(outcome, std::chrono::steady_clock::now() - start);
+  const std::vector<Record> records = folder.records();
+  write_reports(request.out, records, settings.roster, settings.course);
+  print_troubles(records);
+  print_expired(folder, settings.course);
+  std::cout << fmt::format("The marks are in {}, the overview in {}.\n",
+                           (request.out / "grades.csv").string(),
+                           (request.out / "class.html").string());
+  return std::all_of(records.begin(), records.end(),
+                     [](const Record& record) { return record.is_graded(); });
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,78 @@
+#include "gradebook/command/report.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <stdexcept>
+
+#include "files/output_file.hpp"
+#include "gradebook/command/settings.hpp"
+#include "gradebook/marks/pseudonyms.hpp"
+#include "gradebook/records/merge.hpp"
+#include "gradebook/records/record_folder.hpp"
+#include "gradebook/reports/write_reports.hpp"
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Record> records_in(const std::vector<fs::path>& folders) {
+  std::vector<std::vector<Record>> all;
+  for (const fs::path& folder : folders) {
+    all.push_back(RecordFolder(folder).records());
+    if (all.back().empty()) {
+      throw std::runtime_error(folder.string() + " has no records. Expected " +
+                               (folder / "records").string() + "/NAME.json");
+    }
+  }
+  return merged(all);
+}
+
+/// The key is for the instructor alone: it stays with the records that have names.
+void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
+  const fs::path file = folder / "pseudonyms.csv";
+  std::string text = "pseudonym,id\n";
+  for (const auto& [name, id] : pseudonymous.key) text += name + ',' + csv(id) + '\n';
+  files::write_file(file, text);
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  std::cout << "Who is who is in " << file.string() << '\n';
+}
+
+}  // namespace
+
+void report(const ReportRequest& request) {
+  std::error_code is_new;
+  const bool in_place =
+      request.folders.size() == 1 && fs::equivalent(request.folders[0], request.out, is_new);
+  if (request.pseudonyms && in_place) {
+    throw std::invalid_argument("--pseudonyms needs --out, a folder beside the records with names");
+  }
+  Settings settings =
+      read_settings(request.root, request.course, request.roster, request.folders.front());
+  std::vector<Record> records = records_in(request.folders);
+  const FolderLock lock(request.out);
+  if (request.pseudonyms) {
+    if (settings.course.secret.empty()) {
+      throw std::invalid_argument(
+          "--pseudonyms needs a secret in the course file, or they could be guessed");
+    }
+    PseudonymousClass pseudonymous = with_pseudonyms(records, settings.roster, settings.course);
+    write_key(pseudonymous, request.folders.front());
+    records = std::move(pseudonymous.records);
+    settings.roster = std::move(pseudonymous.roster);
+    settings.course = std::move(pseudonymous.course);
+  } else {
+    keep_settings(settings, request.out);
+  }
+  if (!in_place) {
+    for (const Record& record : records) RecordFolder(request.out).store(record);
+  }
+  write_reports(request.out, records, settings.roster, settings.course);
+  std::cout << fmt::format("Reports on {} submissions are in {}\n", records.size(),
+                           request.out.string());
+  print_expired(RecordFolder(request.folders.front()), settings.course);
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,62 @@
+#include "gradebook/command/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "cli/system/files.hpp"
+#include "files/output_file.hpp"
+#include "gradebook/course/course_file.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* course_copy = "course.toml";
+constexpr const char* roster_copy = "roster.csv";
+
+/// The file that was named, else the copy if there is one.
+fs::path chosen(const fs::path& named, const fs::path& copy) {
+  if (!named.empty()) return named;
+  return fs::exists(copy) ? copy : fs::path();
+}
+
+void keep(const std::string& text, const fs::path& file) {
+  if (text.empty()) return;
+  files::write_file(file, text);
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+}
+
+}  // namespace
+
+Settings read_settings(const fs::path& root, const fs::path& course, const fs::path& roster,
+                       const fs::path& folder) {
+  Settings settings;
+  settings.catalogue = read_catalogue(root);
+  if (const fs::path file = chosen(course, folder / course_copy); !file.empty()) {
+    settings.course_text = cli::read_text(file);
+    settings.course = parse_course(settings.course_text, file.string(), settings.catalogue);
+  }
+  if (const fs::path file = chosen(roster, folder / roster_copy); !file.empty()) {
+    settings.roster_text = cli::read_text(file);
+    settings.roster = parse_roster(settings.roster_text, file.string());
+  }
+  return settings;
+}
+
+void keep_settings(const Settings& settings, const fs::path& folder) {
+  keep(settings.course_text, folder / course_copy);
+  keep(settings.roster_text, folder / roster_copy);
+}
+
+void print_expired(const RecordFolder& folder, const Course& course) {
+  if (!course.retention_days) return;
+  const std::vector<fs::path> expired = folder.older_than(*course.retention_days);
+  if (expired.empty()) return;
+  std::cout << fmt::format("Records older than {} days (retention_days), to be deleted:\n",
+                           *course.retention_days);
+  for (const fs::path& file : expired) std::cout << "  " << file.string() << '\n';
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,60 @@
+#include "gradebook/course/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <stdexcept>
+
+#include "cli/system/files.hpp"
+#include "cli/system/project.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::vector<CatalogueTest> tests_of(const fs::path& manifest, int lab) {
+  std::vector<CatalogueTest> tests;
+  try {
+    const Json json = Json::parse(cli::read_text(manifest));
+    for (const Json& test : json.at("tests")) {
+      tests.push_back({fmt::format("Lab{}.{}", lab, test.at("name").get<std::string>()),
+                       test.at("step"), test.at("points"), test.at("hidden")});
+    }
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(manifest.string() + " is damaged: " + error.what() +
+                             "\n  ./cs550 build test update_manifests regenerates it.");
+  }
+  return tests;
+}
+
+std::vector<std::string> code_below(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::path& file : cli::files_below(folder)) {
+    if (file.extension() == ".cpp" || file.extension() == ".hpp") {
+      names.push_back(file.lexically_relative(folder).string());
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+Catalogue read_catalogue(const fs::path& root) {
+  static const std::regex lab_folder("lab([0-9]{1,3})_[a-z0-9_]+");
+  Catalogue catalogue;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / "tests")) {
+    const std::string name = entry.path().filename();
+    std::smatch match;
+    const fs::path manifest = entry.path() / "manifest.json";
+    if (!std::regex_match(name, match, lab_folder) || !fs::exists(manifest)) continue;
+    const int number = std::stoi(match[1]);
+    catalogue[number] = {number, name, cli::title(name), tests_of(manifest, number),
+                         code_below(root / "labs" / name)};
+  }
+  return catalogue;
+}
+
+}  // namespace cs550::gradebook

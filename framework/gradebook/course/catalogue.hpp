@@ -1,0 +1,34 @@
+#pragma once
+/// @file catalogue.hpp
+/// What can be graded: the labs and their tests, from the manifests of the instructor's copy.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cs550::gradebook {
+
+struct CatalogueTest {
+  std::string name;  ///< "Lab3.FirstOfEqualVerticesWins"
+  std::string step;  ///< "L3.1"
+  int points = 0;
+  bool hidden = false;
+};
+
+struct CatalogueLab {
+  int number = 0;
+  std::string name;   ///< folder, "lab3_hill_climbing"
+  std::string title;  ///< "Lab 3: hill climbing"
+  std::vector<CatalogueTest> tests;
+  std::vector<std::string> starter_files;  ///< "hill_climbing.cpp", relative to the lab's folder
+};
+
+/// Labs by number.
+using Catalogue = std::map<int, CatalogueLab>;
+
+/// Reads tests/labN_topic/manifest.json and labs/labN_topic/ below the root of the project.
+/// Throws std::runtime_error if a manifest cannot be read.
+Catalogue read_catalogue(const std::filesystem::path& root);
+
+}  // namespace cs550::gradebook

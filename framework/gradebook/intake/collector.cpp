@@ -1,0 +1,104 @@
+#include "gradebook/intake/collector.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gradebook/intake/lab_path.hpp"
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* manifest_of_submit = "manifest.json";
+
+std::string text_of(const Json& json, const char* key) {
+  constexpr std::size_t longest = 100;
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_string()) return {};
+  return plain_line(found->get<std::string>()).substr(0, longest);
+}
+
+/// Whether one of the paths is a folder of the other.
+bool contains(const std::string& a, const std::string& b) {
+  return a.starts_with(b + '/') || b.starts_with(a + '/');
+}
+
+}  // namespace
+
+bool Collector::wants(const std::string& path) {
+  if (path == manifest_of_submit) return true;
+  const LabPath place = lab_path(path, catalogue_);
+  if (place.lab == 0) ignore(path, place.ignored);
+  return place.lab != 0;
+}
+
+void Collector::take(const std::string& path, std::string text) {
+  if (path == manifest_of_submit) {
+    read_manifest(text);
+    return;
+  }
+  const IntakeLimits limits;
+  const LabPath place = lab_path(path, catalogue_);
+  std::vector<SourceFile>& files = submission_.labs[place.lab];
+  if (text.size() > limits.file) {
+    ignore(path, "larger than 1 MB");
+  } else if (static_cast<int>(files.size()) >= limits.files_of_lab) {
+    ignore(path, "the lab has more than 200 files");
+  } else if (std::any_of(files.begin(), files.end(),
+                         [&](const SourceFile& file) { return file.path == place.file; })) {
+    ignore(path, "a second file of this name; the first one is graded");
+  } else if (std::any_of(files.begin(), files.end(),
+                         [&](const SourceFile& file) { return contains(file.path, place.file); })) {
+    ignore(path, "a file and a folder of the same name");
+  } else {
+    files.push_back({place.file, std::move(text)});
+  }
+}
+
+void Collector::ignore(const std::string& path, const std::string& reason) {
+  constexpr std::size_t most = 200;
+  // A whole copy of the project has hundreds of files outside of labs: their folder is enough.
+  const bool is_given = reason == outside_of_labs;
+  const std::string shown =
+      plain_line(is_given ? path.substr(0, path.find('/') + 1) : path).substr(0, most);
+  const std::string name = shown.empty() ? plain_line(path).substr(0, most) : shown;
+  for (IgnoredFile& known : submission_.ignored) {
+    if (known.path == name && known.reason == reason) {
+      ++known.files;
+      return;
+    }
+  }
+  if (submission_.ignored.size() == most)
+    submission_.ignored.push_back({"...", "further files", 0});
+  if (submission_.ignored.size() > most) {
+    ++submission_.ignored.back().files;
+    return;
+  }
+  submission_.ignored.push_back({name, reason, 1});
+}
+
+void Collector::finish() {
+  std::erase_if(submission_.labs, [](const auto& lab) { return lab.second.empty(); });
+  for (auto& [lab, files] : submission_.labs) {
+    std::sort(files.begin(), files.end(),
+              [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+  }
+  if (submission_.labs.empty() && submission_.trouble.empty()) {
+    submission_.trouble = "it contains no file of a lab";
+  }
+}
+
+void Collector::read_manifest(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) {
+    ignore(manifest_of_submit, "not the manifest that ./cs550 submit writes");
+    return;
+  }
+  submission_.claimed_student = text_of(json, "student");
+  submission_.claimed_date = text_of(json, "date");
+  submission_.starter = text_of(json, "starter");
+}
+
+}  // namespace cs550::gradebook

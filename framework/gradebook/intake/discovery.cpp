@@ -1,0 +1,160 @@
+#include "gradebook/intake/discovery.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+#include "gradebook/intake/lab_path.hpp"
+#include "gradebook/intake/read_archive.hpp"
+#include "gradebook/intake/read_folder.hpp"
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> children(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_symlink()) paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// Whether a folder is a submission, not a folder of submissions.
+bool has_lab_files(const fs::path& folder, const Catalogue& catalogue) {
+  for (const fs::path& child : children(folder)) {
+    const std::string name = child.filename();
+    if (name == "labs" || name == ".git") return true;
+    const std::string as_file = fs::is_directory(child) ? name + "/a.cpp" : name;
+    if (lab_path(as_file, catalogue).lab != 0) return true;
+  }
+  return false;
+}
+
+/// The name of a file without the ending of an archive.
+std::string stem(const fs::path& source) {
+  static const std::regex ending(R"((.+?)(\.zip|\.tar|\.tar\.gz|\.tgz)?)");
+  std::smatch match;
+  const std::string name = source.filename();
+  return std::regex_match(name, match, ending) ? match[1].str() : name;
+}
+
+/// "ada-lab3" and "ada_labs" were handed in by ada.
+std::string student_of(const std::string& name) {
+  static const std::regex lab_at_the_end("(.+?)[-_. ]labs?[0-9]*", std::regex::icase);
+  std::smatch match;
+  return std::regex_match(name, match, lab_at_the_end) ? match[1].str() : name;
+}
+
+/// Walks through folders of submissions.
+class Finder {
+ public:
+  explicit Finder(const Catalogue& catalogue) : catalogue_(catalogue) {}
+
+  /// @param folders the names of the folders between the source and this path
+  void look_at(const fs::path& path, const std::vector<std::string>& folders) {
+    if (!fs::is_directory(path)) {
+      if (is_archive(path)) {
+        add(path, folders);
+      } else {
+        found_.skipped.push_back({plain_line(path.string()), "not an archive", 1});
+      }
+    } else if (has_lab_files(path, catalogue_)) {
+      add(path, folders);
+    } else {
+      open(path, folders);
+    }
+  }
+
+  void open(const fs::path& folder, const std::vector<std::string>& folders) {
+    constexpr std::size_t deepest = 2;  // a folder per student, and one per lab in it
+    const std::vector<fs::path> inside = children(folder);
+    if (inside.empty() || folders.size() == deepest) {
+      // An empty folder is what a student handed in, and gets a record.
+      if (!folders.empty()) add(folder, {folders.begin(), folders.end() - 1});
+      return;
+    }
+    for (const fs::path& child : inside) {
+      std::vector<std::string> names = folders;
+      if (fs::is_directory(child)) names.push_back(child.filename());
+      look_at(child, names);
+    }
+  }
+
+  Discovery result() { return std::move(found_); }
+
+ private:
+  void add(const fs::path& source, std::vector<std::string> folders) {
+    if (!folders.empty() && folders.back() == source.filename()) folders.pop_back();
+    std::string name;
+    for (const std::string& folder : folders) name += folder + '-';
+    name = safe_name(name + stem(source));
+    const std::string base = name;
+    for (int n = 2; !names_.insert(name).second; ++n) name = base + '-' + std::to_string(n);
+    found_.submissions.push_back(
+        {source, name, plain_line(folders.empty() ? student_of(stem(source)) : folders.front())});
+  }
+
+  const Catalogue& catalogue_;
+  Discovery found_;
+  std::set<std::string> names_;
+};
+
+long modification_time(const fs::path& file) {
+  struct stat status {};
+  return stat(file.c_str(), &status) == 0 ? status.st_mtime : 0;
+}
+
+}  // namespace
+
+Discovery find_submissions(const std::vector<fs::path>& sources, const Catalogue& catalogue) {
+  Finder finder(catalogue);
+  for (const fs::path& source : sources) {
+    // "class/" and "class" are the same folder.
+    const fs::path path = fs::absolute(source / "").lexically_normal().parent_path();
+    if (!fs::exists(path)) throw std::runtime_error("there is no submission " + source.string());
+    if (!fs::is_directory(path) && !is_archive(path)) {
+      throw std::runtime_error(source.string() +
+                               " is no submission. Expected a .zip, .tar.gz or folder");
+    }
+    finder.look_at(path, {});
+  }
+  return finder.result();
+}
+
+Submission read_submission(const FoundSubmission& found, const Catalogue& catalogue) {
+  Submission submission;
+  submission.name = found.name;
+  submission.source = plain_line(found.source.filename().string());
+  submission.student = found.student;
+  submission.file_time = modification_time(found.source);
+  Collector collector(submission, catalogue);
+  try {
+    submission.trouble = fs::is_directory(found.source) ? read_folder(found.source, collector)
+                                                        : read_archive(found.source, collector);
+  } catch (const std::exception& error) {
+    submission.trouble = plain_line(error.what());
+  }
+  if (!submission.trouble.empty()) submission.labs.clear();
+  collector.finish();
+  return submission;
+}
+
+std::string safe_name(const std::string& name) {
+  constexpr std::size_t longest = 100;
+  std::string safe = name.substr(0, longest);
+  for (char& c : safe) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-') c = '_';
+  }
+  return safe.empty() || safe[0] == '.' || safe[0] == '-' ? '_' + safe : safe;
+}
+
+}  // namespace cs550::gradebook

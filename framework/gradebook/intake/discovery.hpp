@@ -1,0 +1,39 @@
+#pragma once
+/// @file discovery.hpp
+/// Finding the submissions in what the instructor names, and reading them.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gradebook/course/catalogue.hpp"
+#include "gradebook/intake/submission.hpp"
+
+namespace cs550::gradebook {
+
+/// A submission that was found but not yet read.
+struct FoundSubmission {
+  std::filesystem::path source;  ///< archive or folder
+  std::string name;              ///< unique, safe as a file name
+  std::string student;           ///< from the names of the file and its folder
+};
+
+struct Discovery {
+  std::vector<FoundSubmission> submissions;
+  std::vector<IgnoredFile> skipped;  ///< files beside them that are not submissions
+};
+
+/// Every archive and folder among `sources`. A folder without lab files of its own contains
+/// submissions: archives, folders, or one folder per student.
+/// Throws std::runtime_error if a source does not exist or is no submission.
+Discovery find_submissions(const std::vector<std::filesystem::path>& sources,
+                           const Catalogue& catalogue);
+
+/// Never throws: what is wrong with it becomes its `trouble`.
+Submission read_submission(const FoundSubmission& found, const Catalogue& catalogue);
+
+/// The name of a record or a student's file: other characters than letters, digits and ._- become
+/// an underscore.
+std::string safe_name(const std::string& name);
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,104 @@
+#include "gradebook/intake/lab_path.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <vector>
+
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words split(std::string_view path) {
+  Words words;
+  std::string word;
+  for (const char c : path) {
+    if (c != '/' && c != '\\') {
+      word += c;
+      continue;
+    }
+    if (!word.empty() && word != ".") words.push_back(word);
+    word.clear();
+  }
+  if (!word.empty()) words.push_back(word);
+  return words;
+}
+
+std::string joined(Words::const_iterator begin, Words::const_iterator end) {
+  std::string path;
+  for (; begin != end; ++begin) path += (path.empty() ? "" : "/") + *begin;
+  return path;
+}
+
+std::string fault_of_name(std::string_view path, const Words& words) {
+  constexpr std::size_t longest = 200;
+  const bool has_drive = path.size() > 1 && path[1] == ':';
+  if (path.empty() || words.empty()) return "empty name";
+  if (path[0] == '/' || path[0] == '\\' || has_drive) return "absolute path";
+  if (std::count(words.begin(), words.end(), "..") > 0) return "path with ..";
+  if (path.size() > longest) return "name of more than 200 bytes";
+  if (plain_line(path) != path) return "control characters or invalid UTF-8 in its name";
+  return {};
+}
+
+/// The parts of a project that the instructor's copy provides, and what tools leave behind.
+bool is_given_folder(const std::string& word) {
+  static const std::set<std::string> given{".ci",   ".git",    ".starters", "__MACOSX",
+                                           "build", "docs",    "framework", "solutions",
+                                           "tests", ".vscode", ".idea",     "CMakeFiles"};
+  return given.contains(word);
+}
+
+/// "lab3_hill_climbing", "lab3" and "Lab3" name lab 3.
+bool names_lab(std::string word, const CatalogueLab& lab) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word == lab.name || word == "lab" + std::to_string(lab.number);
+}
+
+/// By folder. The words before it must not be a folder of the project.
+LabPath below_lab_folder(const Words& words, const Catalogue& catalogue) {
+  for (auto word = words.begin(); word + 1 < words.end() && !is_given_folder(*word); ++word) {
+    for (const auto& [number, lab] : catalogue) {
+      if (names_lab(*word, lab)) return {number, joined(word + 1, words.end()), ""};
+    }
+  }
+  return {};
+}
+
+/// By the name of a starter file that only one lab has.
+LabPath named_like_starter(const Words& words, const Catalogue& catalogue) {
+  LabPath found;
+  if (std::any_of(words.begin(), words.end() - 1, is_given_folder)) return found;
+  for (const auto& [number, lab] : catalogue) {
+    if (std::count(lab.starter_files.begin(), lab.starter_files.end(), words.back()) == 0) continue;
+    if (found.lab != 0) return {};
+    found = {number, words.back(), ""};
+  }
+  return found;
+}
+
+bool is_source(const std::string& name) {
+  static const std::set<std::string> extensions{".cpp", ".hpp", ".h", ".inl", ".ipp", ".inc"};
+  return extensions.contains(std::filesystem::path(name).extension());
+}
+
+bool is_hidden(const std::string& file) { return file[0] == '.' || file.find("/.") != file.npos; }
+
+}  // namespace
+
+LabPath lab_path(std::string_view path, const Catalogue& catalogue) {
+  const Words words = split(path);
+  if (const std::string fault = fault_of_name(path, words); !fault.empty()) return {0, "", fault};
+  LabPath place = below_lab_folder(words, catalogue);
+  if (place.lab == 0) place = named_like_starter(words, catalogue);
+  if (place.lab == 0) return {0, "", outside_of_labs};
+  if (is_hidden(place.file)) return {0, "", "hidden file"};
+  if (!is_source(place.file)) return {0, "", "not a C++ source file (.cpp, .hpp, .h, .inl, .inc)"};
+  return place;
+}
+
+}  // namespace cs550::gradebook

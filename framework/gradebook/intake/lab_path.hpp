@@ -1,0 +1,27 @@
+#pragma once
+/// @file lab_path.hpp
+/// Which lab a file of a submission belongs to.
+
+#include <string>
+#include <string_view>
+
+#include "gradebook/course/catalogue.hpp"
+
+namespace cs550::gradebook {
+
+/// Where a file belongs, or why it is not taken.
+struct LabPath {
+  int lab = 0;          ///< 0: to none
+  std::string file;     ///< relative to the lab's folder
+  std::string ignored;  ///< the reason; empty if the file is taken
+};
+
+inline constexpr const char* outside_of_labs = "not in a lab's folder";
+
+/// A file belongs to lab 3 if it is below a folder lab3_hill_climbing or lab3, or if its name is
+/// that of one of the lab's starter files. Unsafe names are refused: absolute ones, `..`, control
+/// characters, invalid UTF-8.
+/// @param path as an archive or a folder has it, separated by / or \.
+LabPath lab_path(std::string_view path, const Catalogue& catalogue);
+
+}  // namespace cs550::gradebook

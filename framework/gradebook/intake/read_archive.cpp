@@ -1,0 +1,104 @@
+#include "gradebook/intake/read_archive.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;
+
+Archive open_archive(const std::filesystem::path& file) {
+  constexpr std::size_t block = 64 * 1024;
+  Archive opened(archive_read_new(), archive_read_free);
+  archive_read_support_filter_gzip(opened.get());
+  archive_read_support_format_tar(opened.get());
+  archive_read_support_format_zip(opened.get());
+  if (archive_read_open_filename(opened.get(), file.c_str(), block) != ARCHIVE_OK) opened.reset();
+  return opened;
+}
+
+std::string path_of(archive_entry* entry) {
+  if (const char* path = archive_entry_pathname_utf8(entry)) return path;
+  const char* path = archive_entry_pathname(entry);
+  return path == nullptr ? "" : path;
+}
+
+/// Why an entry is not even considered; empty for a file.
+std::string fault_of_type(archive_entry* entry) {
+  if (archive_entry_hardlink(entry) != nullptr) return "hard link";
+  if (archive_entry_symlink(entry) != nullptr) return "symbolic link";
+  if (archive_entry_filetype(entry) != AE_IFREG) return "neither a file nor a folder";
+  if (archive_entry_is_encrypted(entry) == 1) return "encrypted";
+  return {};
+}
+
+/// Reads the content of an entry, up to one byte more than `most`: its declared size may be a lie.
+/// @return whether it could be read
+bool read_content(archive* from, std::size_t most, std::string& content) {
+  std::array<char, 16 * 1024> buffer{};
+  for (;;) {
+    const la_ssize_t bytes = archive_read_data(from, buffer.data(), buffer.size());
+    if (bytes <= 0) return bytes == 0;
+    content.append(buffer.data(), static_cast<std::size_t>(bytes));
+    if (content.size() > most) return true;
+  }
+}
+
+std::string damage(archive* damaged) {
+  const char* reason = archive_error_string(damaged);
+  return fmt::format("a damaged archive: {}", plain_line(reason == nullptr ? "unknown" : reason));
+}
+
+}  // namespace
+
+bool is_archive(const std::filesystem::path& file) {
+  const std::string name = file.filename();
+  for (const std::string_view ending : {".zip", ".tar", ".tar.gz", ".tgz"}) {
+    if (name.size() > ending.size() && name.ends_with(ending)) return true;
+  }
+  return false;
+}
+
+std::string read_archive(const std::filesystem::path& file, Collector& collector,
+                         const IntakeLimits& limits) {
+  const Archive opened = open_archive(file);
+  if (!opened) return "not a zip or tar archive";
+  std::size_t unpacked = 0;
+  int entries = 0;
+  archive_entry* entry = nullptr;
+  for (;;) {
+    const int result = archive_read_next_header(opened.get(), &entry);
+    if (result == ARCHIVE_EOF) break;
+    if (result != ARCHIVE_OK && result != ARCHIVE_WARN) return damage(opened.get());
+    if (++entries > limits.entries) {
+      return fmt::format("the archive has more than {} entries", limits.entries);
+    }
+    const std::string path = path_of(entry);
+    const bool is_folder = archive_entry_filetype(entry) == AE_IFDIR;
+    const std::string fault = is_folder ? "" : fault_of_type(entry);
+    if (!fault.empty()) collector.ignore(path, fault);
+    const bool wanted = !is_folder && fault.empty() && collector.wants(path);
+    // Content that is not wanted is read too: only that limits what a bomb costs.
+    std::string content;
+    if (!read_content(opened.get(), limits.unpacked - unpacked, content)) {
+      if (wanted) return damage(opened.get());
+      continue;
+    }
+    unpacked += content.size();
+    if (unpacked > limits.unpacked) {
+      return fmt::format("the archive unpacks to more than {} MB", limits.unpacked >> 20U);
+    }
+    if (wanted) collector.take(path, std::move(content));
+  }
+  return entries == 0 ? "an empty archive" : "";
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,41 @@
+#pragma once
+/// @file submission.hpp
+/// What a student handed in, reduced to the files that belong to a lab.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cs550::gradebook {
+
+struct SourceFile {
+  std::string path;  ///< relative to the lab's folder
+  std::string text;
+};
+
+/// A file, or a whole folder, that was not taken.
+struct IgnoredFile {
+  std::string path;
+  std::string reason;
+  int files = 1;
+};
+
+struct Submission {
+  std::string name;     ///< of its record; letters, digits and ._- only
+  std::string source;   ///< the file or folder that was handed in
+  std::string student;  ///< from the name of that file or folder
+  /// What the manifest of ./cs550 submit claims; empty without one.
+  std::string claimed_student, claimed_date, starter;
+  long file_time = 0;  ///< seconds since 1970: when the source was last modified
+  std::map<int, std::vector<SourceFile>> labs;  ///< by number, files sorted by path
+  std::vector<IgnoredFile> ignored;
+  std::string trouble;  ///< why it could not be read; empty if it could
+
+  /// SHA-256 of all that was taken.
+  std::string hash() const;
+  /// SHA-256 of the files of one lab.
+  std::string lab_hash(int lab) const;
+};
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,191 @@
+#include "gradebook/marks/mark.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "gradebook/marks/time_text.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+/// When a student submitted, by the clock of the late policy.
+std::optional<Time> submission_time(const Student& student, const Record& record, Clock clock) {
+  switch (clock) {
+    case Clock::File:
+      return Time(std::chrono::seconds(record.file_time));
+    case Clock::Manifest:
+      return parse_time(record.claimed_date);
+    case Clock::Roster:
+      return student.submitted;
+  }
+  return std::nullopt;
+}
+
+std::optional<Time> due_date(const Student& student, int lab, const Course& course,
+                             std::vector<std::string>& notes) {
+  for (const Extension& extension : course.extensions) {
+    if (extension.student != student.id || extension.lab != lab) continue;
+    notes.push_back("extension until " + to_text(extension.due));
+    return extension.due;
+  }
+  return course.lab(lab).due;
+}
+
+void apply_regrades(LabMark& mark, const Student& student, const LabRecord& lab,
+                    const Course& course) {
+  for (const RegradeRequest& request : course.regrades) {
+    if (request.student != student.id || request.lab != mark.lab) continue;
+    const auto test = std::find_if(lab.tests.begin(), lab.tests.end(),
+                                   [&](const TestResult& t) { return t.name == request.test; });
+    if (test == lab.tests.end()) continue;
+    switch (request.status) {
+      case RegradeRequest::Status::Open:
+        mark.notes.push_back("regrade of " + request.test + " requested");
+        break;
+      case RegradeRequest::Status::Granted:
+        mark.earned += test->points - test->earned;
+        mark.notes.push_back("regrade of " + request.test + " granted");
+        break;
+      case RegradeRequest::Status::Declined:
+        mark.notes.push_back("regrade of " + request.test + " declined");
+        break;
+    }
+  }
+}
+
+void apply_late_policy(LabMark& mark, const Student& student, const Course& course) {
+  const LabSettings settings = course.lab(mark.lab);
+  const std::optional<Time> due = due_date(student, mark.lab, course, mark.notes);
+  if (!course.late) return;
+  const std::optional<Time> time = submission_time(student, *mark.record, course.late->clock);
+  if (!time) {
+    if (due) mark.notes.emplace_back("time of submission unknown: not counted as late");
+    return;
+  }
+  if (settings.solution_released && *time > *settings.solution_released) {
+    mark.deduction = mark.mark;
+    mark.mark = 0;
+    mark.notes.emplace_back("submitted after the solution was released");
+    return;
+  }
+  if (!due) return;
+  const std::chrono::duration<double> late = *time - *due;
+  if (late.count() <= 60 * course.late->grace_minutes) return;
+  constexpr double seconds_per_day = 86400;
+  mark.late_days = std::ceil(late.count() / seconds_per_day);
+  const double percent =
+      std::min(mark.late_days * course.late->percent_per_day, course.late->most_percent);
+  mark.deduction = mark.mark * percent / 100;
+  mark.mark -= mark.deduction;
+  mark.notes.push_back(fmt::format("{} day{} late: {}% deducted", mark.late_days,
+                                   mark.late_days == 1 ? "" : "s", points_text(percent)));
+}
+
+void apply_adjustments(LabMark& mark, const Student& student, const Course& course) {
+  for (const Adjustment& adjustment : course.adjustments) {
+    if (adjustment.student != student.id || adjustment.lab != mark.lab) continue;
+    mark.adjustment += adjustment.points;
+    mark.notes.push_back(fmt::format("{}{} points: {}", adjustment.points < 0 ? "" : "+",
+                                     points_text(adjustment.points), adjustment.reason));
+  }
+  mark.mark = std::max(0.0, mark.mark + mark.adjustment);
+}
+
+/// The mark that one of the student's records earns.
+LabMark mark_record(const Student& student, const Record& record, const LabRecord& lab,
+                    const Course& course) {
+  LabMark mark;
+  mark.lab = lab.lab;
+  mark.record = &record;
+  mark.earned = lab.earned();
+  mark.of = lab.points();
+  mark.points = course.lab(lab.lab).points;
+  mark.is_graded = lab.not_graded.empty();
+  if (!mark.is_graded) mark.notes.push_back("NOT GRADED: " + lab.not_graded);
+  apply_regrades(mark, student, lab, course);
+  mark.mark = mark.of == 0 ? 0 : mark.earned * mark.points / mark.of;
+  apply_late_policy(mark, student, course);
+  return mark;
+}
+
+LabMark best_mark(const Student& student, int lab, const Course& course) {
+  std::optional<LabMark> chosen;
+  const auto time = [&](const LabMark& mark) {
+    const Clock clock = course.late ? course.late->clock : Clock::File;
+    return submission_time(student, *mark.record, clock).value_or(Time{});
+  };
+  for (const Record* record : student.records) {
+    const LabRecord* of_lab = record->lab(lab);
+    if (of_lab == nullptr || !of_lab->submitted) continue;
+    LabMark mark = mark_record(student, *record, *of_lab, course);
+    const bool is_better =
+        !chosen ||
+        (course.attempt == Attempt::Best ? mark.mark > chosen->mark : time(mark) > time(*chosen));
+    if (is_better) chosen = std::move(mark);
+  }
+  if (!chosen) {
+    chosen.emplace();
+    chosen->lab = lab;
+    chosen->points = course.lab(lab).points;
+    chosen->notes.emplace_back("not submitted");
+  }
+  return *chosen;
+}
+
+}  // namespace
+
+bool StudentMark::is_graded() const {
+  return std::all_of(labs.begin(), labs.end(), [](const LabMark& mark) { return mark.is_graded; });
+}
+
+const LabMark* StudentMark::lab(int number) const {
+  for (const LabMark& mark : labs) {
+    if (mark.lab == number) return &mark;
+  }
+  return nullptr;
+}
+
+std::vector<int> labs_of(const std::vector<Record>& records) {
+  std::set<int> labs;
+  for (const Record& record : records) {
+    for (const LabRecord& lab : record.labs) labs.insert(lab.lab);
+  }
+  return {labs.begin(), labs.end()};
+}
+
+StudentMark mark_student(const Student& student, const std::vector<int>& labs,
+                         const Course& course) {
+  StudentMark result{student, {}, 0};
+  double sum = 0;
+  double weights = 0;
+  for (const int lab : labs) {
+    LabMark mark = best_mark(student, lab, course);
+    apply_adjustments(mark, student, course);
+    const double weight = course.lab(lab).weight;
+    sum += weight * mark.mark / mark.points;
+    weights += weight;
+    result.labs.push_back(std::move(mark));
+  }
+  result.percent = weights > 0 ? 100 * sum / weights : 0;
+  return result;
+}
+
+std::vector<StudentMark> mark_class(const std::vector<Student>& students,
+                                    const std::vector<int>& labs, const Course& course) {
+  std::vector<StudentMark> marks;
+  for (const Student& student : students) marks.push_back(mark_student(student, labs, course));
+  return marks;
+}
+
+std::string points_text(double points) {
+  // Adding zero turns -0 into 0.
+  std::string text = fmt::format("{:.2f}", std::round(points * 100) / 100 + 0.0);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,50 @@
+#pragma once
+/// @file mark.hpp
+/// From points to marks: scale, late policy, adjustments, regrades, weights.
+
+#include <string>
+#include <vector>
+
+#include "gradebook/marks/roster.hpp"
+
+namespace cs550::gradebook {
+
+struct LabMark {
+  int lab = 0;
+  const Record* record = nullptr;  ///< the one that counts; null if nothing was submitted
+  int earned = 0;                  ///< of the project's points, with granted regrades
+  int of = 0;                      ///< the project's points
+  double points = 0;               ///< what the lab is worth in the course
+  double late_days = 0;            ///< days begun after the due date
+  double deduction = 0;            ///< points lost for being late
+  double adjustment = 0;           ///< points given or taken by hand
+  double mark = 0;                 ///< of `points`
+  bool is_graded = true;           ///< false if the grader failed
+  std::vector<std::string> notes;  ///< everything that changed the mark, in words
+
+  const LabRecord* lab_record() const { return record == nullptr ? nullptr : record->lab(lab); }
+};
+
+struct StudentMark {
+  Student student;
+  std::vector<LabMark> labs;
+  double percent = 0;  ///< weighted
+
+  bool is_missing() const { return student.records.empty(); }
+  bool is_graded() const;
+  const LabMark* lab(int number) const;
+};
+
+/// The labs of all records, ascending.
+std::vector<int> labs_of(const std::vector<Record>& records);
+
+StudentMark mark_student(const Student& student, const std::vector<int>& labs,
+                         const Course& course);
+
+std::vector<StudentMark> mark_class(const std::vector<Student>& students,
+                                    const std::vector<int>& labs, const Course& course);
+
+/// A mark as people write it: "47.5", "60".
+std::string points_text(double points);
+
+}  // namespace cs550::gradebook

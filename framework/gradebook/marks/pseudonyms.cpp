@@ -1,0 +1,52 @@
+#include "gradebook/marks/pseudonyms.hpp"
+
+#include "gradebook/text/sha256.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+std::string pseudonym(const std::string& id, const std::string& secret) {
+  constexpr std::size_t digits = 10;
+  return "student-" + sha256_of({secret, "pseudonym", id}).substr(0, digits);
+}
+
+Record without_names(Record record, const std::string& student, std::size_t number) {
+  record.name = number == 0 ? student : student + '-' + std::to_string(number + 1);
+  record.source = record.name;
+  record.student = student;
+  record.claimed_student.clear();
+  record.ignored.clear();
+  for (LabRecord& lab : record.labs) {
+    lab.files.clear();
+    lab.compile_errors.clear();
+    for (TestResult& test : lab.tests) test.message.clear();
+  }
+  return record;
+}
+
+}  // namespace
+
+PseudonymousClass with_pseudonyms(const std::vector<Record>& records,
+                                  const std::vector<Student>& roster, const Course& course) {
+  PseudonymousClass result;
+  result.course = course;
+  for (const Student& student : assign(roster, records)) {
+    const std::string name = pseudonym(student.id, course.secret);
+    result.key[name] = student.id;
+    for (std::size_t i = 0; i < student.records.size(); ++i) {
+      result.records.push_back(without_names(*student.records[i], name, i));
+    }
+    if (!roster.empty() && student.on_roster) {
+      result.roster.push_back({name, "", "", student.section, student.submitted, true, {}});
+    }
+  }
+  const auto rename = [&course](auto& entries) {
+    for (auto& entry : entries) entry.student = pseudonym(entry.student, course.secret);
+  };
+  rename(result.course.adjustments);
+  rename(result.course.extensions);
+  rename(result.course.regrades);
+  return result;
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,28 @@
+#pragma once
+/// @file pseudonyms.hpp
+/// Records and marks without names.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gradebook/course/course.hpp"
+#include "gradebook/marks/roster.hpp"
+
+namespace cs550::gradebook {
+
+/// A class in which nobody can be recognised without the key.
+struct PseudonymousClass {
+  std::vector<Record> records;
+  std::vector<Student> roster;
+  Course course;                           ///< its entries name pseudonyms
+  std::map<std::string, std::string> key;  ///< id by pseudonym
+};
+
+/// A pseudonym derives from the student's id and the secret of the course, so it is the same in
+/// every report. Names, addresses, times, the names of ignored files, compiler messages and what a
+/// test printed are left out.
+PseudonymousClass with_pseudonyms(const std::vector<Record>& records,
+                                  const std::vector<Student>& roster, const Course& course);
+
+}  // namespace cs550::gradebook

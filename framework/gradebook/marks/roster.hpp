@@ -1,0 +1,32 @@
+#pragma once
+/// @file roster.hpp
+/// The students of a course, and which record is whose.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gradebook/course/course.hpp"
+#include "gradebook/records/record.hpp"
+
+namespace cs550::gradebook {
+
+struct Student {
+  std::string id, name, email, section;
+  std::optional<Time> submitted;
+  bool on_roster = true;
+  std::vector<const Record*> records;
+};
+
+/// @param text CSV with a header line: `id`, and optionally name, email, section, submitted
+/// @param file its name in messages
+/// Throws std::runtime_error for a roster without ids, or with one twice.
+std::vector<Student> parse_roster(const std::string& text, const std::string& file);
+
+/// Gives every record to its student. A record belongs to the student whose id, email or name is
+/// that of its file or folder, or whose id is a word of that name. Only if no student matches does
+/// the name count that the submission itself claims. Records of nobody get a student of their own.
+/// @param roster may be empty: then every name is a student
+std::vector<Student> assign(std::vector<Student> roster, const std::vector<Record>& records);
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,18 @@
+#pragma once
+/// @file time_text.hpp
+/// Times as text in ISO 8601.
+
+#include <optional>
+#include <string>
+
+#include "gradebook/course/course.hpp"
+
+namespace cs550::gradebook {
+
+/// "2026-10-12T21:59:00Z", or with an offset "+02:00"; nothing for any other text.
+std::optional<Time> parse_time(const std::string& text);
+
+/// "2026-10-12T21:59:00Z"
+std::string to_text(Time time);
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,51 @@
+#include "gradebook/records/merge.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace cs550::gradebook {
+namespace {
+
+bool same_submission(const Record& a, const Record& b) {
+  return a.hash == b.hash && a.project == b.project && a.student == b.student;
+}
+
+void add_labs(Record& record, const Record& other) {
+  for (const LabRecord& lab : other.labs) {
+    const auto known = std::find_if(record.labs.begin(), record.labs.end(),
+                                    [&lab](const LabRecord& l) { return l.lab == lab.lab; });
+    if (known == record.labs.end()) {
+      record.labs.push_back(lab);
+    } else if (!known->not_graded.empty()) {
+      *known = lab;
+    }
+  }
+  std::sort(record.labs.begin(), record.labs.end(),
+            [](const LabRecord& a, const LabRecord& b) { return a.lab < b.lab; });
+}
+
+}  // namespace
+
+std::vector<Record> merged(const std::vector<std::vector<Record>>& folders) {
+  std::map<std::string, Record> by_name;
+  for (const std::vector<Record>& folder : folders) {
+    for (Record record : folder) {
+      const std::string base = record.name;
+      auto known = by_name.find(record.name);
+      for (int n = 2; known != by_name.end() && !same_submission(known->second, record); ++n) {
+        record.name = base + '-' + std::to_string(n);
+        known = by_name.find(record.name);
+      }
+      if (known == by_name.end()) {
+        by_name[record.name] = record;
+      } else {
+        add_labs(known->second, record);
+      }
+    }
+  }
+  std::vector<Record> records;
+  for (auto& [name, record] : by_name) records.push_back(std::move(record));
+  return records;
+}
+
+}  // namespace cs550::gradebook

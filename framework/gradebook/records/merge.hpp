@@ -1,0 +1,16 @@
+#pragma once
+/// @file merge.hpp
+/// One set of records from several folders, for example from several machines.
+
+#include <vector>
+
+#include "gradebook/records/record.hpp"
+
+namespace cs550::gradebook {
+
+/// Records of one submission (same name, same content, same project) become one with the labs of
+/// both; of two results for a lab the first that was graded counts. Other records of the same name
+/// are kept under a new one.
+std::vector<Record> merged(const std::vector<std::vector<Record>>& folders);
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,35 @@
+#include "gradebook/records/record.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace cs550::gradebook {
+
+int LabRecord::points() const {
+  return std::accumulate(tests.begin(), tests.end(), 0,
+                         [](int sum, const TestResult& test) { return sum + test.points; });
+}
+
+int LabRecord::earned() const {
+  return std::accumulate(tests.begin(), tests.end(), 0,
+                         [](int sum, const TestResult& test) { return sum + test.earned; });
+}
+
+double LabRecord::seconds() const {
+  return std::accumulate(tests.begin(), tests.end(), compile_seconds,
+                         [](double sum, const TestResult& test) { return sum + test.seconds; });
+}
+
+bool Record::is_graded() const {
+  return std::all_of(labs.begin(), labs.end(),
+                     [](const LabRecord& lab) { return lab.not_graded.empty(); });
+}
+
+const LabRecord* Record::lab(int number) const {
+  for (const LabRecord& lab : labs) {
+    if (lab.lab == number) return &lab;
+  }
+  return nullptr;
+}
+
+}  // namespace cs550::gradebook

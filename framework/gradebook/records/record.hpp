@@ -1,0 +1,58 @@
+#pragma once
+/// @file record.hpp
+/// The record of a submission, from which every report is made.
+
+#include <string>
+#include <vector>
+
+#include "gradebook/intake/submission.hpp"
+
+namespace cs550::gradebook {
+
+struct TestResult {
+  std::string name;  ///< "Lab3.FirstOfEqualVerticesWins"
+  std::string step;  ///< "L3.1"
+  int points = 0;
+  int earned = 0;
+  /// passed, failed, blocked, crashed, timeout, not_compiled or not_submitted
+  std::string status;
+  bool hidden = false;
+  double seconds = 0;
+  std::string message;
+};
+
+struct LabRecord {
+  int lab = 0;
+  bool submitted = false;
+  std::string hash;                   ///< of its files
+  std::vector<std::string> files;     ///< that were graded
+  std::vector<std::string> supplied;  ///< starter files that were missing and were added
+  std::string isolation, compiler, seed;
+  bool compiled = false;
+  double compile_seconds = 0;
+  std::string compile_errors;
+  std::vector<TestResult> tests;
+  /// Why the grader itself failed. The lab has no mark then; empty if it was graded.
+  std::string not_graded;
+
+  int points() const;
+  int earned() const;
+  double seconds() const;  ///< of compilation and tests
+};
+
+struct Record {
+  std::string name, source, student;
+  std::string claimed_student, claimed_date, starter;
+  long file_time = 0;  ///< seconds since 1970
+  std::string hash;
+  std::string project;  ///< commit of the instructor's copy
+  std::vector<LabRecord> labs;
+  std::vector<IgnoredFile> ignored;
+  std::string trouble;  ///< why the submission could not be read
+
+  bool is_graded() const;  ///< whether every lab has a mark
+  /// Null if the record does not include that lab.
+  const LabRecord* lab(int number) const;
+};
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,79 @@
+#include "gradebook/records/record_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <stdexcept>
+
+#include "cli/system/files.hpp"
+#include "files/output_file.hpp"
+#include "gradebook/records/record_json.hpp"
+
+namespace cs550::gradebook {
+
+namespace fs = std::filesystem;
+
+FolderLock::FolderLock(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const fs::path file = folder / ".lock";
+  file_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (file_ < 0) throw std::runtime_error("cannot write to " + folder.string());
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    close(file_);
+    throw std::runtime_error("another grader is at work in " + folder.string() +
+                             ". Wait until it has finished, or choose another --out");
+  }
+}
+
+FolderLock::~FolderLock() { close(file_); }
+
+std::vector<Record> RecordFolder::records() const {
+  std::vector<Record> records;
+  for (const fs::path& file : cli::files_below(folder_ / "records")) {
+    if (file.extension() != ".json") continue;
+    records.push_back(record_from_json(cli::read_text(file), file.string()));
+  }
+  return records;
+}
+
+bool RecordFolder::has_records() const { return !cli::files_below(folder_ / "records").empty(); }
+
+std::optional<Record> RecordFolder::record(const std::string& name) const {
+  const fs::path file = file_of(name);
+  if (!fs::exists(file)) return std::nullopt;
+  return record_from_json(cli::read_text(file), file.string());
+}
+
+void RecordFolder::store(const Record& record) const {
+  files::write_file(file_of(record.name), to_json(record));
+}
+
+std::vector<fs::path> RecordFolder::older_than(int days) const {
+  const auto limit = fs::file_time_type::clock::now() - std::chrono::hours(24) * days;
+  std::vector<fs::path> files = cli::files_below(folder_ / "records");
+  std::erase_if(files, [&](const fs::path& file) { return fs::last_write_time(file) >= limit; });
+  return files;
+}
+
+std::optional<LabRecord> RecordFolder::result(const std::string& key) const {
+  const fs::path file = result_file(key);
+  if (!fs::exists(file)) return std::nullopt;
+  return lab_from_json(cli::read_text(file), file.string());
+}
+
+void RecordFolder::store_result(const std::string& key, const LabRecord& lab) const {
+  files::write_file(result_file(key), to_json(lab));
+}
+
+fs::path RecordFolder::file_of(const std::string& name) const {
+  return folder_ / "records" / (name + ".json");
+}
+
+fs::path RecordFolder::result_file(const std::string& key) const {
+  return folder_ / "results" / (key + ".json");
+}
+
+}  // namespace cs550::gradebook

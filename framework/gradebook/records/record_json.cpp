@@ -1,0 +1,157 @@
+#include "gradebook/records/record_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int format = 1;
+
+Json json_of(const TestResult& test) {
+  return {{"name", test.name},       {"step", test.step},      {"points", test.points},
+          {"earned", test.earned},   {"status", test.status},  {"hidden", test.hidden},
+          {"seconds", test.seconds}, {"message", test.message}};
+}
+
+TestResult test_of(const Json& json) {
+  constexpr std::size_t longest_message = 16 * 1024;
+  return {json.at("name"),    json.at("step"),
+          json.at("points"),  json.at("earned"),
+          json.at("status"),  json.at("hidden"),
+          json.at("seconds"), shortened(json.at("message").get<std::string>(), longest_message)};
+}
+
+std::vector<TestResult> tests_of(const Json& json) {
+  std::vector<TestResult> tests;
+  for (const Json& test : json.at("tests")) tests.push_back(test_of(test));
+  return tests;
+}
+
+Json json_of(const LabRecord& lab) {
+  Json tests = Json::array();
+  for (const TestResult& test : lab.tests) tests.push_back(json_of(test));
+  return {
+      {"lab", lab.lab},
+      {"points", lab.points()},
+      {"earned", lab.earned()},
+      {"submitted", lab.submitted},
+      {"hash", lab.hash},
+      {"files", lab.files},
+      {"supplied", lab.supplied},
+      {"isolation", lab.isolation},
+      {"compiler", lab.compiler},
+      {"seed", lab.seed},
+      {"compile",
+       {{"ok", lab.compiled}, {"seconds", lab.compile_seconds}, {"errors", lab.compile_errors}}},
+      {"not_graded", lab.not_graded},
+      {"tests", tests}};
+}
+
+LabRecord lab_of(const Json& json) {
+  LabRecord lab;
+  lab.lab = json.at("lab");
+  lab.submitted = json.at("submitted");
+  lab.hash = json.at("hash");
+  lab.files = json.at("files");
+  lab.supplied = json.at("supplied");
+  lab.isolation = json.at("isolation");
+  lab.compiler = json.at("compiler");
+  lab.seed = json.at("seed");
+  lab.compiled = json.at("compile").at("ok");
+  lab.compile_seconds = json.at("compile").at("seconds");
+  lab.compile_errors = json.at("compile").at("errors");
+  lab.not_graded = json.at("not_graded");
+  lab.tests = tests_of(json);
+  return lab;
+}
+
+std::string written(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// Calls `read` with the parsed text; what is wrong with it is reported with the file's name.
+template <typename Read>
+auto parsed(const std::string& text, const std::string& file, const Read& read) {
+  try {
+    return read(Json::parse(text));
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(file + " is damaged: " + error.what());
+  }
+}
+
+}  // namespace
+
+std::string to_json(const LabRecord& lab) { return written(json_of(lab)); }
+
+std::string to_json(const Record& record) {
+  Json labs = Json::array();
+  for (const LabRecord& lab : record.labs) labs.push_back(json_of(lab));
+  Json ignored = Json::array();
+  for (const IgnoredFile& file : record.ignored) {
+    ignored.push_back({{"path", file.path}, {"reason", file.reason}, {"files", file.files}});
+  }
+  return written({{"format", format},
+                  {"name", record.name},
+                  {"source", record.source},
+                  {"student", record.student},
+                  {"claimed", {{"student", record.claimed_student}, {"date", record.claimed_date}}},
+                  {"starter", record.starter},
+                  {"file_time", record.file_time},
+                  {"hash", record.hash},
+                  {"project", record.project},
+                  {"trouble", record.trouble},
+                  {"ignored", ignored},
+                  {"labs", labs}});
+}
+
+LabRecord lab_from_json(const std::string& text, const std::string& file) {
+  return parsed(text, file, lab_of);
+}
+
+Record record_from_json(const std::string& text, const std::string& file) {
+  return parsed(text, file, [&file](const Json& json) {
+    if (json.at("format") != format) {
+      throw std::runtime_error(file + " has another format than this version writes");
+    }
+    Record record;
+    record.name = json.at("name");
+    record.source = json.at("source");
+    record.student = json.at("student");
+    record.claimed_student = json.at("claimed").at("student");
+    record.claimed_date = json.at("claimed").at("date");
+    record.starter = json.at("starter");
+    record.file_time = json.at("file_time");
+    record.hash = json.at("hash");
+    record.project = json.at("project");
+    record.trouble = json.at("trouble");
+    for (const Json& entry : json.at("ignored")) {
+      record.ignored.push_back({entry.at("path"), entry.at("reason"), entry.at("files")});
+    }
+    for (const Json& lab : json.at("labs")) record.labs.push_back(lab_of(lab));
+    return record;
+  });
+}
+
+LabRecord lab_from_judge(const std::string& text, const std::string& file) {
+  constexpr std::size_t longest_errors = 4096;
+  return parsed(text, file, [](const Json& json) {
+    LabRecord lab;
+    lab.lab = json.at("lab");
+    lab.isolation = json.at("isolation");
+    lab.compiler = json.at("compiler");
+    lab.seed = json.at("seed");
+    lab.compiled = json.at("compile").at("ok");
+    lab.compile_seconds = json.at("compile").at("seconds");
+    lab.compile_errors =
+        shortened(json.at("compile").at("errors").get<std::string>(), longest_errors);
+    lab.tests = tests_of(json);
+    return lab;
+  });
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,169 @@
+#include "gradebook/reports/class_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gradebook/reports/page.hpp"
+#include "gradebook/reports/statistics.hpp"
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+const std::string& name_of(const Student& student) {
+  return student.name.empty() ? student.id : student.name;
+}
+
+/// The student's name, linked to the feedback on the first submission.
+std::string link(const StudentMark& mark) {
+  const std::string name = html(name_of(mark.student));
+  if (mark.is_missing()) return name;
+  return fmt::format("<a href=\"feedback/{}.html\">{}</a>",
+                     html(mark.student.records.front()->name), name);
+}
+
+std::string links(const std::vector<const StudentMark*>& students) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, students.size()); ++i) {
+    text += (text.empty() ? "" : ", ") + link(*students[i]);
+  }
+  if (students.size() > most) text += fmt::format(" and {} more", students.size() - most);
+  return text;
+}
+
+std::string lab_cards(const std::vector<LabStatistics>& labs) {
+  std::string cards;
+  for (const LabStatistics& lab : labs) {
+    cards += fmt::format(
+        "<div class=\"card\"><h3>Lab {}</h3>\n<p>mean {:.0f}%, median {:.0f}%</p>\n"
+        "<p class=\"faint\">{} submissions, {} missing, {} do not compile</p>\n{}</div>\n",
+        lab.lab, lab.mean, lab.median, lab.submissions, lab.missing, lab.not_compiled,
+        bar_chart(lab.histogram, {"0", "10", "20", "30", "40", "50", "60", "70", "80", "90+"},
+                  fmt::format("Lab {}: number of students per 10% of the points", lab.lab)));
+  }
+  return "<div class=\"cards\">\n" + cards + "</div>\n";
+}
+
+std::string test_rows(std::vector<TestStatistics> tests) {
+  const auto rate = [](const TestStatistics& test) {
+    return test.submissions == 0 ? 1.0 : static_cast<double>(test.passed) / test.submissions;
+  };
+  std::stable_sort(tests.begin(), tests.end(),
+                   [&rate](const auto& a, const auto& b) { return rate(a) < rate(b); });
+  std::string rows;
+  for (const TestStatistics& test : tests) {
+    rows += fmt::format(
+        "<tr><td>{}</td><td>{}{}</td><td class=\"number\">{} of {}</td><td class=\"number\">"
+        "{:.0f}%</td><td class=\"number {}\">{}</td></tr>\n",
+        html(test.step), html(test.name), test.hidden ? " <small>hidden</small>" : "", test.passed,
+        test.submissions, 100 * rate(test),
+        test.discriminates && test.discrimination < 0 ? "bad" : "",
+        test.discriminates ? fmt::format("{:.2f}", test.discrimination) : "–");
+  }
+  return rows;
+}
+
+std::string test_tables(const std::vector<TestStatistics>& tests) {
+  constexpr std::size_t hardest = 10;
+  const std::vector<std::string> headings{"Step", "Test", "Passed", "", "Discrimination"};
+  const std::string rows = test_rows(tests);
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < hardest && end != std::string::npos; ++i) {
+    end = rows.find("</tr>\n", end);
+    if (end != std::string::npos) end += 6;
+  }
+  return "<p class=\"faint\">Discrimination is the correlation of passing the test with the points "
+         "of the lab's other tests. Near 0 or below, the test does not tell good work from "
+         "bad.</p>\n" +
+         table(headings, rows.substr(0, end)) +
+         (end < rows.size() ? details("All tests", table(headings, rows)) : "");
+}
+
+std::string failure_table(const std::vector<AlikeFailures>& failures) {
+  constexpr std::size_t most = 30;
+  std::string rows;
+  for (std::size_t i = 0; i < std::min(most, failures.size()); ++i) {
+    rows += fmt::format(
+        "<tr><td class=\"number\">{}</td><td>{}<br><small>{}</small></td><td>{}</td></tr>\n",
+        failures[i].students.size(), html(failures[i].test), html(failures[i].message),
+        links(failures[i].students));
+  }
+  return table({"Students", "Test and message", "Who"}, rows);
+}
+
+std::string status(const StudentMark& mark) {
+  if (mark.is_missing()) return "<span class=\"bad\">nothing submitted</span>";
+  if (!mark.is_graded()) return "<span class=\"bad\">NOT GRADED</span>";
+  if (!mark.student.on_roster) return "<span class=\"bad\">not on the roster</span>";
+  if (!mark.student.records.front()->trouble.empty()) {
+    return "<span class=\"bad\">" + html(mark.student.records.front()->trouble) + "</span>";
+  }
+  return {};
+}
+
+/// A mark, linked to the feedback on the submission that counts.
+std::string mark_cell(const LabMark& lab) {
+  std::string mark =
+      lab.is_graded && (lab.record != nullptr || lab.mark > 0) ? points_text(lab.mark) : "–";
+  if (lab.record != nullptr) {
+    mark = fmt::format("<a href=\"feedback/{}.html\">{}</a>", html(lab.record->name), mark);
+  }
+  return fmt::format("<td class=\"number\">{}{}</td>", mark,
+                     lab.late_days > 0 ? " <small>late</small>" : "");
+}
+
+std::string student_table(const std::vector<StudentMark>& marks, const std::vector<int>& labs) {
+  std::vector<std::string> headings{"Student", "Total"};
+  for (const int lab : labs) headings.push_back(fmt::format("Lab {}", lab));
+  headings.emplace_back("");
+  std::string rows;
+  for (const StudentMark& mark : marks) {
+    rows +=
+        fmt::format("<tr><td>{}</td><td class=\"number\">{:.1f}%</td>", link(mark), mark.percent);
+    for (const LabMark& lab : mark.labs) rows += mark_cell(lab);
+    rows += "<td>" + status(mark) + "</td></tr>\n";
+  }
+  return table(headings, rows);
+}
+
+std::string oddities(const ClassStatistics& statistics) {
+  std::string text;
+  if (!statistics.equal.empty()) {
+    std::string rows;
+    for (const EqualFiles& equal : statistics.equal) {
+      rows += fmt::format("<li>Lab {}: {}</li>\n", equal.lab, links(equal.students));
+    }
+    text += "<h2>Equal files</h2>\n<ul>\n" + rows + "</ul>\n";
+  }
+  if (!statistics.outliers.empty()) {
+    std::string rows;
+    for (const Outlier& outlier : statistics.outliers) {
+      rows += fmt::format("<li>{}: {}</li>\n", link(*outlier.student), html(outlier.why));
+    }
+    text += "<h2>Outliers</h2>\n<ul>\n" + rows + "</ul>\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string class_page(const std::vector<StudentMark>& marks, const std::vector<int>& labs,
+                       const Course& course) {
+  const ClassStatistics statistics = statistics_of(marks, labs);
+  const auto missing = std::count_if(marks.begin(), marks.end(),
+                                     [](const StudentMark& mark) { return mark.is_missing(); });
+  std::string body = fmt::format("<h1>{}</h1>\n<p>{} students, {} without a submission.</p>\n",
+                                 html(course.title), marks.size(), missing);
+  body += "<h2>Distribution</h2>\n" + lab_cards(statistics.labs);
+  body += "<h2>Hardest tests</h2>\n" + test_tables(statistics.tests);
+  if (!statistics.failures.empty()) {
+    body += "<h2>Alike failures</h2>\n" + failure_table(statistics.failures);
+  }
+  body += oddities(statistics);
+  body += "<h2>Students</h2>\n" + student_table(marks, labs);
+  return page(course.title, body);
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include "gradebook/reports/feedback.hpp"
+#include "gradebook/reports/page.hpp"
+#include "gradebook/reports/shown.hpp"
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+std::string test_row(const TestResult& test) {
+  const bool passed = test.status == "passed";
+  std::string text = fmt::format(
+      "<tr><td>{}</td><td>{}{}</td><td class=\"number\">{} / {}</td><td "
+      "class=\"{}\">{}</td></tr>\n",
+      html(test.step), html(test.name), test.hidden ? " <small>hidden</small>" : "", test.earned,
+      test.points, passed ? "good" : "bad", html(status_text(test)));
+  if (!passed && !shown_message(test).empty()) {
+    text +=
+        fmt::format("<tr><td></td><td colspan=\"3\"><pre>{}</pre></td></tr>\n", html(test.message));
+  }
+  return text;
+}
+
+std::string test_table(const LabRecord& lab, const Course& course) {
+  std::string rows;
+  int hidden_points = 0;
+  int hidden_earned = 0;
+  for (const TestResult& test : lab.tests) {
+    if (!test.hidden || lists_hidden_tests(course)) {
+      rows += test_row(test);
+    } else {
+      hidden_points += test.points;
+      hidden_earned += test.earned;
+    }
+  }
+  if (hidden_points > 0) {
+    rows += fmt::format(
+        "<tr><td></td><td>hidden tests</td><td class=\"number\">{} / {}</td>"
+        "<td></td></tr>\n",
+        hidden_earned, hidden_points);
+  }
+  return table({"Step", "Test", "Points", "Result"}, rows);
+}
+
+std::string lab_section(const LabMark& mark, const Course& course) {
+  std::string text = fmt::format("<h2>Lab {}: {} of {} points</h2>\n", mark.lab,
+                                 points_text(mark.mark), points_text(mark.points));
+  std::string notes;
+  for (const std::string& note : mark.notes) notes += "<li>" + html(note) + "</li>\n";
+  const LabRecord* lab = mark.lab_record();
+  if (lab != nullptr) {
+    for (const std::string& file : lab->supplied) {
+      notes += "<li>" + html(file) + " was not submitted; the starter was used</li>\n";
+    }
+  }
+  if (!notes.empty()) text += "<ul>\n" + notes + "</ul>\n";
+  if (lab == nullptr) return text;
+  if (!lab->compile_errors.empty()) {
+    text += "<p class=\"bad\">The code does not compile:</p>\n<pre>" + html(lab->compile_errors) +
+            "</pre>\n";
+  }
+  return text + test_table(*lab, course);
+}
+
+}  // namespace
+
+std::string feedback_html(const StudentMark& mark, const Course& course) {
+  const Record& record = *mark.student.records.front();
+  const std::string name = mark.student.name.empty() ? mark.student.id : mark.student.name;
+  std::string body = fmt::format("<h1>{}</h1>\n<p>{}: {}</p>\n", html(course.title), html(name),
+                                 html(record.source));
+  if (!record.trouble.empty()) {
+    body +=
+        "<p class=\"bad\">The submission could not be graded: " + html(record.trouble) + "</p>\n";
+  }
+  for (const LabMark& lab : mark.labs) {
+    if (lab.record != nullptr || lab.mark > 0) body += lab_section(lab, course);
+  }
+  if (const std::string missing = missing_labs(mark); !missing.empty()) {
+    body += "<p>" + missing + ".</p>\n";
+  }
+  if (!record.ignored.empty()) {
+    std::string files;
+    for (const IgnoredFile& file : record.ignored) {
+      files += "<li><code>" + html(file.path) + "</code>: " + html(file.reason) + "</li>\n";
+    }
+    body += details("Files that were ignored", "<ul>\n" + files + "</ul>\n");
+  }
+  body += fmt::format("<footer>Submission {}, graded with project {}.</footer>\n",
+                      html(record.hash.substr(0, 12)), html(record.project.substr(0, 12)));
+  return page(course.title + ": " + name, body);
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include "gradebook/reports/feedback.hpp"
+#include "gradebook/reports/shown.hpp"
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+std::string test_rows(const LabRecord& lab, const Course& course) {
+  std::string text = "| Step | Test | Points | Result |\n|---|---|---|---|\n";
+  int hidden_points = 0;
+  int hidden_earned = 0;
+  for (const TestResult& test : lab.tests) {
+    if (test.hidden && !lists_hidden_tests(course)) {
+      hidden_points += test.points;
+      hidden_earned += test.earned;
+      continue;
+    }
+    text += fmt::format("| {} | {} | {} of {} | {} |\n", markdown(test.step),
+                        test.hidden ? markdown(test.name) + " (hidden)" : markdown(test.name),
+                        test.earned, test.points, markdown(status_text(test)));
+  }
+  if (hidden_points > 0) {
+    text += fmt::format("| | hidden tests | {} of {} | |\n", hidden_earned, hidden_points);
+  }
+  return text;
+}
+
+std::string failures(const LabRecord& lab) {
+  std::string text;
+  for (const TestResult& test : lab.tests) {
+    if (test.status == "passed" || shown_message(test).empty()) continue;
+    text += fmt::format("\n### {}\n\n{}", markdown(test.name), markdown_block(test.message));
+  }
+  return text;
+}
+
+std::string lab_section(const LabMark& mark, const Course& course) {
+  std::string text = fmt::format("\n## Lab {}: {} of {} points\n\n", mark.lab,
+                                 points_text(mark.mark), points_text(mark.points));
+  for (const std::string& note : mark.notes) text += "- " + markdown(note) + '\n';
+  const LabRecord* lab = mark.lab_record();
+  if (lab == nullptr) return text;
+  for (const std::string& file : lab->supplied) {
+    text += fmt::format("- {} was not submitted; the starter was used\n", markdown(file));
+  }
+  text += mark.notes.empty() && lab->supplied.empty() ? "" : "\n";
+  if (!lab->compile_errors.empty()) {
+    text += "The code does not compile:\n\n" + markdown_block(lab->compile_errors) + '\n';
+  }
+  return text + test_rows(*lab, course) + failures(*lab);
+}
+
+}  // namespace
+
+std::string feedback_markdown(const StudentMark& mark, const Course& course) {
+  const Record& record = *mark.student.records.front();
+  std::string text =
+      fmt::format("# {}\n\n{}: {}\n", markdown(course.title),
+                  markdown(mark.student.name.empty() ? mark.student.id : mark.student.name),
+                  markdown(record.source));
+  if (!record.trouble.empty()) {
+    text += "\n**The submission could not be graded:** " + markdown(record.trouble) + '\n';
+  }
+  for (const LabMark& lab : mark.labs) {
+    if (lab.record != nullptr || lab.mark > 0) text += lab_section(lab, course);
+  }
+  if (const std::string missing = missing_labs(mark); !missing.empty()) {
+    text += '\n' + missing + ".\n";
+  }
+  if (!record.ignored.empty()) text += "\n## Files that were ignored\n\n";
+  for (const IgnoredFile& file : record.ignored) {
+    text += fmt::format("- {}: {}\n", markdown(file.path), markdown(file.reason));
+  }
+  text += fmt::format("\nSubmission {}, graded with project {}.\n", record.hash.substr(0, 12),
+                      markdown(record.project.substr(0, 12)));
+  return text;
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,59 @@
+#include "gradebook/reports/grades_csv.hpp"
+
+#include <fmt/format.h>
+
+#include "gradebook/text/escape.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+/// Why the submission of a student could not be read; empty if one could.
+std::string trouble_of(const Student& student) {
+  std::string trouble;
+  for (const Record* record : student.records) {
+    if (record->trouble.empty()) return {};
+    trouble = record->trouble;
+  }
+  return trouble;
+}
+
+std::string status_of(const StudentMark& mark) {
+  if (mark.is_missing()) return "missing";
+  if (!mark.is_graded()) return "NOT GRADED";
+  if (!trouble_of(mark.student).empty()) return "unreadable";
+  return mark.student.on_roster ? "graded" : "not on the roster";
+}
+
+std::string notes_of(const StudentMark& mark) {
+  std::string notes = trouble_of(mark.student);
+  for (const LabMark& lab : mark.labs) {
+    for (const std::string& note : lab.notes) {
+      if (note == "not submitted") continue;
+      notes += fmt::format("{}lab {}: {}", notes.empty() ? "" : "; ", lab.lab, plain_line(note));
+    }
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<int>& labs) {
+  std::string text = "id,name,email,section,status,percent";
+  for (const int lab : labs) text += fmt::format(",lab{}", lab);
+  text += ",notes\n";
+  for (const StudentMark& mark : marks) {
+    const Student& student = mark.student;
+    text += fmt::format("{},{},{},{},{},{:.2f}", csv(student.id), csv(student.name),
+                        csv(student.email), csv(student.section), status_of(mark), mark.percent);
+    for (const LabMark& lab : mark.labs) {
+      // An empty field differs from a zero that was earned.
+      text +=
+          ',' +
+          (lab.is_graded && (lab.record != nullptr || lab.mark > 0) ? points_text(lab.mark) : "");
+    }
+    text += ',' + csv(notes_of(mark)) + '\n';
+  }
+  return text;
+}
+
+}  // namespace cs550::gradebook

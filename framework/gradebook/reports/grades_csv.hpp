@@ -1,0 +1,16 @@
+#pragma once
+/// @file grades_csv.hpp
+/// The marks of a class as CSV.
+
+#include <string>
+#include <vector>
+
+#include "gradebook/marks/mark.hpp"
+
+namespace cs550::gradebook {
+
+/// One line per student: id, name, email, section, status, percent, a column per lab, notes.
+/// Students without a submission are listed with status `missing`.
+std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<int>& labs);
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,15 @@
+#include "gradebook/reports/shown.hpp"
+
+#include <fmt/format.h>
+
+namespace cs550::gradebook {
+
+std::string missing_labs(const StudentMark& mark) {
+  std::string labs;
+  for (const LabMark& lab : mark.labs) {
+    if (lab.record == nullptr) labs += fmt::format("{}lab {}", labs.empty() ? "" : ", ", lab.lab);
+  }
+  return labs.empty() ? "" : "Not in this submission: " + labs;
+}
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,32 @@
+#pragma once
+/// @file shown.hpp
+/// What a report for a student shows of a test.
+
+#include <string>
+
+#include "gradebook/course/course.hpp"
+#include "gradebook/marks/mark.hpp"
+
+namespace cs550::gradebook {
+
+/// The message of a test; never that of a hidden one.
+inline std::string shown_message(const TestResult& test) {
+  return test.hidden ? std::string() : test.message;
+}
+
+/// Whether feedback lists the hidden tests, by name and points, or only their sum.
+inline bool lists_hidden_tests(const Course& course) {
+  return course.hidden_tests != Visibility::Hidden;
+}
+
+/// "crashed" for crashed, "not compiled" for not_compiled.
+inline std::string status_text(const TestResult& test) {
+  std::string text = test.status;
+  for (char& c : text) c = c == '_' ? ' ' : c;
+  return text;
+}
+
+/// "Not in this submission: lab 1, lab 2"; empty if every lab that was graded is there.
+std::string missing_labs(const StudentMark& mark);
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,168 @@
+#include "gradebook/run/grade_lab.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+
+#include "cli/system/files.hpp"
+#include "cli/system/process.hpp"
+#include "files/output_file.hpp"
+#include "gradebook/records/record_json.hpp"
+#include "gradebook/text/escape.hpp"
+#include "gradebook/text/sha256.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Far beyond the judge's own limits: a judge that hangs must not stop the class.
+constexpr std::chrono::hours longest_run{2};
+
+/// A new folder that is removed at the end.
+class WorkFolder {
+ public:
+  explicit WorkFolder(const fs::path& parent) {
+    fs::create_directories(parent);
+    std::string name = (parent / "XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error("cannot make a folder in " + parent.string());
+    }
+    path_ = name;
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void add_limit(std::vector<std::string>& command, const char* option, std::optional<int> value) {
+  if (value) command.insert(command.end(), {option, std::to_string(*value)});
+}
+
+std::vector<std::string> command_for(int lab, const Course& course, const Judge& judge,
+                                     const fs::path& folder) {
+  std::vector<std::string> command{
+      judge.program, std::to_string(lab), "--submission", folder / "submission",
+      "--work",      folder / "work",     "--results",    folder / "result.json",
+      "--isolation", judge.isolation};
+  if (!course.secret.empty()) command.insert(command.end(), {"--secret", course.secret});
+  const Limits limits = course.limits_of(lab);
+  add_limit(command, "--wall", limits.wall);
+  add_limit(command, "--cpu", limits.cpu);
+  add_limit(command, "--memory", limits.memory);
+  return command;
+}
+
+/// The judge's result must have exactly the tests of the manifest.
+void check_tests(const LabRecord& record, const CatalogueLab& lab) {
+  std::set<std::string> missing;
+  for (const CatalogueTest& test : lab.tests) missing.insert(test.name);
+  for (const TestResult& test : record.tests) {
+    if (missing.erase(test.name) == 0) {
+      throw std::runtime_error("its result has an unknown test " + test.name);
+    }
+    if (test.earned < 0 || test.earned > test.points) {
+      throw std::runtime_error("its result has impossible points for " + test.name);
+    }
+  }
+  if (!missing.empty()) throw std::runtime_error("its result lacks the test " + *missing.begin());
+}
+
+LabRecord run_judge(const CatalogueLab& lab, const LabFiles& files, const Course& course,
+                    const Judge& judge, const std::atomic<bool>& stop) {
+  const WorkFolder folder(judge.work);
+  for (const SourceFile& file : files.files) {
+    files::write_file(folder.path() / "submission" / file.path, file.text);
+  }
+  fs::create_directories(folder.path() / "work");
+  const fs::path output = folder.path() / "output.txt";
+  const auto deadline = std::chrono::steady_clock::now() + longest_run;
+  const cli::Ending ending =
+      cli::run(command_for(lab.number, course, judge, folder.path()),
+               {{}, output, [&] { return stop || std::chrono::steady_clock::now() > deadline; }});
+  if (!ending.good()) {
+    constexpr std::size_t longest_output = 2000;
+    throw std::runtime_error(
+        fmt::format("{}\n{}",
+                    ending.signal != 0 ? "it was killed by signal " + std::to_string(ending.signal)
+                                       : "it exited with code " + std::to_string(ending.exit_code),
+                    shortened(cli::read_text(output), longest_output)));
+  }
+  const fs::path result = folder.path() / "result.json";
+  LabRecord record = lab_from_judge(cli::read_text(result), "its result");
+  check_tests(record, lab);
+  return record;
+}
+
+LabRecord without_result(const CatalogueLab& lab, const std::string& status) {
+  LabRecord record;
+  record.lab = lab.number;
+  for (const CatalogueTest& test : lab.tests) {
+    record.tests.push_back({test.name, test.step, test.points, 0, status, test.hidden, 0, ""});
+  }
+  return record;
+}
+
+}  // namespace
+
+LabFiles files_to_grade(const Submission& submission, const CatalogueLab& lab,
+                        const fs::path& starters) {
+  LabFiles result;
+  if (const auto found = submission.labs.find(lab.number); found != submission.labs.end()) {
+    result.files = found->second;
+  }
+  for (const std::string& name : lab.starter_files) {
+    const bool is_there =
+        std::any_of(result.files.begin(), result.files.end(),
+                    [&name](const SourceFile& file) { return file.path == name; });
+    if (is_there) continue;
+    result.files.push_back({name, cli::read_text(starters / lab.name / name)});
+    result.supplied.push_back(name);
+  }
+  return result;
+}
+
+std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge) {
+  const Limits limits = course.limits_of(lab);
+  const auto number = [](std::optional<int> value) { return std::to_string(value.value_or(0)); };
+  std::vector<std::string> parts{std::to_string(lab),  judge.project,       judge.isolation,
+                                 course.secret,        number(limits.wall), number(limits.cpu),
+                                 number(limits.memory)};
+  for (const SourceFile& file : files.files) {
+    parts.push_back(file.path);
+    parts.push_back(file.text);
+  }
+  return fmt::format("lab{}-{}", lab, sha256_of({parts.begin(), parts.end()}));
+}
+
+LabRecord grade_lab(const CatalogueLab& lab, const LabFiles& files, const Course& course,
+                    const Judge& judge, const std::atomic<bool>& stop) {
+  try {
+    return run_judge(lab, files, course, judge, stop);
+  } catch (const std::exception& error) {
+    return not_graded(lab, fmt::format("{} failed: {}", judge.program.filename().string(),
+                                       plain_text(error.what())));
+  }
+}
+
+LabRecord not_submitted(const CatalogueLab& lab) { return without_result(lab, "not_submitted"); }
+
+LabRecord not_graded(const CatalogueLab& lab, const std::string& reason) {
+  LabRecord record = without_result(lab, "not_graded");
+  record.not_graded = reason;
+  return record;
+}
+
+}  // namespace cs550::gradebook

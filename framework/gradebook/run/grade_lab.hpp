@@ -1,0 +1,50 @@
+#pragma once
+/// @file grade_lab.hpp
+/// Grading one lab of one submission, by the judge program.
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gradebook/course/catalogue.hpp"
+#include "gradebook/course/course.hpp"
+#include "gradebook/intake/submission.hpp"
+#include "gradebook/records/record.hpp"
+
+namespace cs550::gradebook {
+
+/// What the grader runs, and where.
+struct Judge {
+  std::filesystem::path program;   ///< grade_lab
+  std::filesystem::path starters;  ///< labs/ of the project
+  std::filesystem::path work;      ///< a new folder for each lab is made here
+  std::string project;             ///< commit
+  std::string isolation = "auto";  ///< auto, bubblewrap or plain
+};
+
+/// The files of one lab as they are graded.
+struct LabFiles {
+  std::vector<SourceFile> files;
+  std::vector<std::string> supplied;  ///< starter files that the submission lacks
+};
+
+LabFiles files_to_grade(const Submission& submission, const CatalogueLab& lab,
+                        const std::filesystem::path& starters);
+
+/// Names everything that the result of a lab depends on.
+std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge);
+
+/// Runs the judge in a new folder, which is removed afterwards. What went wrong with the grader
+/// itself is in `not_graded`.
+/// @param stop the judge is killed when it becomes true
+LabRecord grade_lab(const CatalogueLab& lab, const LabFiles& files, const Course& course,
+                    const Judge& judge, const std::atomic<bool>& stop);
+
+/// The record of a lab without files: no point, every test not_submitted.
+LabRecord not_submitted(const CatalogueLab& lab);
+
+/// The record of a lab that the grader could not grade.
+LabRecord not_graded(const CatalogueLab& lab, const std::string& reason);
+
+}  // namespace cs550::gradebook

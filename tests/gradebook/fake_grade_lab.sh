@@ -1,0 +1,45 @@
+#!/bin/sh
+# fake_grade_lab.sh N --submission FOLDER --work FOLDER --results FILE ...
+# Takes the place of grade_lab: writes a result of the same form, without compiling anything. Comments in the
+# submission decide it:
+#   // fake: fails NAME      the test LabN.NAME fails
+#   // fake: no compile      every test is not_compiled
+#   // fake: breaks          the grader itself fails
+#   // fake: sleeps SECONDS
+lab=$1
+shift
+while [ $# -gt 0 ]; do
+  case $1 in
+    --submission) submission=$2 ;;
+    --results) results=$2 ;;
+    --work) work=$2 ;;
+    --secret) secret=$2 ;;
+  esac
+  shift 2
+done
+root=$(dirname "$0")/../..
+told=$(find "$submission" -type f -exec sed -n 's/.*fake: //p' {} +)
+case $told in
+  *breaks*) echo "the fake was told to break" >&2; exit 1 ;;
+  *sleeps*) sleep "${told##*sleeps }" ;;
+esac
+[ -z "${FAKE_LOG-}" ] || echo "lab $lab" >>"$FAKE_LOG"
+: >"$work/touched"
+printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${secret:-published}" '
+  FILENAME == "-" { if ($1 == "fails") fails[$2] = 1; if ($0 == "no compile") broken = 1; next }
+  /"name":/ { split($0, part, "\""); name = part[4] }
+  /"points": [0-9]/ { gsub(/[^0-9]/, ""); points = $0 }
+  /"step":/ { split($0, part, "\""); step = part[4] }
+  /"hidden": (true|false)/ {
+    hidden = /true/ ? "true" : "false"
+    status = broken ? "not_compiled" : (name in fails) ? "failed" : "passed"
+    tests = tests (tests ? ",\n" : "") sprintf("{\"name\":\"Lab%d.%s\",\"step\":\"%s\",\"points\":%d,\"earned\":%d," \
+      "\"status\":\"%s\",\"hidden\":%s,\"seconds\":0.25,\"message\":\"%s\"}", lab, name, step, points,
+      status == "passed" ? points : 0, status, hidden, status == "failed" ? "expected 1 m, got <b>2</b> m" : "")
+  }
+  END {
+    printf "{\"lab\":%d,\"isolation\":\"fake\",\"compiler\":\"fake 1.0\",\"seed\":\"%s\",", lab, seed
+    printf "\"compile\":{\"ok\":%s,\"seconds\":1.5,\"errors\":\"%s\"},\n", broken ? "false" : "true",
+      broken ? "a.cpp:1: error: expected <;>" : ""
+    printf "\"tests\":[%s]}\n", tests
+  }' - "$root"/tests/lab"$lab"_*/manifest.json >"$results"

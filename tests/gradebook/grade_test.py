@@ -1,0 +1,312 @@
+#!/usr/bin/python3
+"""grade_test.py PROGRAM ROOT SCRATCH: ./cs550 grade from submissions to marks, on fake_grade_lab.sh.
+
+Each function whose name begins with test_ is one test, in a folder of its own.
+"""
+import csv
+import json
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+PROGRAM, ROOT, SCRATCH = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
+FAKE = Path(__file__).parent / "fake_grade_lab.sh"
+HILL = "labs/lab3_hill_climbing/hill_climbing.cpp"
+CLIP = "labs/lab5_clipping/clipping.cpp"
+
+
+def command(*arguments):
+    return [str(a) for a in (PROGRAM, "grade", "--judge", FAKE, *arguments)]
+
+
+def grade(*arguments, code=0, **options):
+    """Runs the verb and checks its exit code. Returns what it printed."""
+    run = subprocess.run(command(*arguments), capture_output=True, text=True, timeout=120, check=False,
+                         env={**os.environ, "CS550_ROOT": str(ROOT)}, **options)
+    printed = run.stdout + run.stderr
+    assert run.returncode == code, f"{arguments}: exit code {run.returncode}, expected {code}\n{printed}"
+    return printed
+
+
+def pack(file, files):
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(file, "w") as archive:
+        for name, text in files.items():
+            archive.writestr(name, text)
+
+
+def record(out, name):
+    return json.loads((out / "records" / f"{name}.json").read_text())
+
+
+def lab(out, name, number):
+    return next(lab for lab in record(out, name)["labs"] if lab["lab"] == number)
+
+
+def marks(out):
+    """The marks of every submission, without times."""
+    text = {}
+    for file in sorted((out / "records").glob("*.json")):
+        content = json.loads(file.read_text())
+        text[file.name] = [(lab["lab"], lab["earned"], [(t["name"], t["status"]) for t in lab["tests"]])
+                           for lab in content["labs"]]
+    return text
+
+
+def grades(out):
+    with open(out / "grades.csv", newline="") as file:
+        return {row["id"]: row for row in csv.DictReader(file)}
+
+
+def no_work_is_left(out):
+    assert not (out / "work").exists(), "the work folder was not removed"
+    left = [str(f) for f in out.rglob("*.draft*")]
+    assert not left, f"half-written files: {left}"
+
+
+def small_class(folder):
+    pack(folder / "ada.zip", {HILL: "// all right", CLIP: "// all right"})
+    pack(folder / "bob.zip", {HILL: "// fake: fails FirstOfEqualVerticesWins"})
+    pack(folder / "eve.zip", {HILL: "// fake: no compile", "framework/include/cs550/math.hpp": "#error"})
+    (folder / "zoe").mkdir()
+
+
+def test_a_class_is_graded(folder):
+    small_class(folder / "class")
+    (folder / "roster.csv").write_text("id,name\nada,Ada\nbob,Bob\neve,Eve\nzoe,Zoe\nmax,Max\n")
+    out = folder / "out"
+    printed = grade(folder / "class", "--out", out, "--labs", "3,5", "--roster", folder / "roster.csv")
+    assert "4 submissions" in printed, printed
+    assert "unreadable: zoe" in printed, printed
+    assert lab(out, "ada", 3)["earned"] == 60 and lab(out, "ada", 5)["earned"] == 60
+    assert lab(out, "bob", 3)["earned"] == 58 and not lab(out, "bob", 5)["submitted"]
+    assert lab(out, "eve", 3)["compile"] == {"ok": False, "seconds": 1.5, "errors": "a.cpp:1: error: expected <;>"}
+    assert record(out, "eve")["ignored"] == [{"path": "framework/", "reason": "not in a lab's folder", "files": 1}]
+    rows = grades(out)
+    assert (rows["ada"]["percent"], rows["bob"]["percent"], rows["eve"]["percent"]) == ("100.00", "48.33", "0.00")
+    assert (rows["max"]["status"], rows["zoe"]["status"]) == ("missing", "unreadable"), rows
+    assert rows["bob"]["lab5"] == "" and rows["eve"]["lab3"] == "0"
+    no_work_is_left(out)
+
+
+def test_equal_files_are_graded_once(folder):
+    for student in ("ada", "bob", "eve"):
+        pack(folder / "class" / f"{student}.zip", {HILL: "// the same", "notes.txt": student})
+    log = folder / "log"
+    os.environ["FAKE_LOG"] = str(log)
+    try:
+        grade(folder / "class", "--out", folder / "out")
+    finally:
+        del os.environ["FAKE_LOG"]
+    assert log.read_text() == "lab 3\n", log.read_text()
+    assert lab(folder / "out", "eve", 3)["earned"] == 60
+
+
+def test_a_missing_file_is_the_starter(folder):
+    pack(folder / "ada.zip", {"labs/lab2_half_edge_mesh/merging.cpp": "// mine"})
+    grade(folder / "ada.zip", "--out", folder / "out")
+    assert lab(folder / "out", "ada", 2)["supplied"] == ["half_edge_mesh.cpp"]
+
+
+def test_a_judge_that_fails_gives_no_mark(folder):
+    pack(folder / "class/ada.zip", {HILL: "// fake: breaks", CLIP: "// fine"})
+    out = folder / "out"
+    printed = grade(folder / "class", "--out", out, code=1)
+    assert "NOT GRADED: ada, lab 3" in printed and "told to break" in printed, printed
+    row = grades(out)["ada"]
+    assert (row["status"], row["lab3"], row["lab5"]) == ("NOT GRADED", "", "60"), row
+
+
+def test_records_are_not_overwritten_without_resume(folder):
+    small_class(folder / "class")
+    grade(folder / "class", "--out", folder / "out", "--labs", "3")
+    assert "--resume" in grade(folder / "class", "--out", folder / "out", "--labs", "3", code=1)
+    grade(folder / "class", "--out", folder / "out", "--labs", "3", "--resume")
+
+
+def test_grading_twice_gives_the_same_marks(folder):
+    small_class(folder / "class")
+    for out in ("one", "two"):
+        grade(folder / "class", "--out", folder / out, "--jobs", "3" if out == "two" else "1")
+    assert marks(folder / "one") == marks(folder / "two")
+    assert (folder / "one/grades.csv").read_text() == (folder / "two/grades.csv").read_text()
+
+
+def test_an_interrupted_run_continues(folder):
+    for i in range(12):
+        pack(folder / "class" / f"s{i:02}.zip", {HILL: f"// {i} fake: sleeps 0.1", CLIP: f"// {i}"})
+    whole, out = folder / "whole", folder / "out"
+    grade(folder / "class", "--out", whole)
+    environment = {**os.environ, "CS550_ROOT": str(ROOT)}
+    for number, pause in enumerate((0.15, 0.4, 0.7)):
+        run = subprocess.Popen(command(folder / "class", "--out", out, "--jobs", 2, "--resume"), env=environment,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        time.sleep(pause)
+        # Ctrl-C, another signal, and a crash that nothing can be done about
+        os.killpg(run.pid, (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)[number])
+        run.wait()
+        for file in (out / "records").glob("*.json"):
+            json.loads(file.read_text())
+    grade(folder / "class", "--out", out, "--resume")
+    assert marks(out) == marks(whole)
+    assert not (out / "work").exists()
+
+
+def test_a_second_grader_is_refused(folder):
+    pack(folder / "ada.zip", {HILL: "// fake: sleeps 3"})
+    out = folder / "out"
+    first = subprocess.Popen(command(folder / "ada.zip", "--out", out), env={**os.environ, "CS550_ROOT": str(ROOT)},
+                             stdout=subprocess.DEVNULL)
+    while not (out / "work").exists():
+        time.sleep(0.02)
+    printed = grade(folder / "ada.zip", "--out", out, "--resume", code=1)
+    assert "another grader is at work" in printed, printed
+    assert first.wait() == 0
+
+
+def test_a_full_disk_leaves_no_half_record(folder):
+    small_class(folder / "class")
+    out = folder / "out"
+    # The result of the fake has 3 kB, what is stored of it has 5 kB.
+    printed = grade(folder / "class", "--out", out, "--labs", "3", code=1,
+                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000)))
+    assert "cannot write" in printed or "NOT GRADED" in printed, printed
+    for file in (out / "records").glob("*.json"):
+        json.loads(file.read_text())
+    shutil.rmtree(out)
+    grade(folder / "class", "--out", out, "--labs", "3")
+
+
+def test_a_full_file_system_is_reported(folder):
+    out = folder / "out"
+    out.mkdir()
+    small_class(folder / "class")
+    if os.geteuid() != 0 or subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "none", str(out)],
+                                           capture_output=True, check=False).returncode:
+        print("  (not allowed to mount: skipped)")
+        return
+    try:
+        (out / "filler").write_bytes(b"x" * 60000)
+        printed = grade(folder / "class", "--out", out, code=1)
+        assert "cannot write" in printed or "NOT GRADED" in printed, printed
+        (out / "filler").unlink()
+    finally:
+        subprocess.run(["umount", str(out)], check=True)
+
+
+def test_reports_are_made_again_from_records(folder):
+    small_class(folder / "class")
+    out = folder / "out"
+    grade(folder / "class", "--out", out, "--labs", "3,5")
+    reports = {f.relative_to(out): f.read_bytes() for f in out.rglob("*.*") if f.parent.name in (
+        "feedback", "gradescope", "junit", "classroom") or f.name in ("grades.csv", "class.html")}
+    assert len(reports) == 2 + 5 * 4, sorted(reports)
+    for file in reports:
+        (out / file).unlink()
+    grade("--report", out)
+    assert reports == {file: (out / file).read_bytes() for file in reports}
+    assert "Not in this submission: lab 5." in reports[Path("feedback/bob.md")].decode()
+    assert "FirstOfEqualVerticesWins" in reports[Path("feedback/bob.html")].decode()
+    (folder / "course.toml").write_text("secret = 'x'\n[lab.3]\npoints = 120\n")
+    grade("--report", out, "--course", folder / "course.toml")
+    assert grades(out)["ada"]["lab3"] == "120"
+    grade("--report", out)
+    assert grades(out)["ada"]["lab3"] == "120", "the course file is remembered"
+    grade("--report", out, "--out", folder / "shared", "--pseudonyms")
+    for file in (folder / "shared").rglob("*.*"):
+        assert not re.search(rb"\b(ada|bob|eve)\b", file.read_bytes()), f"{file} has a name"
+    assert (out / "course.toml").stat().st_mode & 0o077 == 0
+
+
+def test_folders_are_merged(folder):
+    small_class(folder / "class")
+    grade(folder / "class", "--out", folder / "whole", "--labs", "3,5")
+    grade(folder / "class", "--out", folder / "a", "--labs", "3")
+    grade(folder / "class/ada.zip", "--out", folder / "b", "--labs", "5")
+    assert "--out" in grade("--report", folder / "a", folder / "b", code=2)
+    grade("--report", folder / "a", folder / "b", "--out", folder / "both")
+    assert marks(folder / "both")["ada.json"] == marks(folder / "whole")["ada.json"]
+    assert len(marks(folder / "both")) == 4
+
+
+def test_a_regrade_is_compared(folder):
+    pack(folder / "ada.zip", {HILL: "// fake: fails FirstOfEqualVerticesWins"})
+    grade(folder / "ada.zip", "--out", folder / "old", "--labs", "3")
+    pack(folder / "ada.zip", {HILL: "// mended"})
+    grade(folder / "ada.zip", "--out", folder / "new", "--labs", "3")
+    printed = grade("--compare", folder / "old", folder / "new")
+    assert "ada, lab 3: 58 of 60 -> 60 of 60 (other files)" in printed, printed
+    assert "Lab3.FirstOfEqualVerticesWins: failed -> passed (+2 points)" in printed, printed
+
+
+def test_sources_are_exported_for_copy_detectors(folder):
+    small_class(folder / "class")
+    printed = grade(folder / "class", "--export-jplag", folder / "sources")
+    assert "jplag -l cpp -bc" in printed and "moss -l cc -d" in printed, printed
+    files = sorted(str(f.relative_to(folder / "sources")) for f in (folder / "sources").rglob("*.cpp"))
+    assert files == ["lab3/base/hill_climbing.cpp", *(f"lab3/submissions/{s}/hill_climbing.cpp" for s in (
+        "ada", "bob", "eve")), "lab5/base/clipping.cpp", "lab5/submissions/ada/clipping.cpp"], files
+    assert "not empty" in grade(folder / "class", "--export-jplag", folder / "sources", code=1)
+
+
+def test_wrong_usage(folder):
+    pack(folder / "ada.zip", {HILL: ""})
+    (folder / "bad.toml").write_text("[late]\nclock = 'sun'\n")
+    (folder / "notes.txt").write_text("")
+    for arguments, code, message in (
+            ((), 2, "at least one submission"),
+            ((folder / "ada.zip",), 2, "--out"),
+            ((folder / "ada.zip", "--out", folder / "o", "--labs", "8-99"), 2, "there is no lab"),
+            ((folder / "ada.zip", "--out", folder / "o", "--labs", "all"), 2, "1-7"),
+            ((folder / "ada.zip", "--out", folder / "o", "--jobs", "0"), 2, "--jobs"),
+            ((folder / "absent.zip", "--out", folder / "o"), 1, "there is no submission"),
+            ((folder / "notes.txt", "--out", folder / "o"), 1, "is no submission"),
+            ((folder / "ada.zip", "--out", folder / "o", "--course", folder / "bad.toml"), 1, "bad.toml:2:"),
+            ((folder / "ada.zip", "--out", folder / "ada.zip"), 1, "cannot write"),
+            ((folder / "ada.zip", "--out", "/dev/full"), 1, "cannot write")):
+        printed = grade(*arguments, code=code)
+        assert message in printed, f"{arguments}: {printed}"
+        assert not (folder / "o").exists(), f"{arguments} left a folder"
+
+
+def test_three_hundred_submissions(folder):
+    for i in range(300):
+        pack(folder / "class" / f"student{i:03}.zip", {HILL: f"// fake: fails FirstOfEqualVerticesWins\n// {i}",
+                                                       CLIP: f"// {i % 50}"})
+    start = time.monotonic()
+    printed = grade(folder / "class", "--out", folder / "out")
+    assert "300 submissions, 350 labs graded" in printed, printed
+    assert len(grades(folder / "out")) == 300
+    seconds = time.monotonic() - start
+    print(f"  300 submissions in {seconds:.1f} s")
+    assert seconds < 100
+
+
+def main():
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    wanted = sys.argv[4:]
+    tests = [(name, run) for name, run in globals().items()
+             if name.startswith("test_") and (not wanted or name in wanted)]
+    failed = 0
+    for name, run in tests:
+        folder = SCRATCH / name
+        folder.mkdir(parents=True)
+        try:
+            run(folder)
+            print(f"passed {name}", flush=True)
+        except AssertionError as error:
+            failed += 1
+            print(f"FAILED {name}: {error}", flush=True)
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

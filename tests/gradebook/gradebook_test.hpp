@@ -1,0 +1,60 @@
+#pragma once
+/// @file gradebook_test.hpp
+/// Small records and catalogues for the tests of the gradebook.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gradebook/course/catalogue.hpp"
+#include "gradebook/records/record.hpp"
+
+namespace cs550::gradebook {
+
+inline const Catalogue& project_catalogue() {
+  static const Catalogue catalogue = read_catalogue(CS550_ROOT);
+  return catalogue;
+}
+
+/// Lab 3 with two visible tests of 24 points and a hidden one of 12.
+inline LabRecord lab_record(int first, int second, int hidden) {
+  LabRecord lab;
+  lab.lab = 3;
+  lab.submitted = lab.compiled = true;
+  const auto add = [&lab](const char* name, int points, int earned, bool is_hidden) {
+    lab.tests.push_back({name, "L3.1", points, earned, earned == points ? "passed" : "failed",
+                         is_hidden, 0.5, earned == points ? "" : "expected 1 m, got 2 m"});
+  };
+  add("Lab3.FirstOfEqualVerticesWins", 24, first, false);
+  add("Lab3.ClimbEndsOnAPlateau", 24, second, false);
+  add("Lab3.Secret", 12, hidden, true);
+  return lab;
+}
+
+inline Record record_of(const std::string& student, const LabRecord& lab) {
+  Record record;
+  record.name = record.source = record.student = student;
+  record.hash = student;
+  record.project = "0123456789ab";
+  record.labs = {lab};
+  return record;
+}
+
+/// A folder that is empty at the start and removed at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "gradebook-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace cs550::gradebook

@@ -1,0 +1,263 @@
+/// Which files are taken from a submission, and what becomes of hostile archives.
+#include <archive.h>
+#include <archive_entry.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "cli/system/files.hpp"
+#include "files/output_file.hpp"
+#include "gradebook/intake/discovery.hpp"
+#include "gradebook/intake/lab_path.hpp"
+#include "gradebook/intake/read_archive.hpp"
+#include "gradebook_test.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+namespace fs = std::filesystem;
+
+LabPath place(const std::string& path) { return lab_path(path, project_catalogue()); }
+
+TEST(LabPath, FilesBelowALabsFolderAreTaken) {
+  EXPECT_EQ(place("labs/lab3_hill_climbing/hill_climbing.cpp").lab, 3);
+  EXPECT_EQ(place("ada-main/labs/lab3_hill_climbing/util/cache.hpp").file, "util/cache.hpp");
+  EXPECT_EQ(place("lab3_hill_climbing/a.h").lab, 3);
+  EXPECT_EQ(place("Lab3/a.cpp").lab, 3);
+  EXPECT_EQ(place("./labs//lab3_hill_climbing/./a.cpp").file, "a.cpp");
+  EXPECT_EQ(place("labs\\lab3_hill_climbing\\a.cpp").lab, 3) << "a zip made by Windows";
+}
+
+TEST(LabPath, AFileWithTheNameOfAStarterIsTakenAnywhere) {
+  EXPECT_EQ(place("hill_climbing.cpp").lab, 3);
+  EXPECT_EQ(place("homework/merging.cpp").lab, 2);
+}
+
+TEST(LabPath, OtherFilesAreIgnoredWithTheReason) {
+  for (const char* path : {"tests/lab3_hill_climbing/a.cpp", "solutions/lab3_hill_climbing/a.cpp",
+                           ".starters/lab3_hill_climbing/hill_climbing.cpp", "framework/a.cpp",
+                           "CMakeLists.txt", "build/hill_climbing.cpp", "notes.cpp"}) {
+    EXPECT_EQ(place(path).lab, 0) << path;
+    EXPECT_EQ(place(path).ignored, outside_of_labs) << path;
+  }
+  EXPECT_NE(place("labs/lab3_hill_climbing/README.md").ignored.find("C++"), std::string::npos);
+  EXPECT_NE(place("labs/lab3_hill_climbing/a.cpp.bak-1").ignored.find("C++"), std::string::npos);
+  EXPECT_EQ(place("labs/lab3_hill_climbing/._a.cpp").ignored, "hidden file");
+}
+
+TEST(LabPath, UnsafeNamesAreRefused) {
+  EXPECT_EQ(place("/labs/lab3_hill_climbing/a.cpp").ignored, "absolute path");
+  EXPECT_EQ(place("C:\\labs\\lab3_hill_climbing\\a.cpp").ignored, "absolute path");
+  EXPECT_EQ(place("labs/lab3_hill_climbing/../../a.cpp").ignored, "path with ..");
+  EXPECT_EQ(place("labs/lab3_hill_climbing\\..\\a.cpp").ignored, "path with ..");
+  EXPECT_NE(place("labs/lab3_hill_climbing/\033[2Ja.cpp").ignored, "");
+  EXPECT_NE(place("labs/lab3_hill_climbing/\xFF.cpp").ignored, "");
+  EXPECT_NE(place("labs/lab3_hill_climbing/" + std::string(300, 'a') + ".cpp").ignored, "");
+  EXPECT_NE(place("").ignored, "");
+}
+
+/// An archive with entries of any kind.
+class ArchiveWriter {
+ public:
+  explicit ArchiveWriter(const fs::path& file) : archive_(archive_write_new()) {
+    if (file.extension() == ".zip") {
+      archive_write_set_format_zip(archive_);
+    } else {
+      archive_write_set_format_pax_restricted(archive_);
+      archive_write_add_filter_gzip(archive_);
+    }
+    archive_write_open_filename(archive_, file.c_str());
+  }
+  ~ArchiveWriter() { archive_write_free(archive_); }
+  ArchiveWriter(const ArchiveWriter&) = delete;
+  ArchiveWriter& operator=(const ArchiveWriter&) = delete;
+
+  void add(const std::string& path, const std::string& text) {
+    archive_entry* entry = begin(path, AE_IFREG);
+    archive_entry_set_size(entry, static_cast<la_int64_t>(text.size()));
+    archive_write_header(archive_, entry);
+    archive_write_data(archive_, text.data(), text.size());
+    archive_entry_free(entry);
+  }
+  void add_link(const std::string& path, const std::string& target, bool is_hard) {
+    archive_entry* entry = begin(path, is_hard ? AE_IFREG : AE_IFLNK);
+    if (is_hard) {
+      archive_entry_set_hardlink(entry, target.c_str());
+    } else {
+      archive_entry_set_symlink(entry, target.c_str());
+    }
+    archive_write_header(archive_, entry);
+    archive_entry_free(entry);
+  }
+  void add_device(const std::string& path) {
+    archive_entry* entry = begin(path, AE_IFCHR);
+    archive_write_header(archive_, entry);
+    archive_entry_free(entry);
+  }
+
+ private:
+  static archive_entry* begin(const std::string& path, unsigned type) {
+    archive_entry* entry = archive_entry_new();
+    archive_entry_set_pathname(entry, path.c_str());
+    archive_entry_set_filetype(entry, type);
+    archive_entry_set_perm(entry, 0644);
+    archive_entry_set_size(entry, 0);
+    return entry;
+  }
+
+  archive* archive_;
+};
+
+Submission read(const fs::path& source) {
+  return read_submission(find_submissions({source}, project_catalogue()).submissions.at(0),
+                         project_catalogue());
+}
+
+std::string reason_for(const Submission& submission, const std::string& path) {
+  for (const IgnoredFile& file : submission.ignored) {
+    if (file.path == path) return file.reason;
+  }
+  return {};
+}
+
+TEST(Archive, ZipAndTarHaveTheSameContent) {
+  const ScratchFolder scratch;
+  for (const char* name : {"ada.zip", "ada.tar.gz", "ada.tgz"}) {
+    {
+      ArchiveWriter writer(scratch / name);
+      writer.add("labs/lab3_hill_climbing/hill_climbing.cpp", "int x;\n");
+      writer.add("labs/lab3_hill_climbing/util/a.hpp", "int a;\n");
+      writer.add("labs/lab3_hill_climbing/README.md", "words");
+      writer.add("manifest.json", R"({"student": "Ada", "date": "2026-10-12T10:00:00Z"})");
+    }
+    const Submission submission = read(scratch / name);
+    EXPECT_EQ(submission.trouble, "") << name;
+    ASSERT_EQ(submission.labs.count(3), 1U) << name;
+    ASSERT_EQ(submission.labs.at(3).size(), 2U);
+    EXPECT_EQ(submission.labs.at(3)[1].path, "util/a.hpp");
+    EXPECT_EQ(submission.labs.at(3)[0].text, "int x;\n");
+    EXPECT_EQ(submission.student, "ada");
+    EXPECT_EQ(submission.claimed_student, "Ada");
+    EXPECT_NE(reason_for(submission, "labs/lab3_hill_climbing/README.md"), "");
+  }
+}
+
+TEST(Archive, LinksAndDevicesAreIgnoredAndTheRestIsTaken) {
+  const ScratchFolder scratch;
+  {
+    ArchiveWriter writer(scratch / "evil.tar.gz");
+    writer.add("labs/lab3_hill_climbing/hill_climbing.cpp", "honest");
+    writer.add_link("labs/lab3_hill_climbing/soft.cpp", "/etc/passwd", false);
+    writer.add_link("labs/lab3_hill_climbing/hard.cpp", "/etc/shadow", true);
+    writer.add_device("labs/lab3_hill_climbing/device.cpp");
+    writer.add("../../labs/lab3_hill_climbing/up.cpp", "up");
+    writer.add("/labs/lab3_hill_climbing/absolute.cpp", "absolute");
+    writer.add("labs/lab3_hill_climbing/hill_climbing.cpp", "a second one");
+    writer.add("labs/lab3_hill_climbing/hill_climbing.cpp/inside.hpp", "below a file");
+  }
+  const Submission submission = read(scratch / "evil.tar.gz");
+  EXPECT_EQ(submission.trouble, "");
+  ASSERT_EQ(submission.labs.at(3).size(), 1U);
+  EXPECT_EQ(submission.labs.at(3)[0].text, "honest");
+  EXPECT_EQ(reason_for(submission, "labs/lab3_hill_climbing/soft.cpp"), "symbolic link");
+  EXPECT_EQ(reason_for(submission, "labs/lab3_hill_climbing/hard.cpp"), "hard link");
+  EXPECT_NE(reason_for(submission, "labs/lab3_hill_climbing/device.cpp"), "");
+  EXPECT_EQ(reason_for(submission, "../../labs/lab3_hill_climbing/up.cpp"), "path with ..");
+  EXPECT_EQ(reason_for(submission, "/labs/lab3_hill_climbing/absolute.cpp"), "absolute path");
+  EXPECT_NE(reason_for(submission, "labs/lab3_hill_climbing/hill_climbing.cpp"), "");
+}
+
+TEST(Archive, AZipBombIsRefused) {
+  const ScratchFolder scratch;
+  {
+    ArchiveWriter writer(scratch / "bomb.zip");
+    const std::string megabyte(1 << 20, '0');
+    for (int i = 0; i < 8; ++i) writer.add("zeros" + std::to_string(i), megabyte);
+    writer.add("labs/lab3_hill_climbing/hill_climbing.cpp", "");
+  }
+  Submission submission;
+  Collector collector(submission, project_catalogue());
+  IntakeLimits limits;
+  limits.unpacked = 4 << 20;
+  EXPECT_EQ(read_archive(scratch / "bomb.zip", collector, limits),
+            "the archive unpacks to more than 4 MB");
+  limits = {};
+  limits.entries = 5;
+  EXPECT_EQ(read_archive(scratch / "bomb.zip", collector, limits),
+            "the archive has more than 5 entries");
+}
+
+TEST(Archive, WhatCannotBeReadIsReported) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "empty.zip", "");
+  EXPECT_NE(read(scratch / "empty.zip").trouble, "");
+  files::write_file(scratch / "text.zip", "I am not a zip file, whatever my name is.");
+  EXPECT_NE(read(scratch / "text.zip").trouble, "");
+  { ArchiveWriter(scratch / "nothing.zip").add("notes.txt", "no lab"); }
+  EXPECT_EQ(read(scratch / "nothing.zip").trouble, "it contains no file of a lab");
+  {
+    ArchiveWriter(scratch / "whole.zip").add("hill_climbing.cpp", std::string(50000, 'x') + "end");
+  }
+  const std::string whole = cli::read_text(scratch / "whole.zip");
+  files::write_file(scratch / "half.zip", whole.substr(0, whole.size() / 2));
+  const Submission half = read(scratch / "half.zip");
+  EXPECT_NE(half.trouble, "");
+  EXPECT_TRUE(half.labs.empty()) << "half a submission must not be graded";
+}
+
+TEST(Folder, ACheckoutIsReadWithoutFollowingLinks) {
+  const ScratchFolder scratch;
+  const fs::path lab = scratch / "ada/labs/lab3_hill_climbing";
+  files::write_file(lab / "hill_climbing.cpp", "code");
+  files::write_file(scratch / "ada/.git/config", "[core]\nfsmonitor = touch /tmp/run");
+  files::write_file(scratch / "ada/framework/given.cpp", "");
+  fs::create_symlink("/etc/passwd", lab / "link.cpp");
+  fs::create_directory_symlink("/etc", lab / "folder");
+  const Submission submission = read(scratch / "ada");
+  ASSERT_EQ(submission.labs.at(3).size(), 1U);
+  EXPECT_EQ(reason_for(submission, "labs/lab3_hill_climbing/link.cpp"), "symbolic link");
+  EXPECT_EQ(reason_for(submission, "labs/lab3_hill_climbing/folder"), "symbolic link");
+  EXPECT_EQ(reason_for(submission, "framework/"), outside_of_labs);
+}
+
+TEST(Discovery, AFolderOfSubmissionsIsAllOfThem) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "class/ada-lab3.zip", "");
+  files::write_file(scratch / "class/bob/labs/lab3_hill_climbing/a.cpp", "");
+  files::write_file(scratch / "class/eve/lab1.zip", "");
+  files::write_file(scratch / "class/eve/lab2.tar.gz", "");
+  files::write_file(scratch / "class/list.txt", "");
+  fs::create_directory(scratch / "class/empty");
+  const Discovery found = find_submissions({scratch / "class/"}, project_catalogue());
+  std::vector<std::string> names;
+  std::vector<std::string> students;
+  for (const FoundSubmission& submission : found.submissions) {
+    names.push_back(submission.name);
+    students.push_back(submission.student);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"ada-lab3", "bob", "empty", "eve-lab1", "eve-lab2"}));
+  EXPECT_EQ(students, (std::vector<std::string>{"ada", "bob", "empty", "eve", "eve"}));
+  ASSERT_EQ(found.skipped.size(), 1U);
+  EXPECT_THROW(find_submissions({scratch / "absent"}, project_catalogue()), std::runtime_error);
+}
+
+TEST(Discovery, NamesOfRecordsAreSafe) {
+  EXPECT_EQ(safe_name("ada"), "ada");
+  EXPECT_EQ(safe_name("../a b"), "_.._a_b");
+  EXPECT_EQ(safe_name("-rf"), "_-rf");
+  EXPECT_EQ(safe_name(""), "_");
+}
+
+TEST(Hash, DependsOnTheFilesOfTheLab) {
+  Submission a;
+  a.labs[3] = {{"a.cpp", "bc"}};
+  Submission b;
+  b.labs[3] = {{"a.cppb", "c"}};
+  EXPECT_NE(a.hash(), b.hash());
+  EXPECT_EQ(a.lab_hash(3), Submission(a).lab_hash(3));
+  EXPECT_EQ(a.hash().size(), 64U);
+}
+
+}  // namespace
+}  // namespace cs550::gradebook

@@ -1,0 +1,197 @@
+/// From records to marks: scale, lateness, extensions, adjustments, regrades, weights, the roster.
+#include <gtest/gtest.h>
+
+#include "gradebook/course/course_file.hpp"
+#include "gradebook/marks/csv_table.hpp"
+#include "gradebook/marks/mark.hpp"
+#include "gradebook/marks/time_text.hpp"
+#include "gradebook/records/record_json.hpp"
+#include "gradebook/reports/grades_csv.hpp"
+#include "gradebook_test.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+constexpr long day = 86400;
+constexpr long due = 1791842340;  // 2026-10-12T23:59:00+02:00
+
+Course course_of(const std::string& text) {
+  return parse_course(text, "course.toml", project_catalogue());
+}
+
+LabMark mark_of(const Record& record, const std::string& course) {
+  const Student student{"ada", "", "", "", {}, true, {&record}};
+  return mark_student(student, {3}, course_of(course)).labs.at(0);
+}
+
+constexpr const char* late_course =
+    "[lab.3]\ndue = 2026-10-12T23:59:00+02:00\npoints = 120\n"
+    "[late]\nclock = 'file'\npercent_per_day = 10\ngrace_minutes = 15\nmost_percent = 50\n";
+
+Record handed_in(long seconds_after_due) {
+  Record record = record_of("ada", lab_record(24, 0, 12));
+  record.file_time = due + seconds_after_due;
+  return record;
+}
+
+TEST(Marks, PointsAreScaled) {
+  const Record record = record_of("ada", lab_record(24, 0, 12));
+  EXPECT_DOUBLE_EQ(mark_of(record, "").mark, 36);
+  EXPECT_DOUBLE_EQ(mark_of(record, "[lab.3]\npoints = 100").mark, 60);
+}
+
+TEST(Marks, LateDaysAreDeductedAfterTheGracePeriod) {
+  EXPECT_EQ(to_text(Time(std::chrono::seconds(due))), "2026-10-12T21:59:00Z");
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(-5), late_course).mark, 72);
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(15 * 60), late_course).mark, 72) << "within the grace period";
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(15 * 60 + 1), late_course).mark, 64.8) << "the first day";
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(day), late_course).mark, 64.8);
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(day + 1), late_course).mark, 57.6) << "the second day";
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(40 * day), late_course).mark, 36) << "the cap";
+}
+
+TEST(Marks, AnExtensionMovesTheDueDateOfOneStudent) {
+  const std::string course = std::string(late_course) +
+                             "[[extension]]\nstudent = 'ada'\nlab = 3\n"
+                             "due = 2026-10-14T23:59:00+02:00\n";
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(2 * day), course).mark, 72);
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(3 * day), course).mark, 64.8);
+  Record bob = handed_in(2 * day);
+  const Student student{"bob", "", "", "", {}, true, {&bob}};
+  EXPECT_DOUBLE_EQ(mark_student(student, {3}, course_of(course)).labs[0].mark, 57.6);
+}
+
+TEST(Marks, TheClockIsTheOneThatTheCourseNames) {
+  Record record = handed_in(40 * day);
+  record.claimed_date = "2026-10-12T20:00:00Z";
+  std::string course = late_course;
+  course.replace(course.find("'file'"), 6, "'manifest'");
+  EXPECT_DOUBLE_EQ(mark_of(record, course).mark, 72);
+  record.claimed_date = "yesterday";
+  const LabMark unknown = mark_of(record, course);
+  EXPECT_DOUBLE_EQ(unknown.mark, 72);
+  EXPECT_NE(unknown.notes.at(0).find("unknown"), std::string::npos);
+}
+
+TEST(Marks, NothingIsEarnedAfterTheSolutionWasReleased) {
+  const std::string course =
+      std::string("[lab.3]\nsolution_released = 2026-10-12T23:59:00+02:00\n") +
+      "[late]\nclock = 'file'\npercent_per_day = 0\n";
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(0), course).mark, 36);
+  EXPECT_DOUBLE_EQ(mark_of(handed_in(1), course).mark, 0);
+}
+
+TEST(Marks, AdjustmentsAndRegradesComeFromTheCourseFile) {
+  const Record record = record_of("ada", lab_record(0, 24, 12));
+  const std::string regrade =
+      "[[regrade]]\nstudent = 'ada'\nlab = 3\ntest = 'Lab3.FirstOfEqualVerticesWins'\nstatus = ";
+  EXPECT_DOUBLE_EQ(mark_of(record, regrade + "'granted'").mark, 60);
+  EXPECT_DOUBLE_EQ(mark_of(record, regrade + "'declined'").mark, 36);
+  EXPECT_DOUBLE_EQ(mark_of(record, regrade + "'open'").mark, 36);
+  const std::string adjustment =
+      "[[adjustment]]\nstudent = 'ada'\nlab = 3\nreason = 'x'\npoints = ";
+  EXPECT_DOUBLE_EQ(mark_of(record, adjustment + "2.5").mark, 38.5);
+  EXPECT_DOUBLE_EQ(mark_of(record, adjustment + "-100").mark, 0) << "never negative";
+}
+
+TEST(Marks, WeightsMakeTheTotal) {
+  LabRecord lab4 = lab_record(0, 0, 0);
+  lab4.lab = 4;
+  Record record = record_of("ada", lab_record(24, 24, 12));
+  record.labs.push_back(lab4);
+  const Student student{"ada", "", "", "", {}, true, {&record}};
+  EXPECT_DOUBLE_EQ(mark_student(student, {3, 4}, course_of("")).percent, 50);
+  EXPECT_DOUBLE_EQ(mark_student(student, {3, 4}, course_of("[lab.3]\nweight = 3")).percent, 75);
+}
+
+TEST(Marks, TheBestOrTheLastAttemptCounts) {
+  Record early = record_of("ada", lab_record(24, 24, 0));
+  Record later = record_of("ada", lab_record(24, 0, 0));
+  early.file_time = 1;
+  later.file_time = 2;
+  const Student student{"ada", "", "", "", {}, true, {&later, &early}};
+  EXPECT_DOUBLE_EQ(mark_student(student, {3}, course_of("")).labs[0].mark, 48);
+  EXPECT_DOUBLE_EQ(mark_student(student, {3}, course_of("attempt = 'last'")).labs[0].mark, 24);
+}
+
+TEST(Roster, RecordsFindTheirStudents) {
+  const std::string text =
+      "\xEF\xBB\xBFid,name,email\ns1,\"Lovelace, Ada\",ada@x.org\ns2,Bob,b@x.org\ns3,Eve,e@x.org\n";
+  std::vector<Record> records{record_of("s1", lab_record(24, 24, 12)),
+                              record_of("doe_bob_S2_late", lab_record(0, 0, 0)),
+                              record_of("mallory", lab_record(0, 0, 0))};
+  const std::vector<Student> students = assign(parse_roster(text, "roster.csv"), records);
+  ASSERT_EQ(students.size(), 4U);
+  EXPECT_EQ(students[0].name, "Lovelace, Ada");
+  EXPECT_EQ(students[0].records.size(), 1U);
+  EXPECT_EQ(students[1].records.size(), 1U);
+  EXPECT_TRUE(students[2].records.empty());
+  EXPECT_EQ(students[3].id, "mallory");
+  EXPECT_FALSE(students[3].on_roster);
+}
+
+TEST(Roster, AClaimCountsOnlyWhereTheFileNameIsNobodys) {
+  const std::string text = "id\nada\neve\n";
+  std::vector<Record> records{record_of("eve", lab_record(0, 0, 0)),
+                              record_of("lab3", lab_record(24, 24, 12))};
+  records[0].claimed_student = records[1].claimed_student = "ada";
+  const std::vector<Student> students = assign(parse_roster(text, "roster.csv"), records);
+  ASSERT_EQ(students.size(), 2U);
+  ASSERT_EQ(students[0].records.size(), 1U);
+  EXPECT_EQ(students[0].records[0]->student, "lab3");
+  EXPECT_EQ(students[1].records.size(), 1U) << "eve must not hand in for ada";
+}
+
+TEST(Roster, BadOnesAreRefused) {
+  const auto fault = [](const std::string& text) {
+    try {
+      parse_roster(text, "roster.csv");
+      return std::string();
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NE(fault("").find("no column id"), std::string::npos);
+  EXPECT_NE(fault("name\nAda").find("no column id"), std::string::npos);
+  EXPECT_NE(fault("id\na\nA").find("twice"), std::string::npos);
+  EXPECT_NE(fault("id,name\n,Ada").find("row 2 has no id"), std::string::npos);
+  EXPECT_NE(fault("id,submitted\nada,soon").find("found soon"), std::string::npos);
+  EXPECT_EQ(fault("id;name\nada;Ada\n"), "");
+}
+
+TEST(CsvTable, QuotedFieldsAreRead) {
+  EXPECT_EQ(parse_csv("a,b\r\n\"1,\"\"2\"\"\n3\",4\n\n"),
+            (std::vector<std::vector<std::string>>{{"a", "b"}, {"1,\"2\"\n3", "4"}}));
+}
+
+TEST(GradesCsv, ListsMissingStudentsAndEscapesNames) {
+  std::vector<Record> records{record_of("=cmd", lab_record(24, 0, 0))};
+  const std::vector<Student> students = assign(parse_roster("id\nada\n", "r"), records);
+  const std::string text = grades_csv(mark_class(students, {3}, course_of("")), {3});
+  EXPECT_EQ(text,
+            "id,name,email,section,status,percent,lab3,notes\n"
+            "ada,,,,missing,0.00,,\n"
+            "'=cmd,,,,not on the roster,40.00,24,\n");
+}
+
+TEST(Records, SurviveARoundTrip) {
+  Record record = record_of("ada", lab_record(24, 0, 12));
+  record.ignored = {{"framework/", "not in a lab's folder", 312}};
+  record.labs[0].supplied = {"merging.cpp"};
+  record.labs[0].seed = "abc";
+  record.file_time = due;
+  const std::string text = to_json(record);
+  EXPECT_EQ(to_json(record_from_json(text, "ada.json")), text);
+  EXPECT_THROW(record_from_json("{}", "ada.json"), std::runtime_error);
+  EXPECT_THROW(record_from_json(text.substr(0, text.size() / 2), "ada.json"), std::runtime_error);
+}
+
+TEST(Times, AreParsedWithTheirOffset) {
+  EXPECT_EQ(to_text(*parse_time("2026-10-12T23:59:00+02:00")), "2026-10-12T21:59:00Z");
+  EXPECT_EQ(to_text(*parse_time("2026-10-12 23:59Z")), "2026-10-12T23:59:00Z");
+  EXPECT_FALSE(parse_time("2026-10-12T23:59:00"));
+  EXPECT_FALSE(parse_time("2026-13-12T23:59:00Z"));
+}
+
+}  // namespace
+}  // namespace cs550::gradebook

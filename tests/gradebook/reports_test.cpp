@@ -1,0 +1,242 @@
+/// The reports that are made from records.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/system/files.hpp"
+#include "gradebook/command/compare.hpp"
+#include "gradebook/course/course_file.hpp"
+#include "gradebook/marks/pseudonyms.hpp"
+#include "gradebook/records/merge.hpp"
+#include "gradebook/reports/class_page.hpp"
+#include "gradebook/reports/classroom.hpp"
+#include "gradebook/reports/feedback.hpp"
+#include "gradebook/reports/gradescope.hpp"
+#include "gradebook/reports/junit.hpp"
+#include "gradebook/reports/numbers.hpp"
+#include "gradebook/reports/statistics.hpp"
+#include "gradebook/reports/write_reports.hpp"
+#include "gradebook_test.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+using Json = nlohmann::json;
+
+Course course_of(const std::string& text) {
+  return parse_course(text, "course.toml", project_catalogue());
+}
+
+StudentMark mark_of(const Record& record, const Course& course) {
+  return mark_student({"ada", "Ada", "", "", {}, true, {&record}}, {3}, course);
+}
+
+/// A submission that tries to write into every report.
+Record hostile_record() {
+  Record record = record_of("=<script>alert(1)</script>", lab_record(0, 24, 0));
+  record.labs[0].tests[0].message = "\033[31m<script>alert(1)</script> ]]> ``` **bold** \xFF";
+  record.labs[0].tests[2].message = "the secret: use the twin edge";
+  record.labs[0].compile_errors = "</pre><script>alert(1)</script>";
+  record.ignored = {{"<img src=x onerror=alert(1)>", "not C++", 1}};
+  record.name = "hostile";
+  return record;
+}
+
+TEST(Gradescope, HasTheFieldsOfItsFormat) {
+  const Record record = record_of("ada", lab_record(24, 0, 12));
+  const Course course = course_of(
+      "leaderboard = ['points', 'seconds']\n[lab.3]\npoints = 100\n"
+      "[visibility]\nhidden_tests = 'after_due_date'\n");
+  const Json json = Json::parse(gradescope_json(mark_of(record, course), course));
+  EXPECT_DOUBLE_EQ(json.at("score"), 60);
+  EXPECT_DOUBLE_EQ(json.at("max_score"), 100);
+  EXPECT_DOUBLE_EQ(json.at("execution_time"), 1.5);
+  const Json& tests = json.at("tests");
+  ASSERT_EQ(tests.size(), 3U);
+  EXPECT_DOUBLE_EQ(tests[0].at("score"), 40);
+  EXPECT_DOUBLE_EQ(tests[0].at("max_score"), 40);
+  EXPECT_EQ(tests[0].at("status"), "passed");
+  EXPECT_EQ(tests[0].at("name"), "Lab3.FirstOfEqualVerticesWins");
+  EXPECT_EQ(tests[0].at("number"), "3.1");
+  EXPECT_EQ(tests[0].at("visibility"), "visible");
+  EXPECT_EQ(tests[1].at("output"), "expected 1 m, got 2 m");
+  EXPECT_EQ(tests[2].at("visibility"), "after_due_date");
+  EXPECT_EQ(tests[2].at("tags"), (Json{"L3.1", "hidden"}));
+  EXPECT_EQ(json.at("leaderboard")[0].at("name"), "Points");
+  EXPECT_EQ(json.at("leaderboard")[1].at("order"), "asc");
+  EXPECT_EQ(json.at("extra_data").at("submission"), "ada");
+}
+
+TEST(Junit, CountsVerdictsAndShowsPoints) {
+  Record record = record_of("ada", lab_record(24, 0, 0));
+  record.labs[0].tests[2].status = "blocked";
+  record.labs[0].tests[0].status = "crashed";
+  record.labs[0].tests[0].earned = 0;
+  const std::string text = junit_xml(record);
+  EXPECT_NE(text.find(R"(tests="3" failures="2" errors="1" skipped="0")"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<system-out>points 24, earned 0</system-out>"), std::string::npos);
+  EXPECT_NE(text.find(R"(<property name="points" value="12"/>)"), std::string::npos);
+  EXPECT_NE(text.find(R"(type="blocked")"), std::string::npos) << "blocked is not passed";
+}
+
+TEST(Classroom, ListsVisibleTestsOnly) {
+  const Json json = Json::parse(classroom_json(record_of("ada", lab_record(24, 0, 12))));
+  EXPECT_EQ(json.at("max_score"), 48);
+  EXPECT_EQ(json.at("tests").size(), 2U);
+  EXPECT_EQ(json.at("status"), "fail");
+  EXPECT_EQ(json.at("tests")[0].at("status"), "pass");
+}
+
+TEST(Feedback, ShowsHiddenTestsByNameAndPointsOnly) {
+  const Record record = hostile_record();
+  for (const bool listed : {true, false}) {
+    const Course course = course_of(listed ? "" : "[visibility]\nhidden_tests = 'hidden'\n");
+    for (const std::string& text : {feedback_markdown(mark_of(record, course), course),
+                                    feedback_html(mark_of(record, course), course)}) {
+      EXPECT_EQ(text.find("twin edge"), std::string::npos) << "the message of a hidden test";
+      EXPECT_EQ(text.find("Secret") != std::string::npos, listed);
+      EXPECT_NE(text.find("12"), std::string::npos) << "the points of hidden tests";
+    }
+  }
+}
+
+TEST(Reports, NoReportContainsWhatAStudentWroteAsMarkup) {
+  const std::vector<Record> records{hostile_record(), record_of("bob", lab_record(0, 24, 0))};
+  const Course course = course_of("title = '<script>title</script>'");
+  const StudentMark mark = mark_of(records[0], course);
+  const std::vector<StudentMark> marks = mark_class(assign({}, records), {3}, course);
+  for (const std::string& text :
+       {feedback_html(mark, course), class_page(marks, {3}, course), junit_xml(records[0])}) {
+    EXPECT_EQ(text.find("<script>"), std::string::npos);
+    EXPECT_EQ(text.find("<img"), std::string::npos);
+    EXPECT_EQ(text.find('\033'), std::string::npos);
+    EXPECT_EQ(text.find('\xFF'), std::string::npos);
+  }
+  const std::string markdown = feedback_markdown(mark, course);
+  EXPECT_NE(markdown.find("````text\n<script>"), std::string::npos) << "a fence longer than theirs";
+  for (const std::string& text : {gradescope_json(mark, course), classroom_json(records[0])}) {
+    EXPECT_TRUE(Json::accept(text)) << text;
+    EXPECT_EQ(text.find("\\u001b"), std::string::npos);
+  }
+}
+
+TEST(Reports, AreMadeFromRecordsAlone) {
+  const ScratchFolder scratch;
+  const std::vector<Record> records{record_of("ada", lab_record(24, 0, 12))};
+  write_reports(scratch / "a", records, {}, course_of(""));
+  write_reports(scratch / "b", records, {}, course_of(""));
+  for (const char* file : {"grades.csv", "class.html", "gradescope/ada.json", "junit/ada.xml",
+                           "classroom/ada.json", "feedback/ada.md", "feedback/ada.html"}) {
+    EXPECT_EQ(cli::read_text(scratch / "a" / file), cli::read_text(scratch / "b" / file)) << file;
+  }
+}
+
+std::vector<Record> class_of(const std::vector<std::pair<int, int>>& points) {
+  std::vector<Record> records;
+  for (const auto& [first, second] : points) {
+    records.push_back(
+        record_of("s" + std::to_string(records.size()), lab_record(first, second, 0)));
+    records.back().labs[0].hash = records.back().name;
+  }
+  return records;
+}
+
+TEST(Statistics, DescribeLabsAndTests) {
+  const std::vector<Record> records = class_of({{24, 24}, {24, 24}, {24, 0}, {0, 0}});
+  const std::vector<StudentMark> marks = mark_class(assign({}, records), {3}, course_of(""));
+  const ClassStatistics statistics = statistics_of(marks, {3});
+  ASSERT_EQ(statistics.labs.size(), 1U);
+  EXPECT_EQ(statistics.labs[0].submissions, 4);
+  EXPECT_DOUBLE_EQ(statistics.labs[0].mean, 50);
+  EXPECT_DOUBLE_EQ(statistics.labs[0].median, 60);
+  EXPECT_EQ(statistics.labs[0].histogram[8], 2);
+  EXPECT_EQ(statistics.labs[0].histogram[0], 1);
+  EXPECT_EQ(statistics.tests[0].passed, 3);
+  // r of (1, 1, 1, 0) and (24, 24, 0, 0)
+  EXPECT_NEAR(statistics.tests[0].discrimination, 1 / std::sqrt(3.0), 1e-9);
+  EXPECT_FALSE(statistics.tests[2].discriminates) << "everyone failed it";
+}
+
+TEST(Statistics, AlikeFailuresDifferInNumbersOnly) {
+  std::vector<Record> records = class_of({{0, 24}, {0, 24}, {0, 24}});
+  records[0].labs[0].tests[0].message = "expected 1.25 m, got 2 m\nseed 1";
+  records[1].labs[0].tests[0].message = "expected 13.5 m, got 40 m\nseed 2";
+  records[2].labs[0].tests[0].message = "the program crashed";
+  for (Record& record : records) record.labs[0].tests[2].message.clear();
+  const std::vector<StudentMark> marks = mark_class(assign({}, records), {3}, course_of(""));
+  const std::vector<AlikeFailures> failures = statistics_of(marks, {3}).failures;
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_EQ(failures[0].message, "expected #.# m, got # m");
+  EXPECT_EQ(failures[0].students.size(), 2U);
+}
+
+TEST(Statistics, EqualFilesAreListed) {
+  std::vector<Record> records = class_of({{24, 24}, {24, 24}, {24, 24}, {0, 0}, {0, 0}});
+  records[0].labs[0].hash = records[2].labs[0].hash = "the same";
+  records[3].labs[0].hash = records[4].labs[0].hash = "the starter";
+  const std::vector<StudentMark> marks = mark_class(assign({}, records), {3}, course_of(""));
+  const std::vector<EqualFiles> equal = statistics_of(marks, {3}).equal;
+  ASSERT_EQ(equal.size(), 1U) << "files that earn nothing are equal by chance";
+  EXPECT_EQ(equal[0].students[1]->student.id, "s2");
+}
+
+TEST(Statistics, OfNumbers) {
+  EXPECT_DOUBLE_EQ(median_of({3, 1, 2}), 2);
+  EXPECT_DOUBLE_EQ(median_of({4, 1, 2, 3}), 2.5);
+  EXPECT_DOUBLE_EQ(deviation_of({1, 3}), 1);
+  EXPECT_DOUBLE_EQ(*correlation({1, 2, 3}, {-2, -4, -6}), -1);
+  EXPECT_FALSE(correlation({1, 2}, {5, 5}));
+  EXPECT_DOUBLE_EQ(mean_of({}), 0);
+}
+
+TEST(Compare, PrintsWhatChanged) {
+  const std::vector<Record> before{record_of("ada", lab_record(24, 0, 0)),
+                                   record_of("bob", lab_record(0, 0, 0)),
+                                   record_of("eve", lab_record(0, 0, 0))};
+  const std::vector<Record> after{record_of("ada", lab_record(24, 24, 0)),
+                                  record_of("bob", lab_record(0, 0, 0))};
+  EXPECT_EQ(comparison(before, after),
+            "ada, lab 3: 24 of 60 -> 48 of 60\n"
+            "    Lab3.ClimbEndsOnAPlateau: failed -> passed (+24 points)\n"
+            "eve: removed\n"
+            "1 of 2 submissions changed.\n");
+}
+
+TEST(Merge, LabsOfOneSubmissionComeTogether) {
+  const Record lab3 = record_of("ada", lab_record(24, 0, 0));
+  Record lab4 = lab3;
+  lab4.labs[0].lab = 4;
+  Record other = lab3;
+  other.hash = "other content";
+  const std::vector<Record> records = merged({{lab3}, {lab4, other}, {lab3}});
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records[0].labs.size(), 2U);
+  EXPECT_EQ(records[1].name, "ada-2");
+}
+
+TEST(Pseudonyms, LeaveNoName) {
+  Record record = hostile_record();
+  record.student = record.source = record.claimed_student = "Lovelace";
+  record.ignored = {{"Lovelace/notes.txt", "Lovelace", 1}};
+  record.labs[0].files = {"lovelace.cpp"};
+  record.labs[0].tests[0].message = "Lovelace was here";
+  const Course course = course_of(
+      "secret = 'x'\n[[adjustment]]\nstudent = 'Lovelace'\nlab = 3\npoints = 2\nreason = 'r'\n");
+  const std::vector<Record> records{record};
+  const PseudonymousClass hidden = with_pseudonyms(records, {}, course);
+  const ScratchFolder scratch;
+  write_reports(scratch / "out", hidden.records, hidden.roster, hidden.course);
+  for (const auto& file : cli::files_below(scratch / "out")) {
+    EXPECT_EQ(cli::read_text(file).find("ovelace"), std::string::npos) << file;
+  }
+  EXPECT_EQ(hidden.key.begin()->second, "Lovelace");
+  const std::vector<StudentMark> marks = mark_class(assign({}, hidden.records), {3}, hidden.course);
+  EXPECT_DOUBLE_EQ(marks[0].labs[0].mark, 26) << "adjustments follow the pseudonym";
+  const Course other = course_of("secret = 'y'");
+  EXPECT_NE(with_pseudonyms(records, {}, other).key.begin()->first, hidden.key.begin()->first);
+}
+
+}  // namespace
+}  // namespace cs550::gradebook
