@@ -22,11 +22,13 @@ draw_figures() {
     case $name in '' | '#'*) continue ;; esac
     case $tool in
       draw) ;;
+      live) "$figure_program" --live "$arguments" --output "$file" ;;
       plot) gnuplot -e "data='$docs/data'; name='$name'; output='$file'" \
         docs/figures/plots/style.gp "docs/figures/plots/$name.gp" ;;
       diagram) dot -Tsvg "docs/figures/diagrams/$name.dot" -o "$file" ;;
       view)
-        [ -n "$viewer" ] || continue
+        [ -f "$docs/live_engine.js" ] || echo "  without live figures: ./cs550 doctor --install live"
+[ -n "$viewer" ] || continue
         file=$docs/figures/$name.png
         "$viewer" $arguments --snapshot "$file" </dev/null >/dev/null ;;
       *) echo "figures.txt: $name is made by '$tool', which nobody knows" >&2; return 1 ;;
@@ -38,6 +40,24 @@ draw_figures() {
     name=${figure##*/figure}
     cp "$figure" "$docs/figures/${lab%%_*}$name"
   done
+}
+
+# The engine for the browser, which live figures run: build/docs/live_engine.js, where emscripten is installed.
+# CS550_LIVE_FIGURES=off leaves it out, so that published pages do not contain the reference.
+build_live_engine() {
+  rm -f "$docs/live_engine.js"
+  [ "${CS550_LIVE_FIGURES-on}" != off ] || return 0
+  command -v emcmake >/dev/null || return 0
+  launcher=
+  ! command -v ccache >/dev/null || launcher=-DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export NODE_PATH="${NODE_PATH-/usr/share/nodejs}"  # the distribution's emscripten finds its parser there
+  { emcmake cmake -S docs/live -B build/live -G Ninja -DCMAKE_BUILD_TYPE=Release $launcher &&
+    cmake --build build/live; } >"$docs/live.log" 2>&1 || {
+    cat "$docs/live.log" >&2
+    echo "The live figures cannot be compiled. To leave them out: CS550_LIVE_FIGURES=off ./cs550 docs" >&2
+    return 1
+  }
+  cp build/live/live_engine.js "$docs/"
 }
 
 # The parts of MathJax that the pages use: 2 MB of 54.
@@ -70,9 +90,11 @@ print_pdf() {
 
 rm -rf "$docs/html"
 draw_figures
+build_live_engine
 python3 docs/tools/make_pages.py "$docs/pages"
 doxygen docs/Doxyfile
 cp -R "$docs/figures" "$docs/html/figures"
+[ ! -f "$docs/live_engine.js" ] || cp "$docs/live_engine.js" docs/live/live.js "$docs/html/"
 copy_mathjax
 print_pdf
 

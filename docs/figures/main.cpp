@@ -11,6 +11,7 @@
 
 #include "cs550/not_implemented.hpp"
 #include "figure.hpp"
+#include "live_figure.hpp"
 
 namespace cs550::book {
 namespace {
@@ -78,18 +79,27 @@ void measure(const Table& table, const fs::path& folder) {
   if (!file.flush()) throw std::runtime_error("cannot write " + table.name);
 }
 
+void draw_live(const std::string& description, const std::string& name) {
+  std::ofstream file(name);
+  file << live::LiveFigure(description).svg();
+  if (!file.flush()) throw std::runtime_error("cannot write " + name);
+}
+
 }  // namespace
 }  // namespace cs550::book
 
 int main(int argc, char** argv) {
   using namespace cs550::book;
   CLI::App app("Draws the pictures of the book and measures its tables.");
-  std::string figures, data, only;
+  std::string figures, data, only, live, output;
   app.add_option("--figures", figures, "folder for pictures");
   app.add_option("--data", data, "folder for tables");
   app.add_option("--only", only, "one picture or table");
+  app.add_option("--live", live, "a live figure as it is at first: a page's number and settings");
+  app.add_option("--output", output, "file for --live");
   CLI11_PARSE(app, argc, argv);
   try {
+    if (!live.empty()) draw_live(live, output);
     for (const Figure& figure : all_figures()) {
       if (!figures.empty() && (only.empty() || only == figure.name)) draw(figure, figures);
     }

@@ -38,6 +38,7 @@ class Book:
         self.errors = []
         self.pages = read_order()
         self.figures = figure_names()
+        self.live_figures = live_figures() if (figures.parent / "live_engine.js").exists() else {}
         self.tests = visible_tests()
         self.mutants = known_mistakes()
         self.sources = given_sources(self.tests)
@@ -110,9 +111,18 @@ def read_order():
     return pages
 
 
-def figure_names():
+def figure_lines():
     lines = (DOCS / "figures" / "figures.txt").read_text().splitlines()
-    return [line.split()[0] for line in lines if line.strip() and not line.startswith("#")]
+    return [line.split(maxsplit=2) for line in lines if line.strip() and not line.startswith("#")]
+
+
+def figure_names():
+    return [name for name, *_ in figure_lines()]
+
+
+def live_figures():
+    """Name → page and settings, as live.js opens it."""
+    return {name: arguments[0] for name, tool, *arguments in figure_lines() if tool == "live"}
 
 
 def visible_tests():

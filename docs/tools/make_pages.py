@@ -19,6 +19,8 @@ def write_page(book, page, output):
     body = markup.convert(page.text.split("\n", 1)[1])
     name = "mainpage" if page.name == "index" else page.name
     heading = f"# {page.label} {{#{name}}}\n"
+    if "<figure id=" in body and " data-live=" in body:
+        body += raw('<script src="live.js" defer></script>')
     text = f"{heading}\n[TOC]\n{body}\n\n{navigation(book, page)}\n"
     (output / f"{page.name}.md").write_text(text)
     return markup.cited

@@ -92,7 +92,8 @@ class Markup:
             self.error(f"figure {name} is not in figures.txt")
         number, _ = self.book.figure_number[key]
         text = self.inline_html(caption or alt + ".")
-        return raw(f'<figure id="fig_{key}"><img src="figures/{key}.{kind}" alt="{escape(" ".join(alt.split()))}"/>'
+        live = f' data-live="{escape(self.book.live_figures[name])}"' if name in self.book.live_figures else ""
+        return raw(f'<figure id="fig_{key}"{live}><img src="figures/{key}.{kind}" alt="{escape(" ".join(alt.split()))}"/>'
                    f"<figcaption><b>Figure {number}.</b> {text}</figcaption></figure>")
 
     def listing(self, place, name, form):

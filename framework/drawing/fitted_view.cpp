@@ -35,6 +35,14 @@ std::vector<Vec3> corners(const Bounds& box) {
   return result;
 }
 
+/// The four ends of the outline of the largest ball in a cube.
+std::vector<Vec3> ball_outline(const Bounds& cube, const PageAxes& axes) {
+  const Real radius = Real(0.5) * cube.extent().minCoeff();
+  const Vec3 center = cube.center();
+  return {center - radius * axes.right, center + radius * axes.right, center - radius * axes.up,
+          center + radius * axes.up};
+}
+
 bool is_empty(const Bounds& box) { return !(box.lower.array() <= box.upper.array()).all(); }
 
 }  // namespace
@@ -48,7 +56,7 @@ FittedView::FittedView(const View& view, std::span<const Vec3> keep_in_view,
 
   std::vector<Vec3> positions;
   if (!is_empty(view.frame)) {
-    positions = corners(view.frame);
+    positions = view.frames_ball ? ball_outline(view.frame, axes) : corners(view.frame);
   } else {
     std::copy_if(keep_in_view.begin(), keep_in_view.end(), std::back_inserter(positions),
                  is_finite);

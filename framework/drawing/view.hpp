@@ -12,6 +12,9 @@ struct View {
   Vec3 up = Vec3::UnitZ();                               ///< upward on the page, roughly
   Real field_of_view = 0;  ///< vertical angle (rad); 0 for a parallel projection
   Bounds frame;            ///< the part to show (m); if empty, the whole drawing
+  /// Fits the ball inside the frame instead of its corners, so that the scale stays the same while
+  /// the view turns.
+  bool frames_ball = false;
 };
 
 /// Views along a coordinate axis.

@@ -1,0 +1,160 @@
+#include "live_figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "control_json.hpp"
+#include "drawing/svg.hpp"
+#include "pages/make_page.hpp"
+#include "pages/world/world_page.hpp"
+
+namespace cs550::live {
+
+namespace {
+
+constexpr drawing::Size picture_size = {640, 420};
+constexpr drawing::Size plot_size = {420, 240};
+
+/// The role of the most similar colour: SVG knows roles only.
+drawing::Role role_of(const pages::Rgba& colour) {
+  const auto difference = [&](drawing::Role role) {
+    return (pages::role_rgba(role).head<3>() - colour.head<3>()).norm();
+  };
+  return *std::min_element(
+      drawing::all_roles.begin(), drawing::all_roles.end(),
+      [&](drawing::Role a, drawing::Role b) { return difference(a) < difference(b); });
+}
+
+/// Shaded bodies as faces and edges.
+void add_solid(drawing::Drawing& drawing, const pages::Solid& solid) {
+  const HalfEdgeMesh& mesh = *solid.mesh;
+  const drawing::Role role = role_of(solid.colour);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    drawing::Polygon polygon;
+    polygon.role = role;
+    polygon.opacity = solid.colour.w();
+    for (const Index e : face_edges(mesh, f)) {
+      polygon.corners.push_back(solid.pose.to_world(mesh.vertex(mesh.origin(e))));
+    }
+    drawing.polygons.push_back(std::move(polygon));
+  }
+  for (Index e = 0; e < mesh.edge_count(); e += 2) {
+    drawing.lines.push_back({solid.pose.to_world(mesh.vertex(mesh.origin(e))),
+                             solid.pose.to_world(mesh.vertex(mesh.edge(e).vertex)),
+                             {drawing::Role::Faint, 1, false, false}});
+  }
+}
+
+struct Axes {
+  Vec3 toward_eye, right, up;
+};
+
+Axes axes_of(const pages::Camera& camera) {
+  const Vec3 toward_eye(std::cos(camera.pitch) * std::cos(camera.yaw),
+                        std::cos(camera.pitch) * std::sin(camera.yaw), std::sin(camera.pitch));
+  const Vec3 right(-std::sin(camera.yaw), std::cos(camera.yaw), 0);
+  return {toward_eye, right, toward_eye.cross(right)};
+}
+
+}  // namespace
+
+LiveFigure::LiveFigure(const std::string& description) {
+  std::istringstream words(description);
+  pages::PageChoice choice;
+  if (!(words >> choice.lab) || choice.lab < 0 || choice.lab > pages::lab_page_count) {
+    throw std::invalid_argument("live figure '" + description +
+                                "': expected the number of a page, 0 to 7, first");
+  }
+  std::vector<std::string> assignments;
+  for (std::string word; words >> word;) {
+    if (choice.lab == 0 && word.starts_with("scene=")) {
+      choice.scene = word.substr(word.find('=') + 1);
+    } else {
+      assignments.push_back(word);
+    }
+  }
+  page_ = pages::make_page(choice);
+  page_->refresh();
+  camera_ = page_->first_view();
+  for (const std::string& assignment : assignments) set(assignment);
+  page_->refresh();
+}
+
+void LiveFigure::set(const std::string& assignment) {
+  if (assignment.starts_with(std::string(unavailable) + '=')) {
+    throw std::invalid_argument(
+        "the Minkowski difference needs the hull library: use ./cs550 view");
+  }
+  pages::ControlSetter setter(assignment);
+  page_->describe(setter);
+  setter.expect_found();
+}
+
+std::string LiveFigure::describe() {
+  ControlJson lister;
+  page_->describe(lister);
+  return lister.text();
+}
+
+void LiveFigure::rewind() {
+  if (auto* world = dynamic_cast<pages::WorldPage*>(page_.get())) world->reset();
+  page_->rewind();
+}
+
+void LiveFigure::drag(Real right, Real up) {
+  const std::optional<Vec3> handle = page_->handle();
+  if (!handle) return;
+  const Axes axes = axes_of(camera_);
+  const Real radius = page_->content().focus.radius;
+  page_->move_handle(*handle + radius * (right * axes.right + up * axes.up));
+}
+
+void LiveFigure::throw_box() {
+  auto* world = dynamic_cast<pages::WorldPage*>(page_.get());
+  if (world == nullptr) return;
+  const auto& [center, radius] = page_->content().focus;
+  world->throw_box(center + radius * axes_of(camera_).toward_eye, center);
+}
+
+std::string LiveFigure::svg() {
+  page_->refresh();
+  const pages::Content& content = page_->content();
+  drawing::Scene scene{content.drawing, {}};
+  for (const pages::Solid& solid : content.solids) {
+    if (solid.mesh) add_solid(scene.drawing, solid);
+  }
+  if (!content.problem.empty()) scene.drawing.notes = {content.problem};
+  scene.view.toward_eye = axes_of(camera_).toward_eye;
+  const Vec3 half = Vec3::Constant(content.focus.radius);
+  scene.view.frame.include(content.focus.center - half);
+  scene.view.frame.include(content.focus.center + half);
+  scene.view.frames_ball = true;
+  return write_svg(scene.drawing, scene.view, picture_size);
+}
+
+std::string LiveFigure::plot_svg(std::size_t plot) {
+  const std::vector<drawing::Plot>& plots = page_->content().plots;
+  return plot < plots.size() ? write_svg(plots[plot], plot_size) : "";
+}
+
+std::string LiveFigure::facts() {
+  const pages::Content& content = page_->content();
+  nlohmann::json facts = nlohmann::json::array();
+  for (const pages::Fact& fact : content.facts) facts.push_back({fact.name, fact.value});
+  const nlohmann::json all = {{"title", page_->title()},
+                              {"story", page_->story()},
+                              {"walks", page_->lab() == 0 || content.step_count > 1},
+                              {"throws", page_->lab() == 0},
+                              {"steps", content.step_count},
+                              {"plots", content.plots.size()},
+                              {"drag", page_->handle().has_value()},
+                              {"problem", content.problem},
+                              {"facts", facts}};
+  return all.dump();
+}
+
+}  // namespace cs550::live

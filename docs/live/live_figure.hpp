@@ -1,0 +1,52 @@
+#pragma once
+/// @file live_figure.hpp
+/// A figure that answers: a page of the viewer as SVG, with its settings. The book's static picture
+/// and the browser's live one are both made here.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "pages/base/page.hpp"
+
+namespace cs550::live {
+
+/// A page with a camera that turns about what the page focuses on.
+class LiveFigure {
+ public:
+  /// @param description the number of a page and settings: "4 gauss_maps=off turn=0,0,45". Page 0
+  /// takes scene=NAME too.
+  /// @throws std::invalid_argument that says what is wrong
+  explicit LiveFigure(const std::string& description);
+
+  /// @param assignment name=value @throws std::invalid_argument that says what is wrong
+  void set(const std::string& assignment);
+  /// The settings as JSON: a list of {kind, name, label, unit, value, least, most, names}.
+  std::string describe();
+  /// One step of the walk or of time.
+  void advance() { page_->advance(); }
+  /// Begins the walk or the scene again.
+  void rewind();
+  /// Moves what can be dragged in the plane of the picture. @param right, up multiples of the
+  /// focus's radius
+  void drag(Real right, Real up);
+
+  /// In a running world: throws a box from the camera's side through the middle.
+  void throw_box();
+
+  /// Turns the camera (rad).
+  void orbit(Real yaw, Real pitch) { camera_.orbit(yaw, pitch); }
+  /// The picture.
+  std::string svg();
+  /// A plot beside it; empty if there is none of that number.
+  std::string plot_svg(std::size_t plot);
+  /// What is said beside the picture, as JSON: title, story, walks, throws, steps,
+  /// plots, drag, problem, facts.
+  std::string facts();
+
+ private:
+  std::unique_ptr<pages::Page> page_;
+  pages::Camera camera_;
+};
+
+}  // namespace cs550::live
