@@ -27,7 +27,8 @@ struct BodySlot {
 struct PairList {
   std::vector<Contact> contacts;
   std::vector<SeparatingAxis> axes;
-  std::vector<char> touching;  ///< at the end of the last step
+  std::vector<char> touching;          ///< at the end of the last step
+  std::vector<double> impulse_energy;  ///< of the impulses that the contact points keep (J)
 
   std::size_t size() const { return contacts.size(); }
   void clear();

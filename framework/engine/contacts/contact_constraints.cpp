@@ -1,6 +1,7 @@
 #include "engine/contacts/contact_constraints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/contacts/solve_order.hpp"
 
@@ -29,6 +30,41 @@ ContactConstraint make_constraint(const Contact& contact, const ContactPoint& po
   return constraint;
 }
 
+/// About the ratio of the smallest to the largest radius of gyration: 1/3 for a cube, 0.02 for a
+/// needle of 1 : 50. A needle that turns by its thinness moves its ends by its own thickness: the
+/// lever of a contact there about the needle's axis, and with it the effective mass, is another one.
+Real thinness(const RigidBody& body) {
+  if (body.kind != BodyKind::Dynamic) return 1;
+  return 1 / std::sqrt(body.inertia.trace() * body.inverse_inertia.trace());
+}
+
+/// Turns the levers with the bodies. The separation is such that, with what the bodies have moved, it
+/// is the distance of the two anchors now.
+void move_levers(WorldState& world, const Contact& contact, std::span<const Index> places) {
+  const Pose& a = world.bodies[contact.body_a].pose;
+  const Pose& b = world.bodies[contact.body_b].pose;
+  const SolverBody& solver_a = world.solver_bodies[contact.body_a];
+  const SolverBody& solver_b = world.solver_bodies[contact.body_b];
+  auto place = places.begin();
+  for (const ContactPoint& point : contact.manifold.points) {
+    ContactConstraint& constraint = world.constraints[*place++];
+    const Vec3 on_a = a.to_world(point.anchor_a);
+    const Vec3 on_b = b.to_world(point.anchor_b);
+    const Vec3 middle = Real(0.5) * (on_a + on_b);
+    constraint.r_a = middle - a.position;
+    constraint.r_b = middle - b.position;
+    const Vec3 moved = solver_b.delta_position + solver_b.delta_rotation.cross(constraint.r_b) -
+                       solver_a.delta_position - solver_a.delta_rotation.cross(constraint.r_a);
+    constraint.separation = constraint.n.dot(on_b - on_a - moved);
+  }
+}
+
+void prepare_again(WorldState& world, const ContactStep& step, std::span<const Index> places) {
+  for (const Index place : places) {
+    prepare_contacts({&world.constraints[place], 1}, world.solver_bodies, step);
+  }
+}
+
 }  // namespace
 
 Vec3 ContactConstraint::v() const { return n.cross(u); }
@@ -49,20 +85,33 @@ void make_constraints(WorldState& world) {
 }
 
 void refresh_masses(WorldState& world, const ContactStep& step) {
-  // By then the inverse inertia of a needle of 1 : 50 may have grown by half across its length.
-  // With twice the effective mass that a constraint has, every pass would overshoot further than
-  // the last.
   constexpr Real far = Real(0.02);
-  const auto has_turned = [&](const SolverBody& body) {
-    return body.delta_rotation.squaredNorm() > far * far;
+  constexpr Real thin = Real(0.1);  // the masses of thicker bodies change little with their levers
+  const auto turn = [&](Index i) { return world.solver_bodies[i].delta_rotation.norm(); };
+  const auto has_turned_far = [&](Index i) { return turn(i) > far; };
+  const auto has_turned_its_thinness = [&](Index i) {
+    const Real limit = thinness(world.bodies[i]);
+    return limit < thin && turn(i) > limit;
   };
-  const std::vector<SolverBody>& bodies = world.solver_bodies;
-  if (std::none_of(bodies.begin(), bodies.end(), has_turned)) return;
-  for (ContactConstraint& constraint : world.constraints) {
-    if (has_turned(bodies[constraint.body_a]) || has_turned(bodies[constraint.body_b])) {
-      prepare_contacts({&constraint, 1}, bodies, step);
-    }
-  }
+  for_constraints_of_contacts(world, [&](const Contact& contact, std::span<const Index> places) {
+    const bool levers =
+        has_turned_its_thinness(contact.body_a) || has_turned_its_thinness(contact.body_b);
+    if (!levers && !has_turned_far(contact.body_a) && !has_turned_far(contact.body_b)) return;
+    const double before = impulse_energy(world, places);
+    if (levers) move_levers(world, contact, places);
+    prepare_again(world, step, places);
+    limit_impulse_energy(world, step, places, before);
+  });
+}
+
+void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step) {
+  const auto turns_far = [&](Index i) {
+    const RigidBody& body = world.bodies[i];
+    return step.h * body.angular_velocity.norm() > thinness(body) / 2;
+  };
+  for_constraints_of_contacts(world, [&](const Contact& contact, std::span<const Index> places) {
+    if (turns_far(contact.body_a) || turns_far(contact.body_b)) prepare_again(world, step, places);
+  });
 }
 
 }  // namespace cs550

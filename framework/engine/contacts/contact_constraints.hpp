@@ -12,9 +12,26 @@ namespace cs550 {
 /// Makes the constraints of a step, in the order in which they are solved.
 void make_constraints(WorldState& world);
 
-/// Recomputes the masses of constraints whose bodies have turned far since the step began: their
-/// world inertia has changed.
+/// Recomputes the masses of constraints whose bodies have turned far since the step began, and turns
+/// the levers of thin bodies. Call it before the impulses of a substep are applied: those that no
+/// longer suit the masses are limited.
+///
+/// A pass lowers the kinetic energy only if the masses belong to the present inertia. With twice
+/// the effective mass that a constraint has, every pass overshoots further than the last.
 void refresh_masses(WorldState& world, const ContactStep& step);
+/// Recomputes the masses of constraints whose bodies have turned far for their thinness within this
+/// substep. Call it before the relax passes: the impulses have been applied and stay as they are.
+void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step);
+
+/// The kinetic energy that the impulses of a contact's constraints give to bodies at rest, each
+/// impulse alone (J).
+double impulse_energy(const WorldState& world, std::span<const Index> places);
+/// Scales the impulses of a contact down to the energy that they had before, if it has more than
+/// doubled and they would throw the bodies apart faster than overlap may.
+void limit_impulse_energy(WorldState& world, const ContactStep& step, std::span<const Index> places,
+                          double before);
+/// Does so for the impulses that all contacts have carried from the last step.
+void limit_carried_impulses(WorldState& world, const ContactStep& step);
 
 /// Estimates the impulses of resting contacts that have none from the step before.
 /// @param h substep (s)

@@ -74,6 +74,7 @@ void carry_impulses(const Manifold& before, Manifold& now) {
 }
 
 void store_impulses(WorldState& world) {
+  auto energy = world.pairs.impulse_energy.begin();
   for_constraints_of_contacts(world, [&](Contact& contact, std::span<const Index> places) {
     auto place = places.begin();
     for (ContactPoint& point : contact.manifold.points) {
@@ -81,6 +82,7 @@ void store_impulses(WorldState& world) {
       point.normal_impulse = constraint.normal_impulse;
       point.tangent_impulse = constraint.tangent_impulse;
     }
+    *energy++ = impulse_energy(world, places);
   });
 }
 

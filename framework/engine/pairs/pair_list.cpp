@@ -98,6 +98,7 @@ void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs
   pairs.contacts.push_back(contact);
   pairs.axes.emplace_back();
   pairs.touching.push_back(0);
+  pairs.impulse_energy.push_back(0);
 }
 
 void note_end(WorldState& world, std::size_t pair, std::vector<ContactEvent>& events) {
@@ -135,12 +136,14 @@ void PairList::clear() {
   contacts.clear();
   axes.clear();
   touching.clear();
+  impulse_energy.clear();
 }
 
 void PairList::append(const PairList& other, std::size_t i) {
   contacts.push_back(other.contacts[i]);
   axes.push_back(other.axes[i]);
   touching.push_back(other.touching[i]);
+  impulse_energy.push_back(other.impulse_energy[i]);
 }
 
 Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h) {

@@ -1,5 +1,8 @@
 #include "cs550/diagnostics.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cs550 {
 
 Energy energy(const World& world, Real h) {
@@ -33,6 +36,26 @@ Eigen::Vector3d angular_momentum(const World& world) {
     sum += body.angular_momentum.cast<double>() + x.cross(p);
   }
   return sum;
+}
+
+bool is_finite(const World& world) {
+  const auto bodies = world.bodies();
+  return std::all_of(bodies.begin(), bodies.end(), [](const RigidBody& body) {
+    return body.pose.position.allFinite() && body.pose.orientation.coeffs().allFinite() &&
+           body.linear_momentum.allFinite() && body.angular_momentum.allFinite() &&
+           std::isfinite(kinetic_energy(body));
+  });
+}
+
+std::vector<StageProblem> find_broken_stages(World before, Real h) {
+  before.settings().check_stages = true;
+  before.step(h);
+  std::vector<StageProblem> problems(before.problems().begin(), before.problems().end());
+  if (problems.empty() && !is_finite(before)) {
+    problems.push_back({Stage::Solve, 0, no_index, before.step_count() - 1,
+                        "a kinetic energy exceeds the range of float"});
+  }
+  return problems;
 }
 
 }  // namespace cs550

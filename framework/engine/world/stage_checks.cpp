@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "engine/world/stages.hpp"
@@ -77,12 +78,21 @@ const char* broken_promise(const Manifold& manifold) {
 
 }  // namespace
 
-void check_bodies(WorldState& world) {
+void check_bodies(WorldState& world, Stage stage, int lab) {
+  const auto is_reported = [&](Index body) {
+    return std::any_of(world.problems.begin(), world.problems.end(),
+                       [&](const StageProblem& problem) { return problem.body == body; });
+  };
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const char* promise = broken_promise(world.bodies[i]);
-    if (promise == nullptr) continue;
-    report(world, Stage::Integrate, 1, static_cast<Index>(i), promise);
-    world.bodies[i] = world.bodies_before[i];
+    const auto body = static_cast<Index>(i);
+    if (promise != nullptr && !is_reported(body)) report(world, stage, lab, body, promise);
+  }
+}
+
+void restore_broken_bodies(WorldState& world) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (broken_promise(world.bodies[i]) != nullptr) world.bodies[i] = world.bodies_before[i];
   }
 }
 

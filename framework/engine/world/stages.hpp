@@ -57,9 +57,11 @@ void substep(WorldState& world, const ContactStep& step);
 void turn_and_move(RigidBody& body, Real h, RotationMethod method);
 
 /// Checks of what a stage promised. Broken promises are reported in problems(), and their effect is
-/// undone.
+/// undone, that on bodies when the step ends.
 /// @{
-void check_bodies(WorldState& world);
+/// @param stage, lab what has just changed the bodies. A body is reported once in a step.
+void check_bodies(WorldState& world, Stage stage, int lab);
+void restore_broken_bodies(WorldState& world);
 void check_axes(WorldState& world);
 void check_manifolds(WorldState& world);
 /// @}

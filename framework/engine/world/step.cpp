@@ -74,7 +74,7 @@ void advance(WorldState& world, Real h) {
   store_impulses(world);
   note_touching(world);
   clear_forces(world);
-  if (world.settings.check_stages) check_bodies(world);
+  if (world.settings.check_stages) restore_broken_bodies(world);
   run_stage(world, Stage::BroadPhase, enclose_bodies);
   ++world.step_count;
   world.time += static_cast<double>(h);

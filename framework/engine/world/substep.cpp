@@ -27,9 +27,9 @@ void measure_approach(WorldState& world) {
   }
 }
 
-void integrate_momenta(WorldState& world, Real h) {
+void integrate_momenta(WorldState& world, const ContactStep& step) {
   for_dynamic_bodies(world, [&](RigidBody& body) {
-    integrate_momentum(body, h);
+    integrate_momentum(body, step.h);
     refresh_velocity(body);
   });
 }
@@ -70,13 +70,13 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
 }
 
 /// Separations change by what the bodies move in this substep: displacements are counted first.
-void integrate_poses(WorldState& world, Real h) {
+void integrate_poses(WorldState& world, const ContactStep& step) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     RigidBody& body = world.bodies[i];
     if (body.kind == BodyKind::Static) continue;
-    world.solver_bodies[i].delta_position += h * body.linear_velocity;
-    world.solver_bodies[i].delta_rotation += h * body.angular_velocity;
-    turn_and_move(body, h, world.settings.rotation);
+    world.solver_bodies[i].delta_position += step.h * body.linear_velocity;
+    world.solver_bodies[i].delta_rotation += step.h * body.angular_velocity;
+    turn_and_move(body, step.h, world.settings.rotation);
   }
 }
 
@@ -93,12 +93,27 @@ void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
 void relax_and_bounce(WorldState& world, const ContactStep& step) {
   if (is_soft(world.settings)) {
     with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
+      refresh_masses_of_thin_bodies(world, step);
       relax(world, bodies, step);
       apply_restitution(world.constraints, bodies, step);
     });
   } else {
-    for (ContactConstraint& constraint : world.constraints) constraint.mark_impact();
+    // A contact bounces in one substep only.
+    for (ContactConstraint& constraint : world.constraints) {
+      constraint.mark_impact();
+      if (constraint.impact_handled) constraint.approach_velocity = 0;
+    }
   }
+}
+
+/// Runs a part of the substep that changes bodies, and checks them after it if the settings ask for
+/// that.
+template <class Part>
+void run_checked(WorldState& world, Stage stage, const Part& part, const ContactStep& step) {
+  run_stage(world, stage, part, step);
+  if (!world.settings.check_stages) return;
+  const int solver_lab = world.settings.solver == SolverKind::Naive ? 6 : 7;
+  check_bodies(world, stage, stage == Stage::Integrate ? 1 : solver_lab);
 }
 
 }  // namespace
@@ -124,16 +139,17 @@ void prepare(WorldState& world, const ContactStep& step) {
   if (world.settings.solver == SolverKind::Naive) return;
   with_solver_bodies(world, [&](std::span<const SolverBody> bodies) {
     prepare_contacts(world.constraints, bodies, step);
+    limit_carried_impulses(world, step);
     if (world.settings.warm_starting) guess_cold_impulses(world, step.h);
   });
 }
 
 void substep(WorldState& world, const ContactStep& step) {
   run_stage(world, Stage::Solve, measure_approach);
-  run_stage(world, Stage::Integrate, integrate_momenta, step.h);
-  run_stage(world, Stage::Solve, solve_with_bias, step);
-  run_stage(world, Stage::Integrate, integrate_poses, step.h);
-  run_stage(world, Stage::Solve, relax_and_bounce, step);
+  run_checked(world, Stage::Integrate, integrate_momenta, step);
+  run_checked(world, Stage::Solve, solve_with_bias, step);
+  run_checked(world, Stage::Integrate, integrate_poses, step);
+  run_checked(world, Stage::Solve, relax_and_bounce, step);
   audit_substep(world, step.h);
 }
 

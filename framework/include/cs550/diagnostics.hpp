@@ -1,6 +1,8 @@
 #pragma once
 /// @file diagnostics.hpp
-/// Energy and momentum of a world, summed in double precision.
+/// Energy and momentum of a world, summed in double precision, and what to do when they are lost.
+
+#include <vector>
 
 #include "cs550/world.hpp"
 
@@ -26,5 +28,14 @@ Eigen::Vector3d linear_momentum(const World& world);
 
 /// Σ L + x × P of the dynamic bodies about the world's origin (kg·m²/s).
 Eigen::Vector3d angular_momentum(const World& world);
+
+/// Whether all poses, momenta and energies are finite. A world that is not can never be again.
+bool is_finite(const World& world);
+
+/// Repeats a step with checks after every stage. @returns the stages that broke a promise, each with
+/// the body and the step; at least one if the step loses the finite state
+/// @param before the world before that step
+/// @param h step (s)
+std::vector<StageProblem> find_broken_stages(World before, Real h);
 
 }  // namespace cs550

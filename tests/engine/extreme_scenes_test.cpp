@@ -1,0 +1,100 @@
+// Bodies and settings at the edge of what float holds: no impulse may run away.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "cs550/diagnostics.hpp"
+#include "engine/test_bodies.hpp"
+
+namespace cs550 {
+namespace {
+
+using namespace test;
+
+/// The largest speed of a body during a run (m/s); infinity once a number is not finite.
+Real fastest_speed(World& world, int steps) {
+  Real fastest = 0;
+  for (int step = 0; step < steps; ++step) {
+    world.step(step_length);
+    if (!is_finite(world)) return std::numeric_limits<Real>::infinity();
+    for (const RigidBody& body : world.bodies()) {
+      fastest = std::max(fastest, body.linear_velocity.norm());
+    }
+  }
+  return fastest;
+}
+
+/// Needles of 1 : 500 that fall onto a floor in a heap.
+World needles(int count, std::uint32_t seed, Real gravity) {
+  Random random(seed);
+  World world;
+  world.settings().gravity = {0, 0, -gravity};
+  world.settings().audit_momentum = true;
+  world.add_body(floor_body());
+  const ShapePtr needle = box_shape({1, Real(0.002), Real(0.002)});
+  for (int i = 0; i < count; ++i) {
+    const Vec3 place = random.point_in_box({2, 2, 0}) + (1 + Real(0.5) * i) * Vec3::UnitZ();
+    BodyDef def = body_at(needle, place);
+    def.pose.orientation = random.orientation();
+    world.add_body(def);
+  }
+  return world;
+}
+
+/// A needle turns by its thinness within a substep: masses of the substep's beginning are a hundred
+/// times too large by its end.
+TEST(ExtremeScenes, ThinNeedlesStayAsFastAsTheyFell) {
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    World world = needles(20, seed, Real(9.81));
+    // A fall of 11.5 m ends at 15 m/s.
+    EXPECT_LT(fastest_speed(world, 180), 30) << "seed " << seed;
+    EXPECT_LT(world.momentum_error(), 1e-3) << "seed " << seed;
+  }
+  for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+    World world = needles(1, seed, 300);
+    // A fall of 1 m ends at 25 m/s.
+    EXPECT_LT(fastest_speed(world, 120), 50) << "seed " << seed;
+  }
+}
+
+/// Impulses that were carried to a contact whose mass has become much smaller.
+TEST(ExtremeScenes, BaumgarteAtAHundredTimesGravityStaysFinite) {
+  for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+    Random random(seed);
+    World world;
+    world.settings().contact_model = ContactModel::Baumgarte;
+    world.settings().gravity = {0, 0, -1000};
+    world.add_body(floor_body());
+    for (int i = 0; i < 40; ++i) {
+      const ShapePtr hull = random_hull(random, 12, Vec3::Constant(Real(0.5)));
+      const Vec3 place = random.point_in_box(Vec3::Constant(Real(0.4))) + 2 * Vec3::UnitZ();
+      BodyDef def = body_at(hull, place);
+      def.friction = 1000;
+      world.add_body(def);
+    }
+    // A body that leaves the floor falls at up to 2000 m/s in the end.
+    EXPECT_LT(fastest_speed(world, 120), 4000) << "seed " << seed;
+  }
+}
+
+TEST(ExtremeScenes, ALostStepNamesStageBodyAndStep) {
+  World world;
+  world.add_body(floor_body());
+  const BodyId box = world.add_body(body_at(box_shape({1, 1, 1}), {0, 0, 5}));
+  run(world, 3);
+  world.body(box).force.x() = std::numeric_limits<Real>::infinity();
+  const World before = world;
+  world.step(step_length);
+  EXPECT_FALSE(is_finite(world));
+  EXPECT_TRUE(is_finite(before));
+  const std::vector<StageProblem> broken = find_broken_stages(before, step_length);
+  ASSERT_EQ(broken.size(), 1U);
+  EXPECT_EQ(broken[0].stage, Stage::Integrate);
+  EXPECT_EQ(broken[0].body, box.index);
+  EXPECT_EQ(broken[0].step, 3);
+}
+
+}  // namespace
+}  // namespace cs550
