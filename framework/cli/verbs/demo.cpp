@@ -30,12 +30,21 @@ double timed_step(World& world, Real h) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Stops before a step that loses the finite state: its figures would mean nothing.
 void run_scene(World& world, const Scene& scene, int steps, RunRecord& record,
                std::optional<TrajectoryCsv>& trajectory) {
   ProgressBar progress(steps);
+  World before;
   if (trajectory) trajectory->add(world, scene);
   for (int step = 0; step < steps; ++step) {
-    record.add_step(world, timed_step(world, scene.h));
+    before = world;
+    const double seconds = timed_step(world, scene.h);
+    if (!is_finite(world)) {
+      record.stop(find_broken_stages(before, scene.h));
+      world = before;
+      break;
+    }
+    record.add_step(world, seconds);
     if (trajectory) trajectory->add(world, scene);
     progress.show(step + 1);
   }

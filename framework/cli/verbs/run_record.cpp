@@ -44,15 +44,22 @@ void RunRecord::add_step(const World& world, double seconds) {
   most_contacts_ = std::max(most_contacts_, stats.contacts);
   most_points_ = std::max(most_points_, stats.points);
   deepest_ = std::max(deepest_, -stats.deepest_separation);
-  for (const StageProblem& problem : world.problems()) {
+  add_problems(world.problems());
+}
+
+void RunRecord::stop(const std::vector<StageProblem>& broken) {
+  stopped_ = true;
+  add_problems(broken);
+}
+
+void RunRecord::add_problems(std::span<const StageProblem> problems) {
+  for (const StageProblem& problem : problems) {
     const auto same = [&](const StageProblem& known) { return known.message == problem.message; };
     if (std::none_of(problems_.begin(), problems_.end(), same)) problems_.push_back(problem);
   }
 }
 
-bool RunRecord::good() const {
-  return problems_.empty() && !too_deep() && std::isfinite(energy(world_, substep()).total());
-}
+bool RunRecord::good() const { return problems_.empty() && !stopped_ && !too_deep(); }
 
 bool RunRecord::too_deep() const {
   return scene_.max_penetration > 0 && deepest_ > scene_.max_penetration;
@@ -110,8 +117,11 @@ void RunRecord::print_verdict(std::ostream& out) const {
                        problem.step)
         << indented(problem.message, 4);
   }
-  if (!std::isfinite(energy(world_, substep()).total())) {
-    out << coloured("The energy at the end is not finite: a body was lost.", Colour::Red) << '\n';
+  if (stopped_) {
+    out << coloured(fmt::format("The run stopped before step {}, which loses the finite state.",
+                                world_.step_count()),
+                    Colour::Red)
+        << "\nThe figures are those before it.\n";
   }
   if (too_deep()) {
     out << coloured("The penetration exceeds the scene's bound.", Colour::Red) << '\n';

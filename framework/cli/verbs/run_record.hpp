@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class RunRecord {
 
   /// @param seconds duration of the step
   void add_step(const World& world, double seconds);
+  /// The next step would lose the finite state. @param broken the stages that do so
+  void stop(const std::vector<StageProblem>& broken);
 
   /// Whether no stage failed, all numbers are finite and the scene's bound on penetration was kept.
   bool good() const;
@@ -30,6 +33,7 @@ class RunRecord {
  private:
   void print_times(std::ostream& out) const;
   void print_verdict(std::ostream& out) const;
+  void add_problems(std::span<const StageProblem> problems);
   bool too_deep() const;
   Real substep() const;
 
@@ -41,6 +45,7 @@ class RunRecord {
   std::array<double, stage_count> stage_seconds_{};
   int most_contacts_ = 0;
   int most_points_ = 0;
+  bool stopped_ = false;
   Real deepest_ = 0;                    ///< penetration, positive (m)
   std::vector<StageProblem> problems_;  ///< each message once
 };
