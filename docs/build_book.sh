@@ -27,8 +27,7 @@ draw_figures() {
         docs/figures/plots/style.gp "docs/figures/plots/$name.gp" ;;
       diagram) dot -Tsvg "docs/figures/diagrams/$name.dot" -o "$file" ;;
       view)
-        [ -f "$docs/live_engine.js" ] || echo "  without live figures: ./cs550 doctor --install live"
-[ -n "$viewer" ] || continue
+        [ -n "$viewer" ] || continue
         file=$docs/figures/$name.png
         "$viewer" $arguments --snapshot "$file" </dev/null >/dev/null ;;
       *) echo "figures.txt: $name is made by '$tool', which nobody knows" >&2; return 1 ;;
@@ -100,5 +99,10 @@ print_pdf
 
 echo "$docs/html/index.html: $(find "$docs/html" -maxdepth 1 -name '*.html' | wc -l) pages," \
   "$(find "$docs/figures" -type f | wc -l) figures"
+if [ "${CS550_LIVE_FIGURES-on}" = off ]; then
+  echo "  without live figures: CS550_LIVE_FIGURES is off"
+elif [ ! -f "$docs/live_engine.js" ]; then
+  echo "  without live figures: ./cs550 doctor --install live"
+fi
 [ -n "$viewer" ] || echo "  without pictures of the viewer: ./cs550 doctor --install viewer"
 [ ! -s "$docs/cs550.pdf" ] || echo "$docs/cs550.pdf"
