@@ -56,6 +56,22 @@ void expect_refused(const std::string& text, const std::vector<std::string>& par
 
 constexpr const char* box = R"("shape": {"kind": "box", "half_extents": [0.5, 1, 2]})";
 
+TEST(Scene, RefusesWhatFloatCannotHold) {
+  const auto needle = [](const std::string& thickness) {
+    return R"({"shape": {"kind": "box", "half_extents": [1, )" + thickness + ", " + thickness +
+           "]}}";
+  };
+  EXPECT_EQ(load_text(with_body(needle("0.001"))).error, "");
+  expect_refused(with_body(needle("0.0005")), {"/bodies/0: ", "found 2e+06", "thicker"});
+
+  const auto weighing = [](const std::string& mass) {
+    return "{" + std::string(box) + R"(, "mass": )" + mass + "}";
+  };
+  EXPECT_EQ(load_text(with_body(weighing("1e-3") + ", " + weighing("1e5"))).error, "");
+  expect_refused(with_body(weighing("1e-3") + ", " + weighing("1e7")),
+                 {"/bodies/0: ", "0.001 kg beside 1e+07 kg of /bodies/1"});
+}
+
 TEST(Scene, ReadsEveryMemberOfABody) {
   const SceneResult result = load_text(with_body(R"({
       "name": "it", "kind": "kinematic", "mass": 12.5, "position": [1, 2, 3],

@@ -68,6 +68,7 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, const Sce
                      "\"bodies\": " +
                          std::string(bodies_example));
   }
+  refuse_beyond_float(scene, bodies.size());
   refuse_many_pairs(scene, limits);
   return scene;
 }

@@ -1,7 +1,9 @@
 #include "engine/scenes/scene_limits.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <vector>
@@ -18,6 +20,27 @@ void replace_from_environment(const char* variable, int& limit) {
   const char* end = text + std::strlen(text);
   const auto [rest, error] = std::from_chars(text, end, value);
   if (error == std::errc() && rest == end && value > 0) limit = value;
+}
+
+/// Of the principal inertias of one body.
+constexpr double largest_inertia_ratio = 1e6;
+/// Of the masses of two dynamic bodies.
+constexpr double largest_mass_ratio = 1e9;
+
+std::string in_digits(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", number);
+  return text;
+}
+
+double mass_of(const BodyDef& body) {
+  return static_cast<double>(body.mass ? *body.mass : body.density * body.shape->volume);
+}
+
+double inertia_ratio(const ConvexShape& shape) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(shape.unit_inertia.cast<double>(),
+                                                                 Eigen::EigenvaluesOnly);
+  return principal.eigenvalues().maxCoeff() / principal.eigenvalues().minCoeff();
 }
 
 }  // namespace
@@ -58,6 +81,38 @@ void refuse_many_pairs(const Scene& scene, const SceneLimits& limits) {
                            "; or spread the bodies");
     }
   }
+}
+
+void refuse_beyond_float(const Scene& scene, std::size_t listed) {
+  const auto path = [&](std::size_t i) {
+    return i < listed ? "/bodies/" + std::to_string(i) : std::string("/generators");
+  };
+  std::size_t lightest = scene.bodies.size();
+  std::size_t heaviest = lightest;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const BodyDef& body = scene.bodies[i];
+    if (body.kind != BodyKind::Dynamic) continue;
+    const double ratio = inertia_ratio(*body.shape);
+    // Not a number is beyond the limit too.
+    if (!(ratio <= largest_inertia_ratio)) {
+      throw SceneFault(path(i),
+                       "expected a shape whose moments of inertia differ by a factor of at most " +
+                           in_digits(largest_inertia_ratio) + ", found " + in_digits(ratio) +
+                           "; make the body thicker: a needle may be 1 : 1400");
+    }
+    if (lightest == scene.bodies.size()) lightest = heaviest = i;
+    if (mass_of(body) < mass_of(scene.bodies[lightest])) lightest = i;
+    if (mass_of(body) > mass_of(scene.bodies[heaviest])) heaviest = i;
+  }
+  if (lightest == scene.bodies.size()) return;
+  const double least = mass_of(scene.bodies[lightest]);
+  const double most = mass_of(scene.bodies[heaviest]);
+  if (most <= largest_mass_ratio * least) return;
+  throw SceneFault(path(lightest), "expected masses that differ by a factor of at most " +
+                                       in_digits(largest_mass_ratio) + ", found " +
+                                       in_digits(least) + " kg beside " + in_digits(most) +
+                                       " kg of " + path(heaviest) +
+                                       "; state a \"mass\" for one of the two");
 }
 
 }  // namespace cs550

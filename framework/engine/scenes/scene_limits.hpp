@@ -1,7 +1,9 @@
 #pragma once
 /// @file scene_limits.hpp
-/// Refuses scenes that would fill the memory or take minutes to load.
+/// Refuses scenes that would fill the memory or take minutes to load, and bodies that float cannot
+/// hold.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -16,5 +18,11 @@ std::string beyond_limit(std::int64_t found, int limit, const std::string& thing
 /// Throws SceneFault if more pairs of bodies overlap by their bounds than the limit allows: each costs
 /// memory and time in every step. Counts no further than the body that exceeds the limit.
 void refuse_many_pairs(const Scene& scene, const SceneLimits& limits);
+
+/// Throws SceneFault for a dynamic body thinner than a needle of about 1 : 1400, and for dynamic
+/// bodies whose masses differ by a factor of more than 1e9. Beyond these the sums of a contact's
+/// effective mass lose digits that its impulses need.
+/// @param listed number of bodies from /bodies; those of generators follow
+void refuse_beyond_float(const Scene& scene, std::size_t listed);
 
 }  // namespace cs550
