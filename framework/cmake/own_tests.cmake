@@ -38,6 +38,7 @@ foreach(folder framework serialisation engine drawing autograder)
   cs550_add_own_tests(${folder})
 endforeach()
 cs550_add_own_tests(milestones cs550_milestones)
+cs550_add_own_tests(soak nlohmann_json::nlohmann_json fmt::fmt)
 
 # Further tests of each folder. Some of the files are not in the students' copy.
 foreach(folder drawing autograder gradebook install viewer mutants cli docs)
