@@ -41,13 +41,22 @@ WorldFrame Simulation::serve(const WorldRequest& request) {
   if (!world_) throw std::logic_error("no scene has been built");
   if (request.settings) world_->settings() = *request.settings;
   if (request.thrown) throw_box(*request.thrown);
-  for (int i = 0; i < request.steps; ++i) {
+  for (int i = 0; i < request.steps && lost_.empty(); ++i) {
     pull(request.pull);
-    world_->step(h_);
+    step();
     frame.samples.push_back(sample());
   }
   describe(frame);
   return frame;
+}
+
+/// A step that loses the finite state is taken back, and the world stands still from then on.
+void Simulation::step() {
+  const World before = *world_;
+  world_->step(h_);
+  if (is_finite(*world_)) return;
+  lost_ = find_broken_stages(before, h_);
+  *world_ = before;
 }
 
 void Simulation::build(const std::string& name, WorldFrame& frame) {
@@ -56,6 +65,7 @@ void Simulation::build(const std::string& name, WorldFrame& frame) {
   const Scene& scene = found.scene;
   world_.emplace(make_world(scene));
   h_ = scene.h;
+  lost_.clear();
   sent_meshes_.clear();
   frame.scene = {scene.name,       scene.title,    scene.description,
                  scene.body_names, scene.settings, scene.h};
@@ -126,7 +136,7 @@ void Simulation::describe(WorldFrame& frame) {
     frame.bounds.push_back(alive ? world_bounds(world_->posed_shape(id)) : Bounds());
   }
   frame.tree = inner_nodes(world_->broad_phase());
-  frame.problems = messages(world_->problems());
+  frame.problems = messages(lost_.empty() ? world_->problems() : std::span(lost_));
   frame.step = world_->step_count();
   frame.time = world_->time();
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "pages/world/world_frame.hpp"
 
@@ -17,6 +18,7 @@ class Simulation {
 
  private:
   void build(const std::string& scene, WorldFrame& frame);
+  void step();
   void throw_box(const Throw& thrown);
   void pull(const Pull& pull);
   void describe(WorldFrame& frame);
@@ -26,6 +28,7 @@ class Simulation {
   std::optional<World> world_;
   Real h_ = Real(1) / 60;
   std::map<ShapePtr, Index> sent_meshes_;
+  std::vector<StageProblem> lost_;  ///< what the next step would break, if the world stands still
 };
 
 }  // namespace cs550::pages
