@@ -8,7 +8,6 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
 #include <cstring>
 #include <system_error>
 #ifdef __linux__
@@ -18,51 +17,8 @@
 namespace cs550::isolation {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Limit of the address space (bytes). An endless allocation must not exhaust the machine.
 constexpr rlim_t memory_limit = rlim_t{8} << 30;
-
-/// @return whether there is data or an end of file before the deadline
-bool wait_for_input(int socket, std::optional<Clock::time_point> deadline) {
-  pollfd watched{socket, POLLIN, 0};
-  while (true) {
-    int milliseconds = -1;
-    if (deadline) {
-      const auto left = std::chrono::ceil<std::chrono::milliseconds>(*deadline - Clock::now());
-      milliseconds = static_cast<int>(std::max<std::int64_t>(left.count(), 0));
-    }
-    const int ready = poll(&watched, 1, milliseconds);
-    if (ready > 0) return true;
-    if (ready == 0) return false;
-    if (errno != EINTR) return true;
-  }
-}
-
-Channel::Wait read_all(int socket, char* bytes, std::size_t count,
-                       std::optional<Clock::time_point> deadline) {
-  while (count > 0) {
-    if (!wait_for_input(socket, deadline)) return Channel::Wait::TooLate;
-    const ssize_t got = read(socket, bytes, count);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return Channel::Wait::Closed;
-    bytes += got;
-    count -= got;
-  }
-  return Channel::Wait::Received;
-}
-
-bool write_all(int socket, const char* bytes, std::size_t count) {
-  while (count > 0) {
-    // Not write(), which raises SIGPIPE if the other process has ended.
-    const ssize_t sent = ::send(socket, bytes, count, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    bytes += sent;
-    count -= sent;
-  }
-  return true;
-}
 
 void limit_child() {
 #ifdef __linux__
@@ -76,26 +32,7 @@ void limit_child() {
 
 }  // namespace
 
-Channel::~Channel() { close(socket_); }
-
-bool Channel::send(const std::string& message) const {
-  const std::uint64_t length = message.size();
-  return write_all(socket_, reinterpret_cast<const char*>(&length), sizeof length) &&
-         write_all(socket_, message.data(), message.size());
-}
-
-Channel::Wait Channel::receive(std::string& message,
-                               std::optional<std::chrono::milliseconds> limit) const {
-  std::optional<Clock::time_point> deadline;
-  if (limit) deadline = Clock::now() + *limit;
-  std::uint64_t length = 0;
-  Wait wait = read_all(socket_, reinterpret_cast<char*>(&length), sizeof length, deadline);
-  if (wait != Wait::Received) return wait;
-  message.resize(length);
-  return read_all(socket_, message.data(), message.size(), deadline);
-}
-
-Child::Child(const std::function<void(const Channel&)>& work) {
+Child::Child(const std::function<void(Channel&)>& work) {
   int sockets[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
     throw std::system_error(errno, std::generic_category(), "socketpair");
@@ -106,7 +43,7 @@ Child::Child(const std::function<void(const Channel&)>& work) {
     close(sockets[0]);
     limit_child();
     {
-      const Channel channel(sockets[1]);
+      Channel channel(sockets[1]);
       work(channel);
     }
     _exit(0);  // without the destructors of the viewer's objects, such as its window

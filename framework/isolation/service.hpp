@@ -68,7 +68,7 @@ class Service {
       here_ = std::move(serve);
       return;
     }
-    child_ = std::make_unique<Child>([&serve](const Channel& channel) {
+    child_ = std::make_unique<Child>([&serve](Channel& channel) {
       std::string message;
       while (channel.receive(message, {}) == Channel::Wait::Received) {
         const auto request = serialisation::from_bytes<Request>(message);

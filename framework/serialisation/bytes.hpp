@@ -2,26 +2,25 @@
 /// @file bytes.hpp
 /// Values as bytes (cereal), for another process on the same machine.
 
-#include <cereal/archives/binary.hpp>
-#include <sstream>
 #include <string>
+
+#include "serialisation/byte_archive.hpp"
 
 namespace cs550::serialisation {
 
 /// @param value of a type that cereal can archive
 template <class Value>
 std::string to_bytes(const Value& value) {
-  std::ostringstream stream;
-  cereal::BinaryOutputArchive archive(stream);
+  ByteWriter archive;
   archive(value);
-  return stream.str();
+  return archive.take();
 }
 
-/// Reads what to_bytes() wrote. @throws cereal::Exception if the bytes end too early
+/// Reads what to_bytes() wrote. @param shapes those that the value may refer to
+/// @throws cereal::Exception if the bytes end too early
 template <class Value>
-Value from_bytes(const std::string& bytes) {
-  std::istringstream stream(bytes);
-  cereal::BinaryInputArchive archive(stream);
+Value from_bytes(std::string_view bytes, const ShapeRegistry* shapes = nullptr) {
+  ByteReader archive(bytes, shapes);
   Value value{};
   archive(value);
   return value;

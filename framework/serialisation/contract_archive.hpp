@@ -76,6 +76,12 @@ void serialize(Archive& archive, HalfEdgeMesh& mesh) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, ConvexShape& shape) {
+  auto& [mesh, volume, unit_inertia, source_origin, bounds, radius, smallest_half_extent] = shape;
+  archive(mesh, volume, unit_inertia, source_origin, bounds, radius, smallest_half_extent);
+}
+
+template <class Archive>
 void serialize(Archive& archive, MeshIssue& issue) {
   auto& [error, triangle, other_triangle, vertex, edge] = issue;
   archive(error, triangle, other_triangle, vertex, edge);
@@ -217,6 +223,7 @@ template <class Archive, class T, int Capacity>
 void load(Archive& archive, StaticVector<T, Capacity>& items) {
   int size = 0;
   archive(size);
+  if (size < 0 || size > Capacity) throw cereal::Exception("more items than there is room for");
   items.clear();
   for (int i = 0; i < size; ++i) {
     T item;

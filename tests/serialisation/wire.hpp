@@ -8,52 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <span>
-#include <sstream>
 #include <string>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 #include "helpers/fixtures.hpp"
-#include "serialisation/shape_archive.hpp"
+#include "serialisation/arguments.hpp"
 
 namespace cs550::test {
 
 using namespace serialisation;
-
-/// The type that owns the value of a parameter until the call.
-template <class P>
-struct Parameter {
-  using Stored = std::remove_cvref_t<P>;
-  static P pass(Stored& stored) { return stored; }
-};
-template <class T>
-struct Parameter<std::span<T>> {
-  using Stored = std::vector<std::remove_const_t<T>>;
-  static std::span<T> pass(Stored& stored) { return stored; }
-};
-template <class T>
-struct Parameter<T*> {
-  using Stored = T;
-  static T* pass(Stored& stored) { return &stored; }
-};
-
-template <class... P>
-using Arguments = std::tuple<typename Parameter<P>::Stored...>;
-
-/// Calls a function. The result is its return value and its arguments, which it may have changed.
-template <class R, class... P>
-auto answer(R (*function)(P...), Arguments<P...> arguments) {
-  const auto call = [&](auto&... stored) { return function(Parameter<P>::pass(stored)...); };
-  if constexpr (std::is_void_v<R>) {
-    std::apply(call, arguments);
-    return arguments;
-  } else {
-    const R result = std::apply(call, arguments);
-    return std::tuple_cat(std::tuple<R>(result), arguments);
-  }
-}
 
 /// Two overlapping bodies. The receiver of a call has their shapes.
 struct TwoBodies {
@@ -77,16 +39,15 @@ inline const TwoBodies& two_bodies() {
 template <class R, class... P>
 void expect_same_across_wire(R (*function)(P...), typename Parameter<P>::Stored... stored) {
   const ShapeRegistry& known = two_bodies().known;
-  const Arguments<P...> arguments(stored...);
-  const auto direct = answer(function, arguments);
-
+  Arguments<P...> arguments(stored...);
   const std::string request = to_bytes(arguments);
-  const auto received = from_bytes<Arguments<P...>>(request, known);
-  const std::string reply = to_bytes(answer(function, received));
-  const auto restored = from_bytes<std::remove_const_t<decltype(direct)>>(reply, known);
+  const Answer<R, P...> direct = answer(function, arguments);
 
-  EXPECT_EQ(to_bytes(restored), to_bytes(direct));
+  auto received = from_bytes<Arguments<P...>>(request, &known);
   EXPECT_EQ(to_bytes(received), request);
+  const std::string reply = to_bytes(answer(function, received));
+  const auto restored = from_bytes<Answer<R, P...>>(reply, &known);
+  EXPECT_EQ(to_bytes(restored), to_bytes(direct));
 }
 
 /// Calls a lab's function directly and across the wire. coverage_test.cpp searches for this name.
@@ -104,8 +65,8 @@ void expect_every_word_sent(const char* name) {
   alignas(T) std::array<std::byte, sizeof(T)> sent;
   alignas(T) std::array<std::byte, sizeof(T)> received{};
   sent.fill(std::byte{1});
-  std::istringstream stream(to_bytes(reinterpret_cast<const T&>(sent)));
-  cereal::BinaryInputArchive archive(stream);
+  const std::string bytes = to_bytes(reinterpret_cast<const T&>(sent));
+  ByteReader archive(bytes);
   archive(reinterpret_cast<T&>(received));
   for (std::size_t i = 0; i < sizeof(T); i += 4) {
     EXPECT_NE(std::count(&received[i], &received[i] + 4, std::byte{1}), 0)
