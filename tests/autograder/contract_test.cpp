@@ -64,14 +64,14 @@ Header parse(const std::string& header) {
   return found;
 }
 
-/// The functions of a lab, from rows with its number and a mangled name: _ZN5cs550<length><name>.
+/// The functions of a lab, from rows with its number, name and mangled name.
 Names defined_functions(const std::string& lab) {
-  const std::regex row(R"x(\{(\d+), "_ZN5cs550(\d+)(\w+)"\})x");
+  const std::regex row(R"x(CS550_LAB_FUNCTION\((\d+), (\w+), "_ZN5cs550\w+"\))x");
   const std::string rows = read(CS550_LAB_FUNCTIONS);
   Names names;
   for (std::sregex_iterator found(rows.begin(), rows.end(), row), end; found != end; ++found) {
     const std::smatch& match = *found;
-    if (match[1] == lab) names.push_back(match.str(3).substr(0, std::stoul(match[2])));
+    if (match[1] == lab) names.push_back(match[2]);
   }
   std::sort(names.begin(), names.end());
   return names;

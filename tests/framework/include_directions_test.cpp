@@ -30,7 +30,7 @@ const std::map<std::string, Names> may_include{
     {"isolation", {"serialisation"}},
     {"pages", {"include", "drawing", "serialisation", "isolation"}},
     {"viewer", {"include", "drawing", "pages", "files"}},
-    {"autograder", {"include", "files"}},
+    {"autograder", {"include", "files", "serialisation", "isolation"}},
     {"milestones", {"include", "files"}},
     {"gradebook", {"files", "cli"}},  // only cli/system
     {"cli", {"include", "files", "gradebook"}},

@@ -37,12 +37,10 @@ std::string message() {
   return text;
 }
 
-/// The unwritten step that ended the test, if that is not its own.
-std::string blocker(const testing::TestResult& result) {
+/// What the test recorded under a name; empty if nothing.
+std::string recorded(const testing::TestResult& result, const std::string& name) {
   for (int i = 0; i < result.test_property_count(); ++i) {
-    if (result.GetTestProperty(i).key() == std::string("blocked_by")) {
-      return result.GetTestProperty(i).value();
-    }
+    if (result.GetTestProperty(i).key() == name) return result.GetTestProperty(i).value();
   }
   return {};
 }
@@ -73,7 +71,9 @@ void ResultsWriter::OnTestEnd(const testing::TestInfo& test) {
   Json& row = rows_.back();
   row["status"] = status(result);
   row["message"] = message();
-  if (row["status"] == "blocked") row["blocked_by"] = blocker(result);
+  if (row["status"] == "blocked") row["blocked_by"] = recorded(result, "blocked_by");
+  const std::string ended_as = recorded(result, "ended_as");
+  if (row["status"] == "failed" && !ended_as.empty()) row["ended_as"] = ended_as;
   row["seconds"] = static_cast<double>(result.elapsed_time()) / 1000.0;
   if (row["status"] == "passed") {
     row["earned"] = row["points"];

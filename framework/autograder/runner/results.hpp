@@ -12,7 +12,7 @@ namespace cs550::autograder {
 
 /// Keeps a JSON file up to date with the tests that have run: {points, earned, tests [{test, step,
 /// points, earned, status, message, seconds, hidden, long}]}. status is passed, failed, blocked
-/// (with blocked_by, the unwritten step) or running; a test that crashed or was stopped is left as
+/// (with blocked_by, the unwritten step) or running; a failed one may have ended_as, crashed or timeout; a test that crashed or was stopped is left as
 /// running.
 class ResultsWriter : public testing::EmptyTestEventListener {
  public:

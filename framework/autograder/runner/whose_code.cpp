@@ -12,7 +12,9 @@ namespace cs550::autograder {
 
 const std::vector<LabFunction>& lab_functions() {
   static const std::vector<LabFunction> functions{
+#define CS550_LAB_FUNCTION(lab, name, symbol) {lab, symbol},
 #include "lab_functions.inc"
+#undef CS550_LAB_FUNCTION
   };
   return functions;
 }

@@ -1,0 +1,177 @@
+#include "autograder/grader/grade_lab/compile.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+namespace cs550::grader {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kept_errors = 64U << 10U;  ///< bytes of what the compiler prints
+constexpr std::size_t shown_errors = 4096;       ///< bytes of it that are reported
+constexpr std::uintmax_t largest_file = 1U << 20U;
+constexpr int most_files = 100;
+
+/// Why a submission cannot be compiled.
+struct Refusal : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A folder that every user can reach, which is removed at the end.
+class Stage {
+ public:
+  Stage() {
+    std::string name = (fs::temp_directory_path() / "cs550_grade.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::system_error(errno, std::generic_category(), name);
+    }
+    path_ = name;
+    fs::permissions(path_, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
+                               fs::perms::others_read | fs::perms::others_exec);
+    fs::create_directory(path_ / "out");
+    fs::permissions(path_ / "out", fs::perms::all);
+  }
+  ~Stage() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+bool is_source(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".cpp" || extension == ".h" || extension == ".hpp";
+}
+
+/// Letters that need no care in a command or a message.
+bool has_plain_name(const fs::path& file) {
+  const std::string name = file.string();
+  return name.front() != '-' && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == '/';
+         });
+}
+
+/// Copies the sources. @return those to compile, relative to the stage
+std::vector<fs::path> copy_sources(const fs::path& from, const fs::path& to, const fs::path& root) {
+  std::vector<fs::path> sources;
+  int files = 0;
+  const auto options = fs::directory_options::none;  // does not follow links to folders
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(from, options)) {
+    const fs::path name = entry.path().lexically_relative(from);
+    if (entry.is_symlink() || !entry.is_regular_file() || !is_source(name)) continue;
+    if (!has_plain_name(name)) {
+      throw Refusal("a file has a name that is not made of letters, digits and _-. alone: " +
+                    name.string());
+    }
+    if (++files > most_files) throw Refusal("more than " + std::to_string(most_files) + " files");
+    if (entry.file_size() > largest_file) throw Refusal(name.string() + " is larger than 1 MB");
+    fs::create_directories((to / name).parent_path());
+    fs::copy_file(entry.path(), to / name);
+    if (name.extension() == ".cpp") sources.push_back((to / name).lexically_relative(root));
+  }
+  if (sources.empty())
+    throw Refusal("there is no .cpp file in the submission's folder of this lab");
+  std::sort(sources.begin(), sources.end());
+  return sources;
+}
+
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// Runs compiler and linker on the stage.
+class Compiler {
+ public:
+  Compiler(fs::path stage, Isolation isolation, const Limits& limits) {
+    command_.folder = std::move(stage);
+    command_.writes = true;
+    command_.isolation = isolation;
+    command_.limits = limits;
+    command_.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8",
+                            "TMPDIR=" + (command_.folder / "out").string()};
+  }
+
+  /// @throws Refusal with what it printed
+  void run(const std::string& options, const std::vector<std::string>& more) {
+    command_.words = words(CS550_COMPILER " " + options);
+    command_.words.insert(command_.words.end(), more.begin(), more.end());
+    Process process(command_, kept_errors);
+    const bool in_time = process.wait(command_.limits.cpu + std::chrono::seconds(5));
+    process.kill();
+    if (!in_time) throw Refusal("the compiler did not end in time\n" + process.output());
+    if (!process.succeeded()) throw Refusal(process.output() + process.ending());
+  }
+
+ private:
+  Command command_;
+};
+
+/// Everything that was read, as the compiler and the assembler list it, must be the system's, the
+/// contract's or the submission's. Where the sandbox hides all other files there is nothing to find.
+void check_dependencies(const fs::path& list, const fs::path& stage) {
+  std::ifstream stream(list);
+  if (!stream) throw Refusal("the compiler did not list the files that it read");
+  for (std::string file; stream >> file;) {
+    if (file == "\\" || file.ends_with(':')) continue;
+    const fs::path path = (stage / file).lexically_normal();
+    const std::string name = path.string();
+    if (!name.starts_with("/usr/") && !name.starts_with(stage.string() + '/')) {
+      throw Refusal("the submission reads a file that is not part of it: " + file);
+    }
+  }
+}
+
+void build(const fs::path& source, const std::string& lab_name, const fs::path& stage,
+           const fs::path& library, Isolation isolation, const Limits& limits) {
+  const std::vector<fs::path> sources = copy_sources(source, stage / "labs" / lab_name, stage);
+  fs::copy(CS550_CONTRACT_HEADERS, stage / "contract", fs::copy_options::recursive);
+  std::ofstream(stage / "exports.map") << "{ global: _ZN5cs550*; local: *; };\n";
+  Compiler compiler(stage, isolation, limits);
+  std::vector<std::string> objects;
+  for (const fs::path& file : sources) {
+    const std::string object = "out/" + std::to_string(objects.size());
+    compiler.run(CS550_LAB_OPTIONS " -Icontract -fmax-errors=20 -MD",
+                 {"-MF", object + ".d", "-Wa,--MD=" + object + ".s.d", "-c", file.string(), "-o",
+                  object + ".o"});
+    check_dependencies(stage / (object + ".d"), stage);
+    check_dependencies(stage / (object + ".s.d"), stage);
+    objects.push_back(object + ".o");
+  }
+  objects.insert(objects.end(), {"-o", "out/library.so"});
+  compiler.run("-shared -Wl,-Bsymbolic -Wl,--version-script=exports.map", objects);
+  fs::copy_file(stage / "out/library.so", library);
+}
+
+}  // namespace
+
+Compilation compile(const fs::path& source, const std::string& lab_name, const fs::path& library,
+                    Isolation isolation, const Limits& limits) {
+  const Clock::time_point start = Clock::now();
+  Compilation result;
+  try {
+    const Stage stage;
+    build(source, lab_name, stage.path(), library, isolation, limits);
+    result.succeeded = true;
+  } catch (const Refusal& refusal) {
+    result.errors = readable_text(refusal.what(), shown_errors);
+  }
+  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace cs550::grader

@@ -1,0 +1,121 @@
+#include "autograder/grader/grade_lab/judging.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace cs550::grader {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+constexpr rlim_t most_memory = rlim_t{8} << 30U;  ///< of a judge: it may be given enormous answers
+constexpr std::chrono::seconds own_time{30};      ///< for a test, beside what the submission takes
+
+fs::path judge_program(int lab) {
+  return fs::read_symlink("/proc/self/exe").parent_path() /
+         ("lab" + std::to_string(lab) + "_judge");
+}
+
+/// Reports a judge that has written nothing for too long: it writes at the start and the end of each
+/// test. Its checks may loop for ever over what a submission returned.
+class Watch {
+ public:
+  Watch(fs::path results, std::chrono::seconds patience)
+      : results_(std::move(results)), patience_(patience) {}
+
+  bool is_stuck() {
+    std::error_code absent;
+    const fs::file_time_type written = fs::last_write_time(results_, absent);
+    if (!absent && written != written_) {
+      written_ = written;
+      since_ = Clock::now();
+    }
+    return Clock::now() - since_ > patience_;
+  }
+
+ private:
+  fs::path results_;
+  std::chrono::seconds patience_;
+  fs::file_time_type written_;
+  Clock::time_point since_ = Clock::now();
+};
+
+std::vector<char*> pointers(const std::vector<std::string>& words) {
+  std::vector<char*> result;
+  result.reserve(words.size() + 1);
+  for (const std::string& word : words) result.push_back(const_cast<char*>(word.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
+/// Runs a program of ours to its end, with its output in a file.
+void run(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+         const fs::path& folder, const fs::path& output, Watch watch) {
+  const std::vector<char*> arguments = pointers(words);
+  const std::vector<char*> variables = pointers(environment);
+  const pid_t child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const rlimit memory{most_memory, most_memory};
+    setrlimit(RLIMIT_AS, &memory);
+    const int file = open(output.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    if (chdir(folder.c_str()) == 0) execve(arguments[0], arguments.data(), variables.data());
+    _exit(127);
+  }
+  while (waitpid(child, nullptr, WNOHANG) != child) {
+    if (watch.is_stuck()) kill(child, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+Json read_json(const fs::path& file) {
+  std::ifstream stream(file);
+  return Json::parse(stream, nullptr, false);
+}
+
+}  // namespace
+
+Json run_judge(const Order& order, const Json& tests, const std::string& filter,
+               const fs::path& work) {
+  const std::string lab = "Lab" + std::to_string(order.lab) + ".";
+  std::vector<std::string> environment{order.to_environment(),
+                                       "CS550_PICTURES=" + (work / "pictures").string()};
+  if (!fs::exists(judge_program(order.lab))) {
+    throw std::runtime_error(judge_program(order.lab).string() +
+                             " is missing; build it: ./cs550 build test judges");
+  }
+  Json rows = Json::object();
+  while (rows.size() < tests.size()) {
+    const fs::path results = work / "judge.json";
+    fs::remove(results);
+    std::string ended;  // tests that have a verdict
+    for (const auto& [name, row] : rows.items()) ended += (ended.empty() ? "" : ":") + lab + name;
+    run({judge_program(order.lab).string(), "--results", results.string(),
+         "--gtest_filter=" + filter + (filter.find('-') == std::string::npos ? "-" : ":") + ended},
+        environment, work, work / "judge.log", Watch(results, order.wall + own_time));
+    const Json document = read_json(results);
+    if (document.is_discarded() || document.at("tests").empty()) break;
+    for (const Json& row : document.at("tests")) {
+      rows[row.at("test").get<std::string>().substr(lab.size())] = row;
+    }
+  }
+  return rows;
+}
+
+}  // namespace cs550::grader

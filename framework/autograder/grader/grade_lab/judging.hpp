@@ -1,0 +1,22 @@
+#pragma once
+/// @file judging.hpp
+/// Running a lab's judge.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "autograder/grader/order.hpp"
+
+namespace cs550::grader {
+
+/// Runs a lab's graded tests on the submission. A judge that ends in the middle of a test is started again
+/// for the tests after it.
+/// @param tests the lab's tests, as its manifest lists them
+/// @param filter of GoogleTest
+/// @return the row of each test that ran, by its name without the lab (results.hpp)
+/// @throws std::runtime_error if there is no judge
+nlohmann::json run_judge(const Order& order, const nlohmann::json& tests, const std::string& filter,
+                         const std::filesystem::path& work);
+
+}  // namespace cs550::grader

@@ -1,0 +1,189 @@
+/// Grades one lab of one submission.
+#include <CLI/CLI.hpp>
+
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "autograder/grader/grade_lab/compile.hpp"
+#include "autograder/grader/grade_lab/judging.hpp"
+#include "files/output_file.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cs550::grader;
+namespace files = cs550::files;
+using Json = nlohmann::ordered_json;
+
+enum ExitCode { Graded = 0, NotGraded = 1, WrongUsage = 2 };
+
+constexpr std::size_t longest_message_shown = 4096;  ///< bytes
+
+struct Options {
+  int lab = 0;
+  fs::path submission;
+  fs::path work;
+  fs::path results;
+  std::string secret;
+  std::string filter = "*";
+  int wall = 60;
+  int cpu = 60;
+  int memory = 2048;
+  std::string isolation = "auto";
+};
+
+CLI::App* add_options(CLI::App& app, Options& options) {
+  app.add_option("LAB", options.lab, "number of the lab")->required()->check(CLI::Range(1, 99));
+  app.add_option("--submission", options.submission, "folder with the lab's files")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--work", options.work, "folder for this run; it is emptied first")->required();
+  app.add_option("--results", options.results, "JSON file to write")->required();
+  app.add_option("--secret", options.secret, "ignored so far: tests use their published seeds");
+  app.add_option("--filter", options.filter, "only tests with such names, as in GoogleTest");
+  app.add_option("--wall", options.wall, "longest time for one test (s)")
+      ->check(CLI::Range(1, 3600));
+  app.add_option("--cpu", options.cpu, "processor time of a compilation or a test (s)")
+      ->check(CLI::Range(1, 3600));
+  app.add_option("--memory", options.memory, "address space of the submission (MB)")
+      ->check(CLI::Range(256, 1 << 20));
+  app.add_option("--isolation", options.isolation)
+      ->check(CLI::IsMember({"auto", "bubblewrap", "plain"}));
+  return &app;
+}
+
+/// "lab3_hill_climbing". @throws std::runtime_error if there is no such lab
+std::string lab_name(int lab) {
+  const std::string prefix = "lab" + std::to_string(lab) + '_';
+  for (const fs::path& folder : fs::directory_iterator(CS550_GRADED_TESTS)) {
+    if (folder.filename().string().starts_with(prefix)) return folder.filename().string();
+  }
+  throw std::runtime_error("there is no lab " + std::to_string(lab));
+}
+
+/// As the lab's manifest lists them: [{name, points, step, hidden, long}].
+nlohmann::json graded_tests(const std::string& lab_name) {
+  std::ifstream stream(fs::path(CS550_GRADED_TESTS) / lab_name / "manifest.json");
+  return nlohmann::json::parse(stream).at("tests");
+}
+
+/// @throws std::runtime_error if that would delete what is graded, or anything else of value
+void make_empty(const fs::path& work, const fs::path& submission) {
+  const fs::path folder = fs::weakly_canonical(work);
+  const std::string inside = folder.string() + '/';
+  const bool holds_submission = (fs::canonical(submission).string() + '/').starts_with(inside);
+  if (holds_submission || folder == folder.root_path()) {
+    throw std::runtime_error("--work " + work.string() + " would be emptied, but is in use");
+  }
+  fs::create_directories(folder);
+  for (const fs::path& old : fs::directory_iterator(folder)) fs::remove_all(old);
+}
+
+Isolation chosen_isolation(const std::string& wish) {
+  if (wish == "plain") return Isolation::Plain;
+  const Isolation best = best_isolation();
+  if (wish == "bubblewrap" && best != Isolation::Bubblewrap) {
+    throw std::runtime_error("bubblewrap does not work on this machine");
+  }
+  return best;
+}
+
+/// One test of the record, from its line in the manifest and its row in the judge's results.
+Json record_of(int lab, const Json& test, const nlohmann::json& rows, bool compiled) {
+  const std::string name = test.at("name");
+  Json record{{"name", "Lab" + std::to_string(lab) + "." + name},
+              {"step", test.at("step")},
+              {"points", test.at("points")},
+              {"earned", 0},
+              {"status", compiled ? "crashed" : "not_compiled"},
+              {"hidden", test.at("hidden")},
+              {"seconds", 0.0},
+              {"message", compiled ? "the judge ended during this test" : "it does not compile"}};
+  if (!rows.contains(name) || rows[name]["status"] == "running") return record;
+  const nlohmann::json& row = rows[name];
+  record["earned"] = row.at("earned");
+  record["status"] = row.value("ended_as", row.at("status").get<std::string>());
+  record["seconds"] = row.at("seconds");
+  record["message"] = readable_text(row.at("message").get<std::string>(), longest_message_shown);
+  return record;
+}
+
+Json sum_of(const Json& tests, const std::function<bool(const Json&)>& counts) {
+  int points = 0;
+  int earned = 0;
+  for (const Json& test : tests) {
+    if (!counts(test)) continue;
+    points += test.at("points").get<int>();
+    earned += test.at("earned").get<int>();
+  }
+  return {{"points", points}, {"earned", earned}};
+}
+
+bool matches(const std::string& filter, const nlohmann::json& rows, const std::string& name) {
+  return filter == "*" || rows.contains(name);
+}
+
+Json grade(const Options& options) {
+  const std::string name = lab_name(options.lab);
+  make_empty(options.work, options.submission);
+  const fs::path work = fs::canonical(options.work);
+  Order order;
+  order.lab = options.lab;
+  order.submission = work / "run" / ("lab" + std::to_string(options.lab) + "_submission.so");
+  order.isolation = chosen_isolation(options.isolation);
+  order.limits.cpu = std::chrono::seconds(options.cpu);
+  order.limits.memory = static_cast<std::size_t>(options.memory) << 20U;
+  order.wall = std::chrono::seconds(options.wall);
+  fs::create_directory(work / "run");
+
+  const nlohmann::json tests = graded_tests(name);
+  const Compilation compilation =
+      compile(options.submission, name, order.submission, order.isolation, order.limits);
+  const nlohmann::json rows = compilation.succeeded ? run_judge(order, tests, options.filter, work)
+                                                    : nlohmann::json::object();
+  Json records = Json::array();
+  for (const Json test : tests) {
+    if (!compilation.succeeded || matches(options.filter, rows, test.at("name"))) {
+      records.push_back(record_of(options.lab, test, rows, compilation.succeeded));
+    }
+  }
+  const Json all = sum_of(records, [](const Json&) { return true; });
+  return {{"lab", options.lab},
+          {"isolation", to_string(order.isolation)},
+          {"compiler", CS550_COMPILER_NAME},
+          {"seed", "published"},
+          {"compile",
+           {{"ok", compilation.succeeded},
+            {"seconds", compilation.seconds},
+            {"errors", compilation.errors}}},
+          {"tests", records},
+          {"points", all.at("points")},
+          {"earned", all.at("earned")},
+          {"visible", sum_of(records, [](const Json& test) { return !test.at("hidden"); })},
+          {"hidden", sum_of(records, [](const Json& test) -> bool { return test.at("hidden"); })}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Grades one lab of one submission"};
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? Graded : WrongUsage;
+  }
+  try {
+    const Json record = grade(options);
+    files::write_file(options.results,
+                      record.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    return Graded;
+  } catch (const std::exception& error) {
+    std::cerr << "grade_lab: " << error.what() << '\n';
+    return NotGraded;
+  }
+}

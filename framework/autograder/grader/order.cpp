@@ -1,0 +1,37 @@
+#include "autograder/grader/order.hpp"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+namespace cs550::grader {
+namespace {
+
+constexpr const char* variable = "CS550_JUDGE";
+
+}  // namespace
+
+std::string Order::to_environment() const {
+  const nlohmann::json order{{"lab", lab},
+                             {"submission", submission.string()},
+                             {"bubblewrap", isolation == Isolation::Bubblewrap},
+                             {"cpu", limits.cpu.count()},
+                             {"memory", limits.memory},
+                             {"wall", wall.count()}};
+  return std::string(variable) + '=' + order.dump();
+}
+
+std::optional<Order> Order::from_environment() {
+  const char* text = std::getenv(variable);
+  if (text == nullptr) return {};
+  const auto values = nlohmann::json::parse(text);
+  Order order;
+  order.lab = values.at("lab");
+  order.submission = values.at("submission").get<std::string>();
+  order.isolation = values.at("bubblewrap") ? Isolation::Bubblewrap : Isolation::Plain;
+  order.limits.cpu = std::chrono::seconds(values.at("cpu").get<int>());
+  order.limits.memory = values.at("memory");
+  order.wall = std::chrono::seconds(values.at("wall").get<int>());
+  return order;
+}
+
+}  // namespace cs550::grader

@@ -1,0 +1,114 @@
+/// Loads a submission and calls its functions for the judge.
+///
+///   lab_worker SUBMISSION LIBRARY...          LIBRARY: another lab, which the submission may call
+///   lab_worker --confine SUBMISSION LIBRARY...  sees nothing but the submission's folder from then on
+#include <dlfcn.h>
+#include <cs550/not_implemented.hpp>
+
+#include <cereal/types/string.hpp>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "autograder/grader/message.hpp"
+#include "autograder/grader/worker/dispatch.hpp"
+#include "autograder/grader/worker/lockdown.hpp"
+#include "isolation/channel.hpp"
+
+namespace {
+
+using namespace cs550;
+using namespace cs550::grader;
+using serialisation::ByteReader;
+using serialisation::ByteWriter;
+
+template <class... Values>
+std::string message(Reply kind, const Values&... values) {
+  ByteWriter writer;
+  writer(kind, values...);
+  return writer.take();
+}
+
+/// Something that makes every further answer impossible.
+struct Hopeless : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+void* load(const std::string& library, int when) {
+  void* handle = dlopen(library.c_str(), when | RTLD_GLOBAL);
+  if (handle == nullptr)
+    throw Hopeless(std::string("the submission cannot be loaded: ") + dlerror());
+  return handle;
+}
+
+/// Reads requests and answers them.
+class Worker {
+ public:
+  explicit Worker(void* submission) : submission_(submission) {}
+
+  /// @return the reply; empty if there is none
+  std::string serve(const std::string& bytes) {
+    ByteReader request(bytes, &shapes_);
+    Request kind{};
+    request(kind);
+    if (kind == Request::Shape) {
+      auto shape = std::make_shared<ConvexShape>();
+      request(*shape);
+      shapes_.add(shape);
+      return {};
+    }
+    std::string name;
+    request(name);
+    return call(lab_functions().at(name), name, request);
+  }
+
+ private:
+  std::string call(const LabFunction& function, const std::string& name, ByteReader& arguments) {
+    void* address = dlsym(submission_, function.symbol);
+    if (address == nullptr)
+      return message(Reply::Refused, "the submission does not define " + name);
+    try {
+      return function.serve(address, arguments);
+    } catch (const NotImplemented& missing) {
+      return message(Reply::NotImplemented, missing.step(), missing.function(),
+                     std::string(missing.what()));
+    } catch (const std::exception& error) {
+      return message(Reply::Threw, std::string(error.what()));
+    } catch (...) {
+      return message(Reply::Threw, std::string("its type is not derived from std::exception"));
+    }
+  }
+
+  void* submission_;
+  serialisation::ShapeRegistry shapes_;
+};
+
+/// @return what to call functions of. Nothing that the submission does can be undone from here on.
+void* prepare(std::vector<std::string> arguments) {
+  const bool confined = arguments.front() == "--confine";
+  if (confined) arguments.erase(arguments.begin());
+  std::filesystem::path submission = arguments.front();
+  for (std::size_t i = 1; i < arguments.size(); ++i) load(arguments[i], RTLD_LAZY);
+  lab_functions();
+  if (confined && confine_to(submission.parent_path())) submission = "/" / submission.filename();
+  forbid_system_calls();
+  return load(submission, RTLD_NOW);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  isolation::Channel channel(worker_channel);
+  try {
+    Worker worker(prepare({argv + 1, argv + argc}));
+    channel.send(message(Reply::Ready));
+    for (std::string request; channel.receive(request, {}) == isolation::Channel::Wait::Received;) {
+      const std::string reply = worker.serve(request);
+      if (!reply.empty()) channel.send(reply);
+    }
+  } catch (const std::exception& error) {
+    channel.send(message(Reply::Refused, std::string(error.what())));
+  }
+}

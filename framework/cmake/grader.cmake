@@ -1,0 +1,92 @@
+# The instructor's grader, in the folder framework/autograder/grader/. No submission shares a process with
+# the tests:
+#   grade_lab     grades one lab of one submission
+#   labN_judge    the graded tests of lab N; its functions of that lab ask a worker
+#   lab_worker    loads a submission and calls its functions
+# `judges` builds them all. They are not part of `all`.
+set(grader_folder "${PROJECT_SOURCE_DIR}/framework/autograder/grader")
+if(NOT EXISTS "${grader_folder}" OR NOT CS550_ISOLATE_LABS OR NOT TARGET lab1_reference_code)
+  return()
+endif()
+pkg_check_modules(seccomp QUIET IMPORTED_TARGET libseccomp)
+if(NOT seccomp_FOUND)
+  message(STATUS "The grader is left out: it needs libseccomp-dev (./cs550 doctor --install grade)")
+  return()
+endif()
+add_custom_target(judges)
+
+# The given code, for submissions to call. Where it calls a lab, it calls the submission.
+add_library(cs550_given SHARED EXCLUDE_FROM_ALL $<TARGET_OBJECTS:cs550_engine>)
+target_link_libraries(cs550_given PUBLIC cs550_contract PRIVATE cs550_engine)
+set_target_properties(cs550_given PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${lab_folder}")
+
+# Processes, the channel, and the judge's end of it.
+file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/*.cpp" "${grader_folder}/judge/*.cpp")
+list(FILTER sources EXCLUDE REGEX "/start\\.cpp$")
+add_library(cs550_grader STATIC EXCLUDE_FROM_ALL ${sources})
+target_include_directories(cs550_grader PUBLIC "${PROJECT_SOURCE_DIR}/framework")
+target_link_libraries(cs550_grader PUBLIC cs550_contract cs550_isolation cs550_autograder cereal::cereal
+                      nlohmann_json::nlohmann_json GTest::gtest PRIVATE cs550_warnings)
+
+file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/worker/*.cpp")
+add_executable(lab_worker EXCLUDE_FROM_ALL ${sources} "${lab_functions}")
+target_include_directories(lab_worker PRIVATE "${lab_folder}" "${PROJECT_SOURCE_DIR}/framework")
+# Lab functions stay undefined until libraries of labs are loaded.
+target_link_options(lab_worker PRIVATE -Wl,--no-as-needed -Wl,--allow-shlib-undefined)
+target_link_libraries(lab_worker PRIVATE cs550_given cs550_isolation cs550_warnings cereal::cereal
+                      PkgConfig::seccomp ${CMAKE_DL_LIBS})
+
+# The same options as for a student's own build.
+set(lab_options -std=c++20 ${CMAKE_CXX_FLAGS_DEBUG} -fPIC -ffp-contract=off -DEIGEN_MAX_ALIGN_BYTES=16
+    -DEIGEN_MPL2_ONLY -isystem ${EIGEN3_INCLUDE_DIRS} -Wall -Wextra -Werror=missing-declarations)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  list(APPEND lab_options -fno-gnu-unique)
+  set(compiler_name "g++ ${CMAKE_CXX_COMPILER_VERSION}")
+else()
+  list(APPEND lab_options -Werror=missing-prototypes)
+  set(compiler_name "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+endif()
+list(JOIN lab_options " " lab_options)
+file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/grade_lab/*.cpp")
+add_executable(grade_lab EXCLUDE_FROM_ALL ${sources})
+target_link_libraries(grade_lab PRIVATE cs550_grader cs550_files CLI11::CLI11 cs550_warnings)
+target_compile_definitions(grade_lab PRIVATE
+  CS550_COMPILER="${CMAKE_CXX_COMPILER}"
+  CS550_COMPILER_NAME="${compiler_name}"
+  CS550_LAB_OPTIONS="${lab_options}"
+  CS550_CONTRACT_HEADERS="${PROJECT_SOURCE_DIR}/framework/include"
+  CS550_GRADED_TESTS="${PROJECT_SOURCE_DIR}/tests")
+add_dependencies(judges grade_lab)
+
+add_library(cs550_judge_start OBJECT EXCLUDE_FROM_ALL "${grader_folder}/judge/start.cpp")
+target_link_libraries(cs550_judge_start PUBLIC cs550_grader PRIVATE cs550_warnings)
+target_compile_definitions(cs550_judge_start PRIVATE
+  CS550_LAB_FOLDER="${lab_folder}"
+  CS550_WORKER_PROGRAM="$<TARGET_FILE:lab_worker>"
+  CS550_ENGINE_LIBRARY="$<TARGET_FILE:cs550_given>")
+
+function(cs550_add_judge number)
+  set(remote "${grader_folder}/remote/lab${number}.cpp")
+  if(NOT TARGET lab${number}_reference OR NOT EXISTS "${remote}")
+    message(STATUS "Lab ${number} has no judge: ${remote} is missing")
+    return()
+  endif()
+  cs550_add_lab_code(${number} remote "${remote}")
+  target_link_libraries(lab${number}_remote_code PRIVATE cs550_warnings cereal::cereal)
+  target_include_directories(lab${number}_remote_code PRIVATE "${PROJECT_SOURCE_DIR}/framework")
+  add_executable(lab${number}_judge EXCLUDE_FROM_ALL)
+  target_link_libraries(lab${number}_judge PRIVATE lab${number}_tests cs550_graded_main cs550_judge_start)
+  cs550_link_lab(lab${number}_judge ${number} remote)
+  foreach(other IN LISTS CS550_LABS)
+    if(NOT other EQUAL number)
+      cs550_link_lab(lab${number}_judge ${other} reference)
+    endif()
+  endforeach()
+  # The worker loads the other labs by name.
+  add_dependencies(lab${number}_judge lab_worker)
+  add_dependencies(judges lab${number}_judge)
+endfunction()
+
+foreach(number IN LISTS CS550_LABS)
+  cs550_add_judge(${number})
+endforeach()
