@@ -116,3 +116,29 @@ if(CS550_ISOLATE_LABS AND TARGET lab1_reference AND TARGET lab1_student)
   cs550_test_partial_copy(labs lab1_reference_code)
   cs550_test_partial_copy(solutions lab1_assembled_code)
 endif()
+
+# The instructor's grader, where it can be built. attacks/attacks.json lists what is tried.
+if(TARGET grade_lab)
+  function(cs550_test_grader name labels)
+    add_test(NAME grader.${name} COMMAND python3 ${ARGN} --build "${PROJECT_BINARY_DIR}")
+    set_tests_properties(grader.${name} PROPERTIES LABELS "${labels}" TIMEOUT 1200)
+  endfunction()
+
+  add_test(NAME grader.builds COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}"
+           --target grade_lab lab3_judge)
+  set_tests_properties(grader.builds PROPERTIES FIXTURES_SETUP grader TIMEOUT 900
+                       RESOURCE_LOCK build_folder LABELS autograder)
+  cs550_test_grader(survives_some_attacks autograder "${scripts}/attacks/run_attacks.py" --short)
+  set_tests_properties(grader.survives_some_attacks PROPERTIES FIXTURES_REQUIRED grader)
+
+  # These expect that `judges` is built.
+  foreach(isolation bubblewrap plain)
+    cs550_test_grader(survives_attacks.${isolation} attack "${scripts}/attacks/run_attacks.py"
+                      --isolation ${isolation})
+  endforeach()
+  foreach(number IN LISTS CS550_LABS)
+    if(TARGET lab${number}_judge)
+      cs550_test_grader(same_marks.Lab${number} attack "${scripts}/attacks/same_marks.py" --lab ${number})
+    endif()
+  endforeach()
+endif()

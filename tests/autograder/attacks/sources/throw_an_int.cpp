@@ -1,0 +1,2 @@
+#include "in_each_function.hpp"
+void attack::run() { throw 7; }

@@ -1,0 +1,4 @@
+namespace {
+int fail() { throw 1; }
+const int failed = fail();
+}  // namespace

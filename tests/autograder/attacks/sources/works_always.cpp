@@ -1,0 +1,2 @@
+#include "attack.hpp"
+bool attack::succeeds() { return true; }
