@@ -49,7 +49,8 @@ void RunRecord::add_step(const World& world, double seconds) {
 
 void RunRecord::stop(const std::vector<StageProblem>& broken) {
   stopped_ = true;
-  add_problems(broken);
+  // The others follow from the first.
+  add_problems(std::span(broken).first(std::min<std::size_t>(broken.size(), 1)));
 }
 
 void RunRecord::add_problems(std::span<const StageProblem> problems) {
