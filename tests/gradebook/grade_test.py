@@ -16,7 +16,7 @@ import time
 import zipfile
 from pathlib import Path
 
-PROGRAM, ROOT, SCRATCH = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
+PROGRAM, ROOT, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:4])
 FAKE = Path(__file__).parent / "fake_grade_lab.sh"
 HILL = "labs/lab3_hill_climbing/hill_climbing.cpp"
 CLIP = "labs/lab5_clipping/clipping.cpp"
@@ -110,9 +110,12 @@ def test_equal_files_are_graded_once(folder):
 
 
 def test_a_missing_file_is_the_starter(folder):
-    pack(folder / "ada.zip", {"labs/lab2_half_edge_mesh/merging.cpp": "// mine"})
-    grade(folder / "ada.zip", "--out", folder / "out")
+    pack(folder / "class/ada.zip", {"merging.cpp": "// mine"})
+    pack(folder / "class/bob.zip", {"labs/lab2_half_edge_mesh/merging.cpp": "// both in one file"})
+    grade(folder / "class", "--out", folder / "out")
     assert lab(folder / "out", "ada", 2)["supplied"] == ["half_edge_mesh.cpp"]
+    assert lab(folder / "out", "ada", 2)["files"] == ["merging.cpp", "half_edge_mesh.cpp"]
+    assert lab(folder / "out", "bob", 2)["supplied"] == [], "a lab's own folder is complete"
 
 
 def test_a_judge_that_fails_gives_no_mark(folder):
@@ -254,6 +257,27 @@ def test_sources_are_exported_for_copy_detectors(folder):
     assert files == ["lab3/base/hill_climbing.cpp", *(f"lab3/submissions/{s}/hill_climbing.cpp" for s in (
         "ada", "bob", "eve")), "lab5/base/clipping.cpp", "lab5/submissions/ada/clipping.cpp"], files
     assert "not empty" in grade(folder / "class", "--export-jplag", folder / "sources", code=1)
+
+
+def test_the_documented_commands_work(folder):
+    section = (ROOT / "docs/instructors.md").read_text().split("## Grading a class")[1].split("\n## ")[0]
+    for name, kind in (("roster.csv", "csv"), ("course.toml", "toml")):
+        (folder / name).write_text(re.search(rf"```{kind}\n(.*?)```", section, re.DOTALL)[1])
+    small_class(folder / "class")
+    (folder / "class/zoe").rmdir()
+    for part in ("part1", "part2"):
+        grade(folder / "class", "--out", folder / part, "--labs", part[-1])
+    front_door = folder / "cs550"
+    front_door.write_text(f'#!/bin/sh\nverb=$1\nshift\nexec "{PROGRAM}" "$verb" --judge "{FAKE}" "$@"\n')
+    front_door.chmod(0o755)
+    commands = [line for block in re.findall(r"```sh\n(.*?)```", section, re.DOTALL) for line in block.splitlines()]
+    assert len(commands) >= 8, commands
+    for line in commands:
+        if line.startswith("parallel") and not shutil.which("parallel"):
+            line = "for s in class/*; do ./cs550 grade $s --out parts/$(basename $s .zip) --course course.toml; done"
+        run = subprocess.run(["sh", "-c", line], cwd=folder, capture_output=True, text=True, check=False,
+                             env={**os.environ, "CS550_ROOT": str(ROOT)})
+        assert run.returncode == 0, f"{line}\n{run.stdout}{run.stderr}"
 
 
 def test_wrong_usage(folder):

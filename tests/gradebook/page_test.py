@@ -16,7 +16,7 @@ from pathlib import Path
 from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
 
-PROGRAM, ROOT, SCRATCH = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
+PROGRAM, ROOT, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:4])
 FAKE = Path(__file__).parent / "fake_grade_lab.sh"
 HOSTILE = "<script>document.title='hacked'</script><img src=x onerror=\"document.title='hacked'\">"
 
@@ -82,7 +82,7 @@ def make_class(folder):
 
 def start_browser():
     options = Options()
-    arguments = ["--headless=new", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    arguments = ["--headless=new", "--disable-gpu", "--no-first-run", "--disable-background-networking",
                  "--disable-component-update", "--disable-sync", f"--user-data-dir={tempfile.mkdtemp()}"]
     if os.geteuid() == 0:
         arguments.append("--no-sandbox")  # the browser refuses root otherwise

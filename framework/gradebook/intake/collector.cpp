@@ -54,6 +54,7 @@ void Collector::take(const std::string& path, std::string text) {
     ignore(path, "a file and a folder of the same name");
   } else {
     files.push_back({place.file, std::move(text)});
+    if (place.is_in_project) submission_.whole_labs.insert(place.lab);
   }
 }
 

@@ -63,7 +63,10 @@ bool names_lab(std::string word, const CatalogueLab& lab) {
 LabPath below_lab_folder(const Words& words, const Catalogue& catalogue) {
   for (auto word = words.begin(); word + 1 < words.end() && !is_given_folder(*word); ++word) {
     for (const auto& [number, lab] : catalogue) {
-      if (names_lab(*word, lab)) return {number, joined(word + 1, words.end()), ""};
+      if (!names_lab(*word, lab)) continue;
+      const bool is_in_project =
+          word != words.begin() && *(word - 1) == "labs" && *word == lab.name;
+      return {number, joined(word + 1, words.end()), "", is_in_project};
     }
   }
   return {};
@@ -76,7 +79,7 @@ LabPath named_like_starter(const Words& words, const Catalogue& catalogue) {
   for (const auto& [number, lab] : catalogue) {
     if (std::count(lab.starter_files.begin(), lab.starter_files.end(), words.back()) == 0) continue;
     if (found.lab != 0) return {};
-    found = {number, words.back(), ""};
+    found = {number, words.back(), "", false};
   }
   return found;
 }
@@ -88,16 +91,22 @@ bool is_source(const std::string& name) {
 
 bool is_hidden(const std::string& file) { return file[0] == '.' || file.find("/.") != file.npos; }
 
+LabPath ignored(const std::string& reason) {
+  LabPath path;
+  path.ignored = reason;
+  return path;
+}
+
 }  // namespace
 
 LabPath lab_path(std::string_view path, const Catalogue& catalogue) {
   const Words words = split(path);
-  if (const std::string fault = fault_of_name(path, words); !fault.empty()) return {0, "", fault};
+  if (const std::string fault = fault_of_name(path, words); !fault.empty()) return ignored(fault);
   LabPath place = below_lab_folder(words, catalogue);
   if (place.lab == 0) place = named_like_starter(words, catalogue);
-  if (place.lab == 0) return {0, "", outside_of_labs};
-  if (is_hidden(place.file)) return {0, "", "hidden file"};
-  if (!is_source(place.file)) return {0, "", "not a C++ source file (.cpp, .hpp, .h, .inl, .inc)"};
+  if (place.lab == 0) return ignored(outside_of_labs);
+  if (is_hidden(place.file)) return ignored("hidden file");
+  if (!is_source(place.file)) return ignored("not a C++ source file (.cpp, .hpp, .h, .inl, .inc)");
   return place;
 }
 

@@ -11,9 +11,10 @@ namespace cs550::gradebook {
 
 /// Where a file belongs, or why it is not taken.
 struct LabPath {
-  int lab = 0;          ///< 0: to none
-  std::string file;     ///< relative to the lab's folder
-  std::string ignored;  ///< the reason; empty if the file is taken
+  int lab = 0;                 ///< 0: to none
+  std::string file;            ///< relative to the lab's folder
+  std::string ignored;         ///< the reason; empty if the file is taken
+  bool is_in_project = false;  ///< below labs/labN_topic/, as in the student's own copy
 };
 
 inline constexpr const char* outside_of_labs = "not in a lab's folder";

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct Submission {
   std::string claimed_student, claimed_date, starter;
   long file_time = 0;  ///< seconds since 1970: when the source was last modified
   std::map<int, std::vector<SourceFile>> labs;  ///< by number, files sorted by path
+  /// The labs that came as their folder in the student's copy, from which no file is missing.
+  std::set<int> whole_labs;
   std::vector<IgnoredFile> ignored;
   std::string trouble;  ///< why it could not be read; empty if it could
 
