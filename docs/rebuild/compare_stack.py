@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Steps the tower of tower.json by stack.py and by the engine, and compares the positions after each step.
 
-    docs/rebuild/compare_stack.py build/test/bin/cs550
+    docs/rebuild/compare_stack.py build/test/bin/cs550_demo
 """
 import csv
 import json
@@ -25,7 +25,7 @@ def engine_positions(program, scene):
     """Of the boxes after each step, as the engine computes them: steps × boxes × 3."""
     with tempfile.TemporaryDirectory() as folder:
         table = Path(folder) / "tower.csv"
-        subprocess.run([program, "demo", scene, "--csv", table, "--no-picture"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([program, scene, "--csv", table, "--no-picture"], check=True, stdout=subprocess.DEVNULL)
         rows = [[float(row[k]) for k in ("step", "x_m", "y_m", "z_m")] for row in csv.DictReader(table.open())]
     steps = [row[0] for row in rows]
     return np.array([row[1:] for row in rows]).reshape(len(set(steps)), -1, 3)[1:]

@@ -5,17 +5,17 @@
 namespace cs550::autograder {
 namespace {
 
-std::vector<Challenge>& registry() {
+std::vector<Challenge>& challenge_registry() {
   static std::vector<Challenge> all;
   return all;
 }
 
 }  // namespace
 
-const std::vector<Challenge>& challenges() { return registry(); }
+const std::vector<Challenge>& challenges() { return challenge_registry(); }
 
 bool add_challenge(Challenge challenge) {
-  registry().push_back(std::move(challenge));
+  challenge_registry().push_back(std::move(challenge));
   return true;
 }
 

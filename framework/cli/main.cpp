@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/command_line.hpp"
 #include "cli/verb.hpp"
 #include "files/output_file.hpp"
 
@@ -27,30 +28,15 @@ constexpr Verb verbs[] = {
 #else
 #define CS550_GRADER(...)
 #endif
+#define CS550_PROGRAM(...)
 #define CS550_SCRIPT(...)
 #include "cli/verbs.def"
 #undef CS550_VERB
 #undef CS550_INSTRUCTOR
 #undef CS550_GRADER
+#undef CS550_PROGRAM
 #undef CS550_SCRIPT
 };
-
-/// CLI11's help without what it adds to an option: types, ranges, exclusions.
-class Help : public CLI::Formatter {
- public:
-  Help() { column_width(20); }
-  std::string make_option_opts(const CLI::Option* option) const override {
-    return option->get_option_text().empty() ? "" : ' ' + option->get_option_text();
-  }
-};
-
-int refuse(const CLI::App& app, const CLI::ParseError& error) {
-  const auto verbs_found = app.get_subcommands();
-  const std::string verb = verbs_found.empty() ? "VERB" : verbs_found.front()->get_name();
-  std::cerr << "cs550: " << error.what() << "\n./cs550 " << verb
-            << " --help explains the options.\n";
-  return Misused;
-}
 
 int run(int argc, char** argv) {
   CLI::App app("A 3D rigid-body physics engine in seven labs", "./cs550");
@@ -60,14 +46,13 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs) {
     CLI::App* part = app.add_subcommand(verb.name, verb.summary);
     actions[part] = verb.declare(*part);
-    for (CLI::Option* option : part->get_options()) {
-      if (option->get_expected_min() == 0) option->disable_flag_override();
-    }
+    refuse_values_of_flags(*part);
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);
+    const auto found = app.get_subcommands();
+    return answer(app, error, found.empty() ? "VERB" : found.front()->get_name());
   }
   const int exit_code = actions.at(app.get_subcommands().front())();
   files::check_standard_output();

@@ -6,15 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace cs550::cli {
+#include "cli/system/exit_code.hpp"
 
-/// The exit codes of every verb.
-enum ExitCode { Good = 0, Failed = 1, Misused = 2 };
+namespace cs550::cli {
 
 /// Runs a verb whose command line was parsed; returns an ExitCode.
 using Action = std::function<int()>;
 
-// declare_demo(CLI::App&), declare_lab(CLI::App&) and so on: each adds the verb's options to its
+// declare_lab(CLI::App&), declare_progress(CLI::App&) and so on: each adds the verb's options to its
 // part of the command line and returns its action.
 #define CS550_VERB(name, preset, packages, arguments, summary) Action declare_##name(CLI::App& app);
 #define CS550_INSTRUCTOR CS550_VERB
@@ -23,11 +22,13 @@ using Action = std::function<int()>;
 #else
 #define CS550_GRADER(...)
 #endif
+#define CS550_PROGRAM(...)
 #define CS550_SCRIPT(...)
 #include "cli/verbs.def"
 #undef CS550_VERB
 #undef CS550_INSTRUCTOR
 #undef CS550_GRADER
+#undef CS550_PROGRAM
 #undef CS550_SCRIPT
 
 }  // namespace cs550::cli

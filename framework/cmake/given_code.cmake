@@ -1,3 +1,9 @@
+# Compiles the files of a target in batches: most of the time that a file takes is spent on headers.
+function(cs550_unity target files_in_batch)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${CS550_UNITY}
+                        UNITY_BUILD_BATCH_SIZE ${files_in_batch})
+endfunction()
+
 # The given code. It calls lab functions, which are undefined until an executable links the code of
 # the labs (lab_code.cmake).
 function(cs550_given_library name folders)
@@ -5,6 +11,7 @@ function(cs550_given_library name folders)
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC cs550_contract ${ARGN} PRIVATE cs550_warnings)
+  cs550_unity(${name} 16)
 endfunction()
 
 cs550_given_library(cs550_engine "engine;engine/*" nlohmann_json::nlohmann_json tinyobjloader::tinyobjloader

@@ -1,8 +1,8 @@
 # For each lab with tests: one executable per variant of its code,
-#   labN_student  labN_sanitized  labN_reference  labN_fast  labN_stub
+#   labN_student  labN_sanitized  labN_debugged  labN_reference  labN_fast  labN_stub
 # and one ctest test per graded test and variant, `student.Lab3.Name`, from the lab's manifest.json.
 # The student's and the stub are not part of `all`, so that a broken lab file blocks nothing else.
-# `sanitized` and the stub have no ctest tests.
+# `sanitized`, `debugged` and the stub have no ctest tests.
 include(manifests)
 
 set(result_folder "${PROJECT_BINARY_DIR}/results")
@@ -13,15 +13,12 @@ file(GLOB support_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/helpers
 add_library(cs550_test_support STATIC ${support_sources})
 target_link_libraries(cs550_test_support PRIVATE cs550_warnings
   PUBLIC cs550_engine cs550_drawing cs550_autograder GTest::gtest PkgConfig::ccd cereal::cereal)
+cs550_unity(cs550_test_support 16)
 target_include_directories(cs550_test_support PUBLIC "${PROJECT_SOURCE_DIR}/tests")
 target_compile_definitions(cs550_test_support
   PRIVATE CS550_PICTURES_DIR="${PROJECT_SOURCE_DIR}/build/results/pictures"
   PUBLIC CS550_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/fixtures"
          CS550_ASSETS="${PROJECT_SOURCE_DIR}/framework/assets")
-
-cs550_precompiled_headers(precompiled_for_tests
-  LIBRARIES cs550_test_support cs550_warnings
-  HEADERS <cs550/math.hpp> <cs550/graded_test.hpp>)
 
 # The functions of every lab, from the reference or, without one, the stub.
 set(lab_functions "${lab_folder}/lab_functions.inc")
@@ -42,6 +39,7 @@ file(GLOB runner_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/auto
 add_library(cs550_graded_main OBJECT EXCLUDE_FROM_ALL ${runner_sources} "${lab_functions}")
 target_include_directories(cs550_graded_main PRIVATE "${lab_folder}")
 target_link_libraries(cs550_graded_main PUBLIC cs550_autograder cs550_files ${CMAKE_DL_LIBS} PRIVATE cs550_warnings)
+cs550_unity(cs550_graded_main 16)
 
 function(cs550_add_graded_lab number)
   set(folder "${PROJECT_SOURCE_DIR}/tests/${CS550_LAB${number}_NAME}")
@@ -53,13 +51,13 @@ function(cs550_add_graded_lab number)
   # Compiled once and linked with every variant.
   add_library(lab${number}_tests OBJECT EXCLUDE_FROM_ALL ${sources})
   target_link_libraries(lab${number}_tests PUBLIC cs550_test_support PRIVATE cs550_warnings)
-  cs550_precompile(lab${number}_tests precompiled_for_tests)
+  cs550_unity(lab${number}_tests 8)
 
   cs550_read_manifest(${number})
-  foreach(variant student sanitized reference fast stub)
+  foreach(variant student sanitized debugged reference fast stub)
     if(TARGET lab${number}_${variant}_code)
       cs550_add_graded_executable(${number} ${variant})
-      if(NOT variant MATCHES "^(sanitized|stub)$")
+      if(NOT variant MATCHES "^(sanitized|debugged|stub)$")
         cs550_register_graded_tests(${number} ${variant})
       endif()
     endif()
@@ -82,7 +80,7 @@ function(cs550_add_graded_executable number variant)
   if(variant STREQUAL "sanitized")
     target_link_libraries(${target} PRIVATE cs550_sanitizers)
   endif()
-  if(variant MATCHES "^(student|sanitized|stub)$")
+  if(variant MATCHES "^(student|sanitized|debugged|stub)$")
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
   endif()
 endfunction()

@@ -1,7 +1,8 @@
-# A lab is found by its number and topic. Its code has up to six variants, each a library
+# A lab is found by its number and topic. Its code has up to seven variants, each a library
 # labN_<variant>_code:
 #   student    labs/labN_topic/*.cpp
 #   sanitized  the same files, compiled with the sanitizers
+#   debugged   the same files, compiled for gdb
 #   assembled  the same files; one that does not compile counts as empty
 #   stub       .starters/labN_topic/*.cpp in a students' copy, else labs/labN_topic/*.cpp
 #   reference  solutions/labN_topic/*.cpp
@@ -29,6 +30,8 @@ set(lab_exports "${lab_folder}/exports.map")
 file(CONFIGURE OUTPUT "${lab_exports}" CONTENT "{ global: _ZN5cs550*; local: *; };\n")
 if(EXISTS "${PROJECT_SOURCE_DIR}/.starters")
   set(CS550_STUDENTS_COPY TRUE)
+  # Every function has a stub, so that no program is linked again after an edit.
+  set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
 else()
   set(CS550_STUDENTS_COPY FALSE)
 endif()
@@ -71,10 +74,21 @@ function(cs550_add_lab number name)
   endforeach()
   cs550_add_lab_code(${number} sanitized ${student})
   cs550_compile_as_student(${number} sanitized precompiled_for_sanitized_labs cs550_sanitizers)
+  cs550_add_lab_code(${number} debugged ${student})
+  if(TARGET lab${number}_debugged_code)
+    target_link_libraries(lab${number}_debugged_code PRIVATE cs550_student_warnings)
+    target_compile_options(lab${number}_debugged_code PRIVATE -O0 -g)
+  endif()
   cs550_add_lab_code(${number} stub ${stub})
   cs550_add_lab_code(${number} reference ${reference})
   cs550_add_lab_code(${number} fast ${fast})
-  foreach(variant stub reference fast)
+  set(given_variants reference fast)
+  if(CS550_STUDENTS_COPY)
+    cs550_compile_as_student(${number} stub precompiled_for_labs)
+  else()
+    list(APPEND given_variants stub)
+  endif()
+  foreach(variant IN LISTS given_variants)
     if(TARGET lab${number}_${variant}_code)
       target_link_libraries(lab${number}_${variant}_code PRIVATE cs550_warnings)
       target_compile_options(lab${number}_${variant}_code PRIVATE -Wmissing-declarations)
@@ -82,7 +96,9 @@ function(cs550_add_lab number name)
   endforeach()
 
   if(CS550_STUDENTS_COPY)
-    cs550_tolerate_mistakes(lab${number}_assembled_code)
+    if(CS550_ISOLATE_LABS)
+      cs550_tolerate_mistakes(lab${number}_assembled_code)
+    endif()
     # Messages name the files that students edit, wherever the starters are. The last mapping wins.
     set(as_edited_file "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/.starters/=labs/"
                        "-ffile-prefix-map=${way_to_root}/.starters/=labs/")
@@ -143,7 +159,7 @@ function(cs550_link_lab target number)
   target_link_libraries(${target} PRIVATE lab${number}_${variant}_code)
   if(variant STREQUAL "fast")
     target_link_libraries(${target} PRIVATE lab${number}_reference_code)
-  elseif(variant MATCHES "^(student|sanitized|assembled)$" AND CS550_STUDENTS_COPY AND CS550_ISOLATE_LABS)
+  elseif(variant MATCHES "^(student|sanitized|debugged|assembled)$" AND CS550_STUDENTS_COPY AND CS550_ISOLATE_LABS)
     target_link_libraries(${target} PRIVATE lab${number}_stub_code)
   endif()
   if(CS550_ISOLATE_LABS)

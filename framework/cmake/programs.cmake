@@ -1,26 +1,38 @@
-# cs550: the program behind ./cs550, linked with the fast kernels or, without them, the reference.
-# cs550_student: the same program, linked with the student's labs.
-file(GLOB_RECURSE cli_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/cli/*.cpp")
+# cs550: the program behind ./cs550. It needs neither the engine nor a lab. Students wait for its compilation,
+# not for its speed.
+file(GLOB cli_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/cli/*.cpp"
+     "${PROJECT_SOURCE_DIR}/framework/cli/grading/*.cpp" "${PROJECT_SOURCE_DIR}/framework/cli/handout/*.cpp"
+     "${PROJECT_SOURCE_DIR}/framework/cli/system/*.cpp" "${PROJECT_SOURCE_DIR}/framework/cli/verbs/*.cpp")
 if(NOT CS550_HAS_GRADEBOOK)
   list(REMOVE_ITEM cli_sources "${PROJECT_SOURCE_DIR}/framework/cli/verbs/grade.cpp")
 endif()
+add_executable(cs550_cli ${cli_sources})
+target_link_libraries(cs550_cli PRIVATE cs550_files CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json
+                      Threads::Threads cs550_warnings)
+if(CS550_HAS_GRADEBOOK)
+  target_link_libraries(cs550_cli PRIVATE cs550_gradebook)
+endif()
+target_compile_definitions(cs550_cli PRIVATE CS550_VERSION="${PROJECT_VERSION}"
+                           CS550_HAS_GRADEBOOK=$<BOOL:${CS550_HAS_GRADEBOOK}>)
+target_compile_options(cs550_cli PRIVATE -O0)
+set_target_properties(cs550_cli PROPERTIES OUTPUT_NAME cs550)
+cs550_unity(cs550_cli 16)
 
-function(cs550_add_program target output_name)
-  add_executable(${target} ${cli_sources})
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${output_name})
-  target_link_libraries(${target} PRIVATE cs550_engine cs550_drawing cs550_files CLI11::CLI11 fmt::fmt
-                        nlohmann_json::nlohmann_json Threads::Threads cs550_warnings)
-  target_compile_definitions(${target} PRIVATE CS550_HAS_VIEWER=$<BOOL:${CS550_HAS_VIEWER}>
-                             CS550_HAS_GRADEBOOK=$<BOOL:${CS550_HAS_GRADEBOOK}>
-                             CS550_VERSION="${PROJECT_VERSION}")
-  if(CS550_HAS_GRADEBOOK)
-    target_link_libraries(${target} PRIVATE cs550_gradebook)
-  endif()
+# cs550_demo: the program behind ./cs550 demo, linked with the fast kernels or, without them, the reference.
+# cs550_demo_student: the same program, linked with the student's labs.
+file(GLOB demo_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/cli/demo/*.cpp"
+     "${PROJECT_SOURCE_DIR}/framework/cli/command_line.cpp" "${PROJECT_SOURCE_DIR}/framework/cli/system/*.cpp")
+
+function(cs550_add_demo target)
+  add_executable(${target} ${demo_sources})
+  target_link_libraries(${target} PRIVATE cs550_engine cs550_files CLI11::CLI11 fmt::fmt cs550_warnings)
+  target_compile_definitions(${target} PRIVATE CS550_HAS_VIEWER=$<BOOL:${CS550_HAS_VIEWER}>)
+  cs550_unity(${target} 16)
 endfunction()
 
-cs550_add_program(cs550_cli cs550)
-cs550_link_labs(cs550_cli fast reference stub)
+cs550_add_demo(cs550_demo)
+cs550_link_labs(cs550_demo fast reference stub)
 
-cs550_add_program(cs550_cli_student cs550_student)
-cs550_link_labs(cs550_cli_student assembled reference)
-set_target_properties(cs550_cli_student PROPERTIES EXCLUDE_FROM_ALL TRUE)
+cs550_add_demo(cs550_demo_student)
+cs550_link_labs(cs550_demo_student assembled reference)
+set_target_properties(cs550_demo_student PROPERTIES EXCLUDE_FROM_ALL TRUE)

@@ -52,6 +52,7 @@ target_link_libraries(cs550_viewer_parts
   PUBLIC cs550_pages cs550_files ${CMAKE_DL_LIBS}
     PkgConfig::viewer_imgui PkgConfig::viewer_glfw3 PkgConfig::viewer_epoxy PkgConfig::viewer_stb
   PRIVATE CLI11::CLI11 cs550_warnings)
+cs550_unity(cs550_viewer_parts 16)
 
 function(cs550_add_viewer target)
   add_executable(${target} "${viewer_main}")

@@ -51,7 +51,7 @@ std::vector<Index> safe_loop(const HalfEdgeMesh& mesh, Index face) {
   return loop;
 }
 
-std::string number(Index index) { return std::to_string(index); }
+std::string printed_index(Index index) { return std::to_string(index); }
 
 /// Newell's normal, because the plane stored in the mesh may be wrong.
 Vec3 outward(const Polygon& polygon) {
@@ -104,14 +104,14 @@ Line half_edge_arrow(const HalfEdgeMesh& mesh, Index edge, const Stroke& stroke,
 Drawing draw_mesh(const HalfEdgeMesh& mesh, const MeshStyle& style) {
   Drawing drawing;
   drawing.title = "Mesh";
-  drawing.alt_text = "A mesh of " + number(mesh.vertex_count()) + " vertices, " +
-                     number(mesh.edge_count() / 2) + " edges and " + number(mesh.face_count()) +
-                     " faces.";
+  drawing.alt_text = "A mesh of " + printed_index(mesh.vertex_count()) + " vertices, " +
+                     printed_index(mesh.edge_count() / 2) + " edges and " +
+                     printed_index(mesh.face_count()) + " faces.";
   for (Index f = 0; f < mesh.face_count(); ++f) {
     Polygon polygon = face_polygon(mesh, f, style.role, style.opacity);
     const Vec3 center = middle(polygon.corners);
     const Real length = Real(0.22) * size(mesh);
-    if (style.face_numbers) drawing.labels.push_back({center, "f" + number(f), Role::Axis});
+    if (style.face_numbers) drawing.labels.push_back({center, "f" + printed_index(f), Role::Axis});
     if (style.normals) {
       add_arrow(drawing, center, length * outward(polygon), {style.role, Real(1.6)});
     }
@@ -129,14 +129,14 @@ Drawing draw_mesh(const HalfEdgeMesh& mesh, const MeshStyle& style) {
       if (!has_ends(mesh, e)) continue;
       const Line arrow =
           half_edge_arrow(mesh, e, {.role = Role::Axis, .width = Real(1.2), .arrow = true});
-      drawing.labels.push_back({Real(0.5) * (arrow.from + arrow.to), number(e), Role::Axis});
+      drawing.labels.push_back({Real(0.5) * (arrow.from + arrow.to), printed_index(e), Role::Axis});
       drawing.lines.push_back(arrow);
     }
   }
   if (style.vertex_numbers) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       drawing.points.push_back({mesh.vertex(v), style.role, 3});
-      drawing.labels.push_back({mesh.vertex(v), "v" + number(v), Role::Text});
+      drawing.labels.push_back({mesh.vertex(v), "v" + printed_index(v), Role::Text});
     }
   }
   return drawing;
@@ -151,29 +151,31 @@ Drawing draw_half_edge(const HalfEdgeMesh& mesh, Index edge) {
   style.role = Role::Faint;
   style.opacity = Real(0.75);
   Drawing drawing = draw_mesh(mesh, style);
-  drawing.title = "Half-edge " + number(edge);
+  drawing.title = "Half-edge " + printed_index(edge);
   if (!has_edge(mesh, edge)) {
-    drawing.notes.push_back("There is no half-edge " + number(edge) + ".");
+    drawing.notes.push_back("There is no half-edge " + printed_index(edge) + ".");
     return drawing;
   }
   const HalfEdge& half_edge = mesh.edge(edge);
-  drawing.alt_text += " Half-edge " + number(edge) + " is highlighted, with its next " +
-                      number(half_edge.next) + ", prev " + number(half_edge.prev) + ", twin " +
-                      number(half_edge.twin) + " and its face " + number(half_edge.face) + ".";
+  drawing.alt_text += " Half-edge " + printed_index(edge) + " is highlighted, with its next " +
+                      printed_index(half_edge.next) + ", prev " + printed_index(half_edge.prev) +
+                      ", twin " + printed_index(half_edge.twin) + " and its face " +
+                      printed_index(half_edge.face) + ".";
 
   if (has_face(mesh, half_edge.face)) {
     const Polygon face = face_polygon(mesh, half_edge.face, Role::Reference, Real(0.9), Real(1e-3));
-    drawing.labels.push_back({middle(face.corners), "face " + number(half_edge.face), Role::Text});
+    drawing.labels.push_back(
+        {middle(face.corners), "face " + printed_index(half_edge.face), Role::Text});
     drawing.polygons.push_back(face);
   } else {
-    drawing.notes.push_back("Its face " + number(half_edge.face) + " does not exist.");
+    drawing.notes.push_back("Its face " + printed_index(half_edge.face) + " does not exist.");
   }
   if (has_vertex(mesh, half_edge.vertex)) {
     const Vec3& end = mesh.vertex(half_edge.vertex);
     drawing.points.push_back({end, Role::Highlight, 5});
-    drawing.labels.push_back({end, "vertex " + number(half_edge.vertex), Role::Text});
+    drawing.labels.push_back({end, "vertex " + printed_index(half_edge.vertex), Role::Text});
   } else {
-    drawing.notes.push_back("Its vertex " + number(half_edge.vertex) + " does not exist.");
+    drawing.notes.push_back("Its vertex " + printed_index(half_edge.vertex) + " does not exist.");
   }
 
   struct Neighbour {
@@ -189,13 +191,13 @@ Drawing draw_half_edge(const HalfEdgeMesh& mesh, Index edge) {
   }};
   for (const Neighbour& neighbour : neighbours) {
     if (!has_ends(mesh, neighbour.edge)) {
-      drawing.notes.push_back(std::string("Its ") + neighbour.name + ' ' + number(neighbour.edge) +
-                              " does not exist or has no ends.");
+      drawing.notes.push_back(std::string("Its ") + neighbour.name + ' ' +
+                              printed_index(neighbour.edge) + " does not exist or has no ends.");
       continue;
     }
     const Line arrow = half_edge_arrow(mesh, neighbour.edge, neighbour.stroke);
     drawing.lines.push_back(arrow);
-    const std::string name = std::string(neighbour.name) + ' ' + number(neighbour.edge);
+    const std::string name = std::string(neighbour.name) + ' ' + printed_index(neighbour.edge);
     drawing.labels.push_back({Real(0.5) * (arrow.from + arrow.to), name, neighbour.stroke.role});
   }
   return drawing;
@@ -213,20 +215,20 @@ Drawing draw_mesh_fault(const HalfEdgeMesh& mesh, const std::string& sentence,
   for (const Index f : faces) {
     const Polygon polygon = face_polygon(mesh, f, Role::Warning, Real(0.8), Real(1e-3));
     if (polygon.corners.empty()) continue;
-    drawing.labels.push_back({middle(polygon.corners), "face " + number(f), Role::Warning});
+    drawing.labels.push_back({middle(polygon.corners), "face " + printed_index(f), Role::Warning});
     if (polygon.corners.size() >= 3) drawing.polygons.push_back(polygon);
   }
   for (const Index e : edges) {
     if (!has_ends(mesh, e)) continue;
     const Line arrow = half_edge_arrow(mesh, e, {.role = Role::Warning, .width = 3, .arrow = true});
     drawing.labels.push_back(
-        {Real(0.5) * (arrow.from + arrow.to), "half-edge " + number(e), Role::Warning});
+        {Real(0.5) * (arrow.from + arrow.to), "half-edge " + printed_index(e), Role::Warning});
     drawing.lines.push_back(arrow);
   }
   for (const Index v : vertices) {
     if (!has_vertex(mesh, v)) continue;
     drawing.points.push_back({mesh.vertex(v), Role::Warning, 6});
-    drawing.labels.push_back({mesh.vertex(v), "vertex " + number(v), Role::Warning});
+    drawing.labels.push_back({mesh.vertex(v), "vertex " + printed_index(v), Role::Warning});
   }
   return drawing;
 }
@@ -235,8 +237,8 @@ Drawing draw_triangles(std::span<const Vec3> vertices, std::span<const Triangle>
                        const MeshIssue& issue, const MeshStyle& style) {
   Drawing drawing;
   drawing.title = "Triangles";
-  drawing.alt_text = number(static_cast<Index>(triangles.size())) + " triangles over " +
-                     number(static_cast<Index>(vertices.size())) + " vertices.";
+  drawing.alt_text = printed_index(static_cast<Index>(triangles.size())) + " triangles over " +
+                     printed_index(static_cast<Index>(vertices.size())) + " vertices.";
   const auto exists = [&](Index v) {
     return 0 <= v && static_cast<std::size_t>(v) < vertices.size();
   };
@@ -250,19 +252,19 @@ Drawing draw_triangles(std::span<const Vec3> vertices, std::span<const Triangle>
         {at(triangles[t][0]), at(triangles[t][1]), at(triangles[t][2])}, role, style.opacity};
     add_closed_curve(drawing, polygon.corners, {role, style.edge_width, style.dashed});
     if (lit || style.face_numbers) {
-      drawing.labels.push_back({middle(polygon.corners), "triangle " + number(index), role});
+      drawing.labels.push_back({middle(polygon.corners), "triangle " + printed_index(index), role});
     }
     drawing.polygons.push_back(std::move(polygon));
   }
   if (issue && exists(issue.edge[0]) && exists(issue.edge[1])) {
     drawing.lines.push_back({at(issue.edge[0]), at(issue.edge[1]), {Role::Warning, 4}});
     for (const Index v : issue.edge) {
-      drawing.labels.push_back({at(v), "v" + number(v), Role::Warning});
+      drawing.labels.push_back({at(v), "v" + printed_index(v), Role::Warning});
     }
   }
   if (issue && exists(issue.vertex)) {
     drawing.points.push_back({at(issue.vertex), Role::Warning, 6});
-    drawing.labels.push_back({at(issue.vertex), "v" + number(issue.vertex), Role::Warning});
+    drawing.labels.push_back({at(issue.vertex), "v" + printed_index(issue.vertex), Role::Warning});
   }
   return drawing;
 }

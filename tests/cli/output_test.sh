@@ -9,7 +9,7 @@ mkdir -p "$scratch/out"
 cd "$scratch/out"
 
 wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
-demo() { "$program" demo stack10 --steps 3 --no-picture "$@" 2>"$scratch/printed"; }
+demo() { "$program" stack10 --steps 3 --no-picture "$@" 2>"$scratch/printed"; }
 fails_with() {
   message=$1
   shift

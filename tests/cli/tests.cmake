@@ -32,7 +32,7 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/launcher_test.sh" "${PROJECT_SOURCE_DIR}"
                    "${PROJECT_BINARY_DIR}/launcher")
   add_test(NAME cli.output
-           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/output_test.sh" "$<TARGET_FILE:cs550_cli>"
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/output_test.sh" "$<TARGET_FILE:cs550_demo>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/output")
   add_test(NAME cli.submit
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/submit_test.sh" "$<TARGET_FILE:cs550_cli>"

@@ -9,9 +9,9 @@
 namespace cs550::test {
 namespace {
 
-constexpr RotationMethod method = RotationMethod::Explicit;
+constexpr RotationMethod explicit_method = RotationMethod::Explicit;
 
-Story with_causes(Story story) {
+Story with_explicit_causes(Story story) {
   return story.likely("the rate of change is ½·(0, ω)·q: mind the ½")
       .likely("a world-frame ω stands on the left of q; on the right it would be in the body frame")
       .likely("after the sum, q is too long: normalise it in every step");
@@ -35,7 +35,7 @@ GRADED_TEST(Lab1, FreeFallFollowsTheClosedForm, 3, "L1.6") {
       for (int i = 0; i < rate; ++i) {
         integrate_momentum(body, h);
         refresh_velocity(body);
-        integrate_pose(body, h, method);
+        integrate_pose(body, h, explicit_method);
         path.push_back(body.pose.position);
       }
       Story here = story;
@@ -51,9 +51,9 @@ GRADED_TEST(Lab1, FreeFallFollowsTheClosedForm, 3, "L1.6") {
 GRADED_TEST(Lab1, ExplicitTurnOfAKinematicBody, 2, "L1.6") {
   KinematicBody kinematic(16);
   const Real h = Real(0.01);
-  for (int i = 0; i < 100; ++i) integrate_pose(kinematic.body, h, method);
+  for (int i = 0; i < 100; ++i) integrate_pose(kinematic.body, h, explicit_method);
 
-  Story story = with_causes(Story("A step along the tangent turns by 2·atan(½·h·|ω|)"));
+  Story story = with_explicit_causes(Story("A step along the tangent turns by 2·atan(½·h·|ω|)"));
   story.seed(kinematic.random.seed())
       .given("a kinematic body with constant ω", kinematic.w, "rad/s")
       .given("h", h, "s")
@@ -65,7 +65,7 @@ GRADED_TEST(Lab1, ExplicitTurnOfAKinematicBody, 2, "L1.6") {
 
   RigidBody fixed = make_immovable_body(BodyKind::Static, Pose{Vec3(1, 2, 3), kinematic.start});
   refresh_velocity(fixed);
-  integrate_pose(fixed, h, method);
+  integrate_pose(fixed, h, explicit_method);
   Story still("A static body stays where it is");
   still.expect_near("position", fixed.pose.position, Vec3(1, 2, 3), 0, "m");
   still.expect_at_most("turned by",
@@ -74,8 +74,9 @@ GRADED_TEST(Lab1, ExplicitTurnOfAKinematicBody, 2, "L1.6") {
 }
 
 GRADED_TEST(Lab1, ExplicitStepConvergesAtFirstOrder, 2, "L1.6") {
-  expect_order(with_causes(Story("Half the step, half the error: the explicit step is of order 1")),
-               method, 1, 240);
+  expect_order(
+      with_explicit_causes(Story("Half the step, half the error: the explicit step is of order 1")),
+      explicit_method, 1, 240);
 }
 
 GRADED_TEST(Lab1, ExplicitTurnClimbsToTheGreatestEnergy, 3, "L1.6") {
@@ -87,12 +88,13 @@ GRADED_TEST(Lab1, ExplicitTurnClimbsToTheGreatestEnergy, 3, "L1.6") {
   double mismatch = 0;
   double length = 0;
   for (int i = 0; i < 20 * 60; ++i) {
-    turn(body, Real(1) / 60, method);
+    turn(body, Real(1) / 60, explicit_method);
     greatest = std::max(greatest, rotational_energy(body));
     mismatch = std::max(mismatch, momentum_mismatch(body, momentum));
     length = std::max(length, length_error(body.pose.orientation));
   }
-  Story story = with_causes(Story("The explicit step drives a body to turn about its long axis"));
+  Story story =
+      with_explicit_causes(Story("The explicit step drives a body to turn about its long axis"));
   story.given("half-extents", racket, "m").given("body ω", spin, "rad/s");
   story.when("20 s at 60 Hz without forces");
   // L is fixed, so the energy ½·L²/I can grow until the axis of least inertia carries all of L.

@@ -14,9 +14,9 @@
 namespace cs550::test {
 namespace {
 
-constexpr RotationMethod method = RotationMethod::ImplicitMidpoint;
+constexpr RotationMethod midpoint_method = RotationMethod::ImplicitMidpoint;
 
-Story with_causes(Story story) {
+Story with_midpoint_causes(Story story) {
   return story.likely("w is the ω at the orientation *half* a step ahead, exp(½·h·w)·q")
       .likely("ω at another orientation is R·I⁻¹·Rᵀ·L there: both rotations change with q")
       .likely("without the iterations it is an explicit step again, which gains energy")
@@ -24,9 +24,9 @@ Story with_causes(Story story) {
 }
 
 GRADED_TEST(Lab1, MidpointConvergesAtSecondOrder, 2, "L1.7") {
-  expect_order(
-      with_causes(Story("Half the step, a quarter of the error: the midpoint is of order 2")),
-      method, 2, 60);
+  expect_order(with_midpoint_causes(
+                   Story("Half the step, a quarter of the error: the midpoint is of order 2")),
+               midpoint_method, 2, 60);
 }
 
 GRADED_TEST(Lab1, MidpointKeepsTheEnergy, 3, "L1.7") {
@@ -40,14 +40,15 @@ GRADED_TEST(Lab1, MidpointKeepsTheEnergy, 3, "L1.7") {
     RigidBody body = spinning_box(racket, spin);
     const double energy = rotational_energy(body);
     const Real h = Real(1) / static_cast<Real>(at.rate);
-    Story story = with_causes(Story("A body that turns freely keeps its energy"));
+    Story story = with_midpoint_causes(Story("A body that turns freely keeps its energy"));
     story.given("half-extents", racket, "m").given("body ω", spin, "rad/s");
     story.given("rate", at.rate, "Hz").when("20 s without forces");
-    story.picture([&] { return tumbling_picture(spinning_box(racket, spin), 5, at.rate, method); });
-    require_first_turn(story, body, h, method);
+    story.picture(
+        [&] { return tumbling_picture(spinning_box(racket, spin), 5, at.rate, midpoint_method); });
+    require_first_turn(story, body, h, midpoint_method);
     double worst = 0;
     for (int i = 0; i < 20 * at.rate; ++i) {
-      turn(body, h, method);
+      turn(body, h, midpoint_method);
       worst = std::max(worst, std::abs(rotational_energy(body) / energy - 1));
     }
     story.expect_at_most("largest change of the energy, relative", worst, at.bound);
@@ -62,11 +63,11 @@ GRADED_TEST(Lab1, AngularMomentumLastsTenThousandSteps, 2, "L1.7") {
   story.likely("q drifts off unit length: normalise it after every step")
       .likely("integrate_pose() leaves the momenta as they are")
       .likely("ω must come from the inverse inertia at the present pose");
-  require_first_turn(story, body, Real(1) / 60, method);
+  require_first_turn(story, body, Real(1) / 60, midpoint_method);
   double mismatch = 0;
   double length = 0;
   for (int i = 0; i < 10000; ++i) {
-    turn(body, Real(1) / 60, method);
+    turn(body, Real(1) / 60, midpoint_method);
     mismatch = std::max(mismatch, momentum_mismatch(body, momentum));
     length = std::max(length, length_error(body.pose.orientation));
   }
@@ -85,13 +86,13 @@ GRADED_TEST(Lab1, SymmetricTopPrecesses, 2, "L1.7") {
   const double i3 = body.inertia(2, 2);
   const double spin = 4 * (1 - i3 / i1);
   const Real h = Real(1) / 240;
-  for (int i = 0; i < 2 * 240; ++i) turn(body, h, method);
+  for (int i = 0; i < 2 * 240; ++i) turn(body, h, midpoint_method);
 
   const Eigen::Quaterniond precession(
       Eigen::AngleAxisd(2 * momentum.norm() / i1, momentum.normalized()));
   const Eigen::Quaterniond own_spin(Eigen::AngleAxisd(2 * spin, Eigen::Vector3d::UnitZ()));
   const Eigen::Quaterniond exact = precession * start.cast<double>().normalized() * own_spin;
-  Story story = with_causes(Story("A symmetric top precesses about L by |L|/I₁"));
+  Story story = with_midpoint_causes(Story("A symmetric top precesses about L by |L|/I₁"));
   story.seed(random.seed()).given("half-extents", Vec3(Real(0.3), Real(0.3), 1), "m");
   story.given("body ω", Vec3(1, 0, 4), "rad/s").when("2 s at 240 Hz");
   // The midpoint lags by (h·ω)²/12 of an angle: 2e-5 of some 10 rad.
@@ -102,10 +103,11 @@ GRADED_TEST(Lab1, TumblingRacketFlipsOnTime, 2, "L1.7") {
   const std::vector<double> listed = {0.8526, 3.4814, 6.1102, 8.7389, 11.3677};
   const Vec3 spin(Real(0.5), 5, Real(0.5));
   for (const Real size : {Real(0.01), Real(1), Real(100)}) {
-    Story story = with_causes(Story("Spun about its middle axis, a box flips at known times"));
+    Story story =
+        with_midpoint_causes(Story("Spun about its middle axis, a box flips at known times"));
     story.given("half-extents", Vec3(size * racket), "m").given("body ω", spin, "rad/s");
     story.when("12 s at 60 Hz without forces").picture([&] {
-      return tumbling_picture(spinning_box(racket, spin), 4, 60, method);
+      return tumbling_picture(spinning_box(racket, spin), 4, 60, midpoint_method);
     });
     const std::vector<double> got = flip_times(spinning_box(size * racket, spin), 12);
     if (!story.expect_equal("number of flips", got.size(), listed.size())) continue;
@@ -116,7 +118,7 @@ GRADED_TEST(Lab1, TumblingRacketFlipsOnTime, 2, "L1.7") {
 
 GRADED_TEST(Lab1, MidpointTurnOfAKinematicBody, 1, "L1.7") {
   KinematicBody kinematic(18);
-  for (int i = 0; i < 60; ++i) integrate_pose(kinematic.body, Real(1) / 60, method);
+  for (int i = 0; i < 60; ++i) integrate_pose(kinematic.body, Real(1) / 60, midpoint_method);
 
   Story story("A kinematic body turns by h·ω in every step, exactly");
   story.seed(kinematic.random.seed())

@@ -6,7 +6,7 @@
 namespace cs550::test {
 namespace {
 
-Story with_causes(Story story) {
+Story with_scan_causes(Story story) {
   return story.likely("compare dot(vertex, direction), not the distance from the origin")
       .likely("begin with the first vertex: a best value of 0 hides vertices behind the origin")
       .likely("the loop must reach the last vertex");
@@ -14,7 +14,7 @@ Story with_causes(Story story) {
 
 GRADED_TEST(Lab3, BruteForceFindsTheMostExtremeVertex, 4, "L3.1") {
   Random random(31);
-  Story story = with_causes(Story("No vertex is farther along the direction than the answer"));
+  Story story = with_scan_causes(Story("No vertex is farther along the direction than the answer"));
   story.seed(random.seed()).when("support_brute_force()");
   for (const std::string& name : convex_meshes()) {
     const HalfEdgeMesh& mesh = fixture_mesh(name);
@@ -29,7 +29,7 @@ GRADED_TEST(Lab3, BruteForceFindsTheMostExtremeVertex, 4, "L3.1") {
 }
 
 GRADED_TEST(Lab3, FarthestVertexNeedNotBeTheMostExtreme, 2, "L3.1") {
-  Story story = with_causes(Story("A vertex far to the side does not count as far along"));
+  Story story = with_scan_causes(Story("A vertex far to the side does not count as far along"));
   const std::vector<Vec3> vertices{{10, 0, 0}, {0, 10, 0}, {1, 1, 2}, {0, 0, -20}};
   story.given("vertices (10,0,0), (0,10,0), (1,1,2), (0,0,-20)").given("direction +z");
   const Support answer = support_brute_force(vertices, Vec3::UnitZ());
@@ -37,7 +37,8 @@ GRADED_TEST(Lab3, FarthestVertexNeedNotBeTheMostExtreme, 2, "L3.1") {
 }
 
 GRADED_TEST(Lab3, VerticesBehindTheOriginHaveAnExtremeToo, 2, "L3.1") {
-  Story story = with_causes(Story("The largest of negative numbers is an answer like any other"));
+  Story story =
+      with_scan_causes(Story("The largest of negative numbers is an answer like any other"));
   const std::vector<Vec3> vertices{{0, 0, -7}, {1, 0, -5}, {0, 1, -3}, {1, 1, -4}};
   story.given("vertices with z = -7, -5, -3, -4").given("direction +z");
   const Support answer = support_brute_force(vertices, Vec3::UnitZ());

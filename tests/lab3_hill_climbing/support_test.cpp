@@ -6,7 +6,7 @@
 namespace cs550::test {
 namespace {
 
-Story with_causes(Story story) {
+Story with_support_causes(Story story) {
   return story.likely("d_local = Rᵀ·d: from world to body is the inverse rotation")
       .likely("a direction has no place: turn it, but do not move it by the body's position")
       .likely("the point comes back to the world: R·v + x");
@@ -36,7 +36,8 @@ void require_world_support(Story here, const PosedShape& body, const Vec3& direc
 
 GRADED_TEST(Lab3, SupportTurnsTheDirection, 5, "L3.3") {
   Random random(36);
-  Story story = with_causes(Story("A turned body is searched along the turned-back direction"));
+  Story story =
+      with_support_causes(Story("A turned body is searched along the turned-back direction"));
   story.seed(random.seed()).when("support()");
   for (const std::string name : {"box_1x2x3", "regular_tetrahedron", "prism6", "hull32"}) {
     const ShapePtr shape = fixture_shape(name);
@@ -52,7 +53,8 @@ GRADED_TEST(Lab3, SupportTurnsTheDirection, 5, "L3.3") {
 
 GRADED_TEST(Lab3, SupportDoesNotMoveTheDirection, 4, "L3.3") {
   Random random(37);
-  Story story = with_causes(Story("Where a body is does not change which vertex is extreme"));
+  Story story =
+      with_support_causes(Story("Where a body is does not change which vertex is extreme"));
   story.seed(random.seed()).when("support() of a body 1 m to 1000 m from the world's origin");
   const ShapePtr shape = fixture_shape("hull32");
   for (const Real distance : {Real(1), Real(30), Real(1000)}) {

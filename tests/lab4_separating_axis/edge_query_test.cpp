@@ -11,7 +11,7 @@
 namespace cs550::test {
 namespace {
 
-Story with_causes(Story story) {
+Story with_edge_causes(Story story) {
   return story.likely("the arcs of B on the Gauss map are those of its *negated* normals")
       .likely("the axis points out of A: turn it until n·(sum of the normals beside A's edge) > 0")
       .likely("the separation is signed, n·(p_B - p_A): a distance is never negative")
@@ -103,7 +103,7 @@ void require_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answe
 
 GRADED_TEST(Lab4, EdgeQueryMatchesBruteForceOverAllPairs, 5, "L4.3") {
   Random random(43);
-  Story story = with_causes(
+  Story story = with_edge_causes(
       Story("Of all pairs of edges whose arcs cross the answer has the largest separation"));
   story.seed(random.seed()).when("query_edge_directions(A, B)");
   const std::vector<ShapePtr> shapes = small_shapes();
@@ -161,8 +161,8 @@ GRADED_TEST(Lab4, ParallelEdgesAreSkipped, 3, "L4.3") {
 
 GRADED_TEST(Lab4, CrossedEdgesAtAnySize, 4, "L4.3") {
   Story story =
-      with_causes(Story("Two bodies that cross edge over edge separate by their "
-                        "distance less both heights, along the vertical"));
+      with_edge_causes(Story("Two bodies that cross edge over edge separate by their "
+                             "distance less both heights, along the vertical"));
   story.likely("a tolerance in metres that fits a box of 1 m is wrong for one of 12 mm");
   for (const Real size : {Real(1e-3), Real(0.012), Real(1), Real(1e3)}) {
     for (const CrossedShape& shape : crossed_shapes()) {

@@ -9,7 +9,7 @@
 namespace cs550::test {
 namespace {
 
-Story with_causes(Story story) {
+Story with_face_causes(Story story) {
   return story.likely("B's vertex is the deepest behind the face: the support in direction -n")
       .likely("B's vertices are in B's frame: bring the direction there, or the vertices here")
       .likely("the distance of the vertex from the face's plane, with its sign")
@@ -53,7 +53,7 @@ std::string face_query_picture(const TestPair& pair, const FaceQuery& got) {
 
 GRADED_TEST(Lab4, FaceQueryMatchesBruteForce, 4, "L4.2") {
   Random random(42);
-  Story story = with_causes(
+  Story story = with_face_causes(
       Story("The best face has the largest, over faces, of the smallest distance of B's vertices"));
   story.seed(random.seed()).when("query_face_directions(A, B)");
   const std::vector<ShapePtr> shapes = small_shapes();
@@ -80,7 +80,7 @@ GRADED_TEST(Lab4, FaceQueryMatchesBruteForce, 4, "L4.2") {
 }
 
 GRADED_TEST(Lab4, FaceQueryOfBoxesIsKnown, 3, "L4.2") {
-  Story story = with_causes(Story("Boxes whose separations can be read off a sketch"));
+  Story story = with_face_causes(Story("Boxes whose separations can be read off a sketch"));
   story.given("A: a cube of 1 m at the origin").given("B: a box of 1 x 2 x 3 m, not turned");
   story.likely("for B's faces swap the arguments: no sign changes inside");
   const ShapePtr cube = fixture_shape("cube");

@@ -8,7 +8,7 @@
 namespace cs550::test {
 namespace {
 
-Story with_causes(Story story) {
+Story with_axis_causes(Story story) {
   return story.likely("the answer is the *largest* separation of faces of A, faces of B and edges")
       .likely("the axis points from A to B: a face of B gives its negated normal")
       .likely("axis and separation belong to the feature that is named");
@@ -39,7 +39,8 @@ struct Census {
 
 GRADED_TEST(Lab4, AxisMatchesBruteForce, 5, "L4.4", Long) {
   Random random(45);
-  Story story = with_causes(Story("No face normal and no cross product of edges separates more"));
+  Story story =
+      with_axis_causes(Story("No face normal and no cross product of edges separates more"));
   story.seed(random.seed()).when("find_separating_axis() without a hint");
   constexpr int pairs = 4096;
   Census census;
@@ -58,7 +59,8 @@ GRADED_TEST(Lab4, AxisMatchesBruteForce, 5, "L4.4", Long) {
 
 GRADED_TEST(Lab4, AxisAtAnySizeAndFarFromTheOrigin, 2, "L4.4") {
   Random random(46);
-  Story story = with_causes(Story("Neither the unit of length nor the place changes the axis"));
+  Story story =
+      with_axis_causes(Story("Neither the unit of length nor the place changes the axis"));
   story.seed(random.seed()).when("find_separating_axis() without a hint");
   story.likely("tolerances are relative: sines, and shares of the smaller radius");
   for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
@@ -80,7 +82,7 @@ GRADED_TEST(Lab4, AxisAtAnySizeAndFarFromTheOrigin, 2, "L4.4") {
 GRADED_TEST(Lab4, SwappedBodiesTurnTheAxisRound, 1, "L4.4") {
   Random random(47);
   Story story =
-      with_causes(Story("Swapping A and B keeps the separation and turns the axis round"));
+      with_axis_causes(Story("Swapping A and B keeps the separation and turns the axis round"));
   story.seed(random.seed()).when("find_separating_axis(A, B) and find_separating_axis(B, A)");
   const std::vector<ShapePtr> shapes = small_shapes();
   for (int i = 0; i < 100; ++i) {

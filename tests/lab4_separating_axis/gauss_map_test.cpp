@@ -12,7 +12,7 @@
 namespace cs550::test {
 namespace {
 
-Story with_causes(Story story) {
+Story with_arc_causes(Story story) {
   return story.likely("the ends of each arc must lie on both sides of the other arc's plane")
       .likely("two great circles meet twice: the arcs must lie in the same hemisphere")
       .likely("with edge directions in place of the cross products, take both with the same sign");
@@ -39,7 +39,7 @@ Vec3 arc_end(Random& random, const Vec3& begin) {
 
 GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
   Random random(41);
-  Story story = with_causes(Story("Two arcs make a Minkowski face if and only if they cross"));
+  Story story = with_arc_causes(Story("Two arcs make a Minkowski face if and only if they cross"));
   story.seed(random.seed()).when("is_minkowski_face(a, b, c, d)");
   int crossing = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -61,7 +61,7 @@ GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
 }
 
 GRADED_TEST(Lab4, ArcsThatTouchOrLieOppositeDoNotCross, 3, "L4.1") {
-  Story story = with_causes(
+  Story story = with_arc_causes(
       Story("Arcs that only touch, and arcs on opposite sides of the sphere, do not cross"));
   story.likely("strictly on both sides: < 0 and not <= 0");
   const Vec3 x = Vec3::UnitX();

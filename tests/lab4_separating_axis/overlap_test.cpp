@@ -7,7 +7,7 @@
 namespace cs550::test {
 namespace {
 
-Story with_causes(Story story) {
+Story with_overlap_causes(Story story) {
   return story.likely("bodies overlap if *no* axis separates: every kind of axis must be asked")
       .likely("touching counts: a separation of exactly 0 is no separation");
 }
@@ -20,7 +20,8 @@ bool nearly_touching(const ExactBody& a, const ExactBody& b) {
 
 GRADED_TEST(Lab4, OverlapAgreesWithGjk, 3, "L4.5", Long) {
   Random random(48);
-  Story story = with_causes(Story("The bodies overlap if and only if GJK, in libccd, says so"));
+  Story story =
+      with_overlap_causes(Story("The bodies overlap if and only if GJK, in libccd, says so"));
   story.seed(random.seed()).when("overlap(A, B)");
   constexpr int pairs = 4096;
   int overlapping = 0;
@@ -42,7 +43,7 @@ GRADED_TEST(Lab4, OverlapAgreesWithGjk, 3, "L4.5", Long) {
 }
 
 GRADED_TEST(Lab4, CubesThatTouchOverlap, 1, "L4.5") {
-  Story story = with_causes(Story("Cubes overlap up to the moment when they just touch"));
+  Story story = with_overlap_causes(Story("Cubes overlap up to the moment when they just touch"));
   const ShapePtr cube = fixture_shape("cube");
   const struct {
     Vec3 position;

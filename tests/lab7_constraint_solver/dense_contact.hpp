@@ -14,6 +14,10 @@
 
 namespace cs550::test {
 
+/// Roundings of float in a few products and sums: relative to the largest term, or in m/s at speeds
+/// of some m/s.
+inline constexpr double rounding = 5e-5;
+
 /// Velocities of two bodies, stacked: v_A, ω_A, v_B, ω_B.
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat12 = Eigen::Matrix<double, 12, 12>;

@@ -7,9 +7,6 @@
 namespace cs550::test {
 namespace {
 
-/// Roundings of float in a few products and sums at speeds of some m/s.
-constexpr double rounding = 5e-5;
-
 Vec3 in_plane(double angle, double length) {
   return {static_cast<Real>(length * std::cos(angle)), static_cast<Real>(length * std::sin(angle)),
           0};

@@ -7,7 +7,7 @@ namespace cs550::test {
 namespace {
 
 /// A few roundings of a sum of twelve products, relative to its largest terms.
-constexpr double rounding = 2e-6;
+constexpr double jacobian_rounding = 2e-6;
 
 GRADED_TEST(Lab7, JacobianIsTheRateOfTheRelativePosition, 2, "L7.1") {
   Random random(7101);
@@ -23,13 +23,13 @@ GRADED_TEST(Lab7, JacobianIsTheRateOfTheRelativePosition, 2, "L7.1") {
     contact.given("direction", Story::show(constraint.n)).given("r_a", Story::show(constraint.r_a));
     contact.given("r_b", Story::show(constraint.r_b));
     require(contact.expect_near("part of v_A", j.linear_a, expected.segment<3>(0).cast<Real>(),
-                                rounding));
+                                jacobian_rounding));
     require(contact.expect_near("part of ω_A", j.angular_a, expected.segment<3>(3).cast<Real>(),
-                                rounding));
+                                jacobian_rounding));
     require(contact.expect_near("part of v_B", j.linear_b, expected.segment<3>(6).cast<Real>(),
-                                rounding));
+                                jacobian_rounding));
     require(contact.expect_near("part of ω_B", j.angular_b, expected.segment<3>(9).cast<Real>(),
-                                rounding));
+                                jacobian_rounding));
   }
 }
 
@@ -51,7 +51,8 @@ GRADED_TEST(Lab7, ConstraintMassMatchesDenseAlgebra, 2, "L7.2") {
     given.linear_b = j.segment<3>(6).cast<Real>();
     given.angular_b = j.segment<3>(9).cast<Real>();
     const double got = static_cast<double>(constraint_mass(given, a, b));
-    require(story.expect_near("constraint mass", got, expected, 10 * rounding * expected, "kg"));
+    require(story.expect_near("constraint mass", got, expected, 10 * jacobian_rounding * expected,
+                              "kg"));
   }
 }
 
@@ -93,14 +94,14 @@ GRADED_TEST(Lab7, PreparedMassesInvertTheCoupledTangents, 3, "L7.4") {
     const Eigen::Matrix3d k = j * inverse_mass * j.transpose();
     const double expected = 1 / k(0, 0);
     require(story.expect_near("normal mass", static_cast<double>(constraint.normal_mass), expected,
-                              10 * rounding * expected, "kg"));
+                              10 * jacobian_rounding * expected, "kg"));
     // The mass times the matrix that it inverts: rounding grows with the condition number.
     const Eigen::Matrix2d tangents = k.bottomRightCorner<2, 2>();
     const Eigen::Matrix2d unit = constraint.tangent_mass.cast<double>() * tangents;
     const double condition = tangents.trace() * tangents.trace() / tangents.determinant();
     require(story.expect_near("distance of tangent_mass · (J·M⁻¹·Jᵀ) from the identity",
                               (unit - Eigen::Matrix2d::Identity()).norm(), 0,
-                              rounding * condition));
+                              jacobian_rounding * condition));
   }
 }
 

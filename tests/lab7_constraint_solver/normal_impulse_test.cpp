@@ -6,9 +6,6 @@
 namespace cs550::test {
 namespace {
 
-/// Roundings of float in a few products and sums at speeds of some m/s.
-constexpr double rounding = 5e-5;
-
 GRADED_TEST(Lab7, OneImpulseStopsTheApproach, 2, "L7.6") {
   Random random(7601);
   Story story("after one solve of one constraint, J·v + b = 0 and V' = V + M⁻¹·Jᵀ·λ");

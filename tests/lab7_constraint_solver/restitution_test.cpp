@@ -7,9 +7,6 @@
 namespace cs550::test {
 namespace {
 
-/// Roundings of float in a few products and sums at speeds of some m/s.
-constexpr double rounding = 5e-5;
-
 ContactStep bouncing_step(int sweeps) {
   ContactStep step = rigid_step();
   step.restitution_threshold = Real(0.5);

@@ -7,7 +7,7 @@ namespace cs550::test {
 namespace {
 
 /// Roundings of float in a few products and sums, relative to the largest term.
-constexpr double rounding = 5e-6;
+constexpr double warm_start_rounding = 5e-6;
 
 /// Two bodies with accumulated impulses that change speeds by some m/s.
 Meeting loaded_meeting(Random& random) {
@@ -32,7 +32,7 @@ GRADED_TEST(Lab7, WarmStartAppliesTheAccumulatedImpulses, 2, "L7.5") {
     const Vec12 expected = meeting.velocity_after(meeting.impulses());
     warm_start(meeting.constraint, meeting.a, meeting.b);
     const Vec12 got = meeting.velocity();
-    const double tolerance = rounding * (1 + expected.norm());
+    const double tolerance = warm_start_rounding * (1 + expected.norm());
     const auto part = [](const Vec12& all, int first) {
       return Vec3(all.segment<3>(first).cast<Real>());
     };
@@ -56,8 +56,8 @@ GRADED_TEST(Lab7, WarmStartConservesMomentum, 1, "L7.5") {
     const double moved = (meeting.momentum() - before).norm();
     // The change of each body is rounded separately, at the scale of its momentum.
     require(story.expect("the bodies have got an impulse", change.norm() > 0));
-    require(
-        story.expect_near("change of P and L", moved, 0, rounding * (1 + before.norm()), "N·s"));
+    require(story.expect_near("change of P and L", moved, 0,
+                              warm_start_rounding * (1 + before.norm()), "N·s"));
   }
 }
 

@@ -18,7 +18,7 @@
 namespace cs550::cli {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 namespace {

@@ -12,7 +12,7 @@
 namespace cs550::cli {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 namespace {
 

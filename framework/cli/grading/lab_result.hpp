@@ -49,7 +49,7 @@ LabResult result_of_starter(const std::string& lab_name);
 LabResult result_of_compile_error(const std::string& lab_name, const std::string& error);
 
 /// Which build of the student's code is graded.
-enum class Grading { Plain, Sanitized };
+enum class Grading { Plain, Sanitized, Debugged };
 
 /// The program that grades a lab.
 std::string graded_target(int lab, Grading grading);

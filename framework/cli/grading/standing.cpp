@@ -17,7 +17,7 @@
 namespace cs550::cli {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 namespace {
@@ -57,6 +57,7 @@ bool reaches(int lab) {
 /// framework has changed, else remembered.
 std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
   if (const std::optional<std::set<int>> known = remembered_milestones(labs)) return *known;
+  show_status("Running your engine ...");
   std::set<int> reached;
   if (!labs.empty() && build_quietly(program).empty()) {
     for (const LabResult& lab : labs) {
@@ -95,7 +96,6 @@ Standing look_at_labs() {
     standing.labs.push_back(result_of(name));
     if (is_next && !standing.labs.back().is_finished()) standing.next = standing.labs.size() - 1;
   }
-  show_status("Running your engine ...");
   standing.milestones = milestones_reached(begun(standing));
   show_status("");
   return standing;

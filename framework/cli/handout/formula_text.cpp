@@ -2,7 +2,7 @@
 
 #include <cctype>
 #include <map>
-#include <regex>
+#include <sstream>
 
 namespace cs550::cli {
 namespace {
@@ -144,10 +144,15 @@ class Formula {
 
 /// Single spaces, and none at the ends or inside brackets.
 std::string evenly_spaced(const std::string& text) {
-  static const std::regex spaces("\\s+"), before_end(" ([,;.)]|$)"), after_opening("(^|\\() ");
-  std::string result = std::regex_replace(text, spaces, " ");
-  result = std::regex_replace(result, before_end, "$1");
-  return std::regex_replace(result, after_opening, "$1");
+  constexpr std::string_view ends = ",;.)";
+  std::istringstream words(text);
+  std::string result;
+  for (std::string word; words >> word;) {
+    const bool is_close =
+        result.empty() || result.back() == '(' || ends.find(word.front()) != ends.npos;
+    result += (is_close ? "" : " ") + word;
+  }
+  return result;
 }
 
 }  // namespace

@@ -6,43 +6,58 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <sstream>
+#include <string_view>
 
 #include "cli/handout/formula_text.hpp"
+#include "cli/system/exit_code.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
-#include "cli/verb.hpp"
 #include "files/output_file.hpp"
 
 namespace cs550::cli {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 namespace {
 
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+/// Whether a line cannot continue the paragraph before it: an empty one, a list item, a row of a
+/// table, code or a displayed formula.
+bool starts_block(std::string_view text) {
+  for (const std::string_view start : {"\n", "- ", "* ", "|", "```", "$$"}) {
+    if (text.rfind(start, 0) == 0) return true;
+  }
+  return text.size() > 1 && is_digit(text[0]) && text[1] == '.';
+}
+
 /// Joins the lines of each paragraph; breaks between paragraphs and before list items stay.
 std::string reflowed(const std::string& text) {
-  static const std::regex outer("^\\s+|\\s+$");
-  static const std::regex break_in_paragraph(R"(([^\n])\n(?!\n|[-*] |[|]|```|[$][$]|[0-9][.]))");
-  return std::regex_replace(std::regex_replace(text, outer, ""), break_in_paragraph, "$1 ");
+  constexpr const char* blank = " \n\t";
+  const std::size_t first = text.find_first_not_of(blank);
+  if (first == std::string::npos) return "";
+  std::string result = text.substr(first, text.find_last_not_of(blank) + 1 - first);
+  for (std::size_t at = 1; at < result.size(); ++at) {
+    const bool ends_a_line = result[at] == '\n' && result[at - 1] != '\n';
+    if (ends_a_line && !starts_block(std::string_view(result).substr(at + 1))) result[at] = ' ';
+  }
+  return result;
 }
 
 /// Reads line by line: a heading opens a step, <details> a hint of the last step.
 class Reader {
  public:
   void read(const std::string& line) {
-    static const std::regex heading(R"(## (L[0-9]+\.[0-9]+) (.+))");
-    static const std::regex opening(R"(<details><summary>(?:Hint [0-9]+: )?(.*)</summary>)");
-    std::smatch match;
-    if (std::regex_match(line, match, heading)) {
-      steps.push_back({match[1], match[2], {}});
-    } else if (!steps.empty() && std::regex_match(line, match, opening)) {
-      steps.back().hints.push_back({match[1], ""});
+    if (line.rfind("## ", 0) == 0) {
+      open_step(line.substr(3));
+      in_hint_ = false;
+    } else if (!steps.empty() && line.rfind(hint_mark, 0) == 0) {
+      steps.back().hints.push_back({question(line), ""});
       in_hint_ = true;
-    } else if (line == "</details>" || line.rfind("## ", 0) == 0) {
+    } else if (line == "</details>") {
       in_hint_ = false;
     } else if (in_hint_) {
       steps.back().hints.back().answer += line + '\n';
@@ -52,6 +67,26 @@ class Reader {
   std::vector<Step> steps;
 
  private:
+  static constexpr std::string_view hint_mark = "<details><summary>";
+
+  /// "L3.2 Climb the hill" opens a step; other headings do not.
+  void open_step(const std::string& heading) {
+    const std::size_t space = heading.find(' ');
+    const bool is_step = heading.size() > 1 && heading[0] == 'L' && is_digit(heading[1]);
+    if (is_step && space != std::string::npos) {
+      steps.push_back({heading.substr(0, space), heading.substr(space + 1), {}});
+    }
+  }
+
+  /// "<details><summary>Hint 1: What moves?</summary>" asks "What moves?".
+  static std::string question(const std::string& line) {
+    std::string text = line.substr(hint_mark.size());
+    text = text.substr(0, text.find("</summary>"));
+    const std::size_t colon = text.find(": ");
+    const bool is_numbered = text.rfind("Hint ", 0) == 0 && colon != std::string::npos;
+    return is_numbered ? text.substr(colon + 2) : text;
+  }
+
   bool in_hint_ = false;
 };
 

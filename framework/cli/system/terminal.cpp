@@ -91,7 +91,11 @@ std::string duration_text(std::chrono::seconds time) {
 }
 
 void show_status(const std::string& text) {
-  if (isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
+  if (isatty(STDERR_FILENO) != 0) {
+    std::cerr << "\r\033[K" << text << std::flush;
+  } else if (!text.empty()) {
+    std::cerr << text << std::endl;
+  }
 }
 
 void ProgressBar::show(int done) {

@@ -28,8 +28,8 @@ std::string padded(const std::string& text, std::size_t width);
 /// A length of time that is only roughly known: "40 s", "12 min", "1 h 40 min".
 std::string duration_text(std::chrono::seconds time);
 
-/// On a terminal: a line about what is running, which the next output replaces. Empty text clears
-/// it.
+/// Prints what is about to run. On a terminal the next output replaces the line, and empty text
+/// clears it.
 void show_status(const std::string& text);
 
 /// How far a long run has come, and how long it still takes: one line on standard error that changes

@@ -75,13 +75,13 @@ int debug_first_failure(int lab, const LabResult& result) {
     return Failed;
   }
   if (!run({project_root() / "cs550", "doctor", "--install", "debug"}).good()) return Failed;
-  const std::string target = graded_target(lab, Grading::Plain);
-  if (!build("debug", target)) return Failed;
+  const std::string target = graded_target(lab, Grading::Debugged);
+  if (!build("student", target)) return Failed;
   std::vector<std::string> gdb{
       "gdb", "-q", "-iex", "set debuginfod enabled off", "-x", "framework/cli/debug.gdb"};
   const bool can_ask = isatty(STDIN_FILENO) != 0;
   if (!can_ask) gdb.insert(gdb.end(), {"-batch", "-ex", "backtrace"});
-  gdb.insert(gdb.end(), {"--args", built_program("debug", target), "--gtest_break_on_failure",
+  gdb.insert(gdb.end(), {"--args", built_program("student", target), "--gtest_break_on_failure",
                          "--gtest_filter=*." + failure->test.name});
   std::cout << "gdb runs " << failure->test.name
             << " up to its failure. To step through your own function: `break`\n"

@@ -134,7 +134,7 @@ bool is_lab_file(const fs::path& path) {
   return *path.begin() == "labs" && path.extension() == ".cpp";
 }
 
-fs::path starter_of(const fs::path& lab_file) {
+fs::path starter_path(const fs::path& lab_file) {
   return fs::path(".starters") / lab_file.lexically_relative("labs");
 }
 
@@ -153,12 +153,12 @@ void replace(const fs::path& file, const fs::path& fresh) {
 /// Replaces the lab files that still are the copy's starters. The others are never touched.
 void update_lab_file(const std::string& file, const fs::path& copy, const fs::path& fresh,
                      CopyUpdate& update) {
-  if (!fs::exists(copy / file) || same_text(copy / file, copy / starter_of(file))) {
+  if (!fs::exists(copy / file) || same_text(copy / file, copy / starter_path(file))) {
     replace(copy / file, fresh / file);
     return;
   }
   update.kept.push_back(file);
-  if (!same_text(copy / starter_of(file), fresh / starter_of(file))) {
+  if (!same_text(copy / starter_path(file), fresh / starter_path(file))) {
     update.conflicts.push_back(file);
   }
 }
@@ -234,7 +234,7 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
     std::cout << fmt::format(
         "conflict: {} was changed, and so was its starter.\n"
         "          Compare it with {}.\n",
-        file, starter_of(file).string());
+        file, starter_path(file).string());
   }
   return update.conflicts.empty() ? Good : Failed;
 }

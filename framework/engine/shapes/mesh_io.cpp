@@ -12,20 +12,21 @@ namespace cs550 {
 namespace {
 
 /// JSON whose numbers are floats: written with the fewest digits that read back as the same bits.
-using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, Real>;
+using FloatJson = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
+                                       std::uint64_t, Real>;
 
-Json to_array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+FloatJson to_array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-HalfEdgeMesh mesh_from(const Json& json) {
+HalfEdgeMesh mesh_from(const FloatJson& json) {
   HalfEdgeMesh mesh;
-  for (const Json& v : json.at("vertices")) mesh.vertices.emplace_back(v.at(0), v.at(1), v.at(2));
+  for (const FloatJson& v : json.at("vertices"))
+    mesh.vertices.emplace_back(v.at(0), v.at(1), v.at(2));
   mesh.vertex_edge = json.at("vertex_edge").get<std::vector<Index>>();
-  for (const Json& e : json.at("half_edges")) {
+  for (const FloatJson& e : json.at("half_edges")) {
     const Index twin = mesh.edge_count() ^ 1;
     mesh.edges.push_back({e.at(0), e.at(1), e.at(2), twin, e.at(3)});
   }
-  for (const Json& f : json.at("faces")) {
+  for (const FloatJson& f : json.at("faces")) {
     mesh.faces.push_back({f.at(0), {Vec3(f.at(1), f.at(2), f.at(3)), f.at(4)}});
   }
   return mesh;
@@ -68,20 +69,20 @@ SoupResult load_obj(const std::filesystem::path& file) {
 }
 
 std::string to_json(const HalfEdgeMesh& mesh) {
-  Json vertices = Json::array();
+  FloatJson vertices = FloatJson::array();
   for (const Vec3& vertex : mesh.vertices) vertices.push_back(to_array(vertex));
   // Twins are adjacent, so they are not written.
-  Json half_edges = Json::array();
+  FloatJson half_edges = FloatJson::array();
   for (const HalfEdge& e : mesh.edges) half_edges.push_back({e.vertex, e.next, e.prev, e.face});
-  Json faces = Json::array();
+  FloatJson faces = FloatJson::array();
   for (const Face& face : mesh.faces) {
     const Vec3& n = face.plane.normal;
     faces.push_back({face.edge, n.x(), n.y(), n.z(), face.plane.offset});
   }
-  return Json{{"vertices", vertices},
-              {"vertex_edge", mesh.vertex_edge},
-              {"half_edges", half_edges},
-              {"faces", faces}}
+  return FloatJson{{"vertices", vertices},
+                   {"vertex_edge", mesh.vertex_edge},
+                   {"half_edges", half_edges},
+                   {"faces", faces}}
              .dump() +
          '\n';
 }
@@ -91,8 +92,8 @@ MeshResult load_mesh_json(const std::filesystem::path& file, Real tolerance) {
   if (!stream) return {{}, file.string() + ": cannot be opened"};
   HalfEdgeMesh mesh;
   try {
-    mesh = mesh_from(Json::parse(stream));
-  } catch (const Json::exception& error) {
+    mesh = mesh_from(FloatJson::parse(stream));
+  } catch (const FloatJson::exception& error) {
     return {{}, file.string() + ": is not a half-edge mesh in JSON: " + error.what()};
   }
   if (const auto defect = validate(mesh, tolerance)) {

@@ -39,7 +39,7 @@ struct Subject {
   Real allowed_distance;  ///< for planarity and convexity (m)
 };
 
-bool in_range(Index i, Index count) { return i >= 0 && i < count; }
+bool is_element(Index i, Index count) { return i >= 0 && i < count; }
 
 Defect sizes_and_ranges(const Subject& subject) {
   const HalfEdgeMesh& mesh = subject.mesh;
@@ -59,30 +59,30 @@ Defect sizes_and_ranges(const Subject& subject) {
   }
   for (Index v = 0; v < vertices; ++v) {
     const Index e = mesh.vertex_edge[v];
-    if (!in_range(e, edges)) {
+    if (!is_element(e, edges)) {
       return defect(MeshElement::Vertex, v, "its half-edge ", e, " does not exist");
     }
   }
   for (Index e = 0; e < edges; ++e) {
     const HalfEdge& edge = mesh.edge(e);
-    if (!in_range(edge.vertex, vertices)) {
+    if (!is_element(edge.vertex, vertices)) {
       return defect(MeshElement::HalfEdge, e, "its vertex ", edge.vertex, " does not exist");
     }
-    if (!in_range(edge.next, edges)) {
+    if (!is_element(edge.next, edges)) {
       return defect(MeshElement::HalfEdge, e, "its next ", edge.next, " does not exist");
     }
-    if (!in_range(edge.prev, edges)) {
+    if (!is_element(edge.prev, edges)) {
       return defect(MeshElement::HalfEdge, e, "its prev ", edge.prev, " does not exist");
     }
-    if (!in_range(edge.twin, edges)) {
+    if (!is_element(edge.twin, edges)) {
       return defect(MeshElement::HalfEdge, e, "its twin ", edge.twin, " does not exist");
     }
-    if (!in_range(edge.face, faces)) {
+    if (!is_element(edge.face, faces)) {
       return defect(MeshElement::HalfEdge, e, "its face ", edge.face, " does not exist");
     }
   }
   for (Index f = 0; f < faces; ++f) {
-    if (!in_range(mesh.face(f).edge, edges)) {
+    if (!is_element(mesh.face(f).edge, edges)) {
       return defect(MeshElement::Face, f, "its half-edge ", mesh.face(f).edge, " does not exist");
     }
   }

@@ -13,13 +13,13 @@ vec3 backdrop(float height) {
 namespace {
 
 /// A triangle that covers the viewport.
-constexpr const char* vertex_source = R"(
+constexpr const char* backdrop_vertex_source = R"(
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0);
 }
 )";
 
-constexpr const char* fragment_source = R"(
+constexpr const char* backdrop_fragment_source = R"(
 uniform float canvas_height;
 out vec4 colour;
 void main() {
@@ -30,8 +30,8 @@ void main() {
 }  // namespace
 
 Backdrop::Backdrop()
-    : shader_("backdrop", vertex_source, (std::string(backdrop_source) + fragment_source).c_str()) {
-}
+    : shader_("backdrop", backdrop_vertex_source,
+              (std::string(backdrop_source) + backdrop_fragment_source).c_str()) {}
 
 void Backdrop::draw(float height_pixels) const {
   glEnable(GL_DEPTH_TEST);

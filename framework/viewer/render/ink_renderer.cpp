@@ -129,10 +129,10 @@ void end_blending() {
 }  // namespace
 
 InkRenderer::InkRenderer()
-    : line_shader_("line", ink::line_vertex, ink::line_fragment),
-      dot_shader_("dot", ink::dot_vertex, ink::dot_fragment),
-      polygon_shader_("polygon", ink::polygon_vertex, ink::polygon_fragment),
-      ball_shader_("ball", ink::ball_vertex, ink::ball_fragment) {}
+    : line_shader_("line", ink_shaders::line_vertex, ink_shaders::line_fragment),
+      dot_shader_("dot", ink_shaders::dot_vertex, ink_shaders::dot_fragment),
+      polygon_shader_("polygon", ink_shaders::polygon_vertex, ink_shaders::polygon_fragment),
+      ball_shader_("ball", ink_shaders::ball_vertex, ink_shaders::ball_fragment) {}
 
 /// Fills a buffer and sets its vertex format. @return whether the contents have changed
 bool InkRenderer::fill(Batch& batch, std::vector<float> records, std::initializer_list<GLint> parts,

@@ -3,7 +3,7 @@
 /// GLSL of the InkRenderer. Every instance is a rectangle, and its fragment shader computes the
 /// coverage of the shape, so that edges are smooth even with one sample per pixel.
 
-namespace cs550::viewer::ink {
+namespace cs550::viewer::ink_shaders {
 
 /// A line as a rectangle of constant width in pixels, clipped at the near plane. It is moved
 /// slightly towards the eye, so that an edge is drawn in front of its own face.
@@ -200,4 +200,4 @@ void main() {
 }
 )";
 
-}  // namespace cs550::viewer::ink
+}  // namespace cs550::viewer::ink_shaders

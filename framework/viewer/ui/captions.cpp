@@ -14,10 +14,6 @@ namespace {
 
 using drawing::LegendEntry;
 
-ImU32 packed(drawing::Colour colour, int opacity = 255) {
-  return IM_COL32(colour.red, colour.green, colour.blue, opacity);
-}
-
 /// The colour, darkened enough for text on a light background.
 drawing::Colour readable(drawing::Role role) {
   constexpr drawing::Colour black = {0, 0, 0};

@@ -1,11 +1,13 @@
 #pragma once
 /// @file imgui_calls.hpp
-/// Calls whose names or arguments differ between versions of Dear ImGui (1.86 to 1.92).
+/// Colours for Dear ImGui, and calls whose names or arguments differ between its versions (1.86 to
+/// 1.92).
 
 #include <imgui/imgui.h>
 
 #include <span>
 
+#include "drawing/palette.hpp"
 #include "viewer/ui/theme.hpp"
 
 namespace cs550::viewer {
@@ -35,6 +37,10 @@ inline void add_polyline(ImDrawList* list, std::span<const ImVec2> points, ImU32
 #else
   list->AddPolyline(points.data(), count, colour, 0, thickness);
 #endif
+}
+
+inline ImU32 packed(drawing::Colour colour, int opacity = 255) {
+  return IM_COL32(colour.red, colour.green, colour.blue, opacity);
 }
 
 }  // namespace cs550::viewer

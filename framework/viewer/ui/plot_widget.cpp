@@ -15,10 +15,6 @@ using drawing::Plot;
 using drawing::Series;
 using drawing::SeriesStyle;
 
-ImU32 packed(drawing::Colour colour) {
-  return IM_COL32(colour.red, colour.green, colour.blue, 255);
-}
-
 void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& fonts) {
   const float size = fonts.small.size;
   for (const double tick : y_ticks(y)) {

@@ -8,7 +8,7 @@
 namespace cs550::test {
 namespace {
 
-Story with_causes(Story story) {
+Story with_pair_causes(Story story) {
   return story.likely("the largest of all separations, faces of A, faces of B and edges")
       .likely("indices of more than 127 elements do not fit in 8 bits")
       .likely("tolerances are relative to the sizes of the bodies");
@@ -16,7 +16,8 @@ Story with_causes(Story story) {
 
 GRADED_TEST(Lab4, FlatThinAndRoundBodies, 3, "L4.4") {
   Random random(941);
-  Story story = with_causes(Story("Needles, slabs and slivers have a best axis like any other"));
+  Story story =
+      with_pair_causes(Story("Needles, slabs and slivers have a best axis like any other"));
   story.seed(random.seed()).when("find_separating_axis() without a hint");
   std::vector<ShapePtr> shapes;
   for (const char* name : {"needle", "slab", "sliver", "dodecahedron", "prism32", "hull32"}) {
@@ -33,7 +34,7 @@ GRADED_TEST(Lab4, FlatThinAndRoundBodies, 3, "L4.4") {
 
 GRADED_TEST(Lab4, HullsOfManyVertices, 3, "L4.4") {
   Random random(942);
-  Story story = with_causes(Story("A hull of 256 vertices has a best axis like any other"));
+  Story story = with_pair_causes(Story("A hull of 256 vertices has a best axis like any other"));
   story.seed(random.seed()).when("find_separating_axis() against a cube, a tetrahedron, a prism");
   const std::vector<ShapePtr> shapes{fixture_shape("cube"), fixture_shape("regular_tetrahedron"),
                                      fixture_shape("prism6")};
@@ -47,7 +48,8 @@ GRADED_TEST(Lab4, HullsOfManyVertices, 3, "L4.4") {
 }
 
 GRADED_TEST(Lab4, CrossedAtManyAngles, 3, "L4.3") {
-  Story story = with_causes(Story("Edges that cross at any angle separate along the vertical"));
+  Story story =
+      with_pair_causes(Story("Edges that cross at any angle separate along the vertical"));
   for (const Real size : {Real(2e-3), Real(0.012), Real(300)}) {
     for (const CrossedShape& shape : crossed_shapes()) {
       for (const Real degrees : {Real(8), Real(31), Real(77), Real(140)}) {
@@ -68,7 +70,7 @@ GRADED_TEST(Lab4, CrossedAtManyAngles, 3, "L4.3") {
 GRADED_TEST(Lab4, OverlapOfSmallBodiesFarAway, 3, "L4.5") {
   Random random(943);
   Story story =
-      with_causes(Story("Bodies of 12 mm, 10 m away, overlap if and only if GJK says so"));
+      with_pair_causes(Story("Bodies of 12 mm, 10 m away, overlap if and only if GJK says so"));
   story.seed(random.seed()).when("overlap(A, B)");
   const std::vector<ShapePtr> shapes = small_shapes(Real(0.012));
   int overlapping = 0;

@@ -7,9 +7,6 @@
 namespace cs550::test {
 namespace {
 
-/// Roundings of float in a few products and sums, relative to the largest term.
-constexpr double rounding = 5e-5;
-
 GRADED_TEST(Lab7, NormalImpulsesOfEverySizeAndRole, 3, "L7.6") {
   Random random(7611);
   for (const Real size : {Real(0.01), Real(1), Real(100)}) {

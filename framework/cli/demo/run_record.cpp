@@ -1,4 +1,4 @@
-#include "cli/verbs/run_record.hpp"
+#include "cli/demo/run_record.hpp"
 
 #include <fmt/format.h>
 

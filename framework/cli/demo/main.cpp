@@ -1,20 +1,26 @@
-// ./cs550 demo: runs a scene through the assembled engine, and prints a summary of the run.
+// The program behind ./cs550 demo: runs a scene through the assembled engine, prints a summary.
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/command_line.hpp"
+#include "cli/demo/run_record.hpp"
+#include "cli/system/exit_code.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
-#include "cli/verb.hpp"
-#include "cli/verbs/run_record.hpp"
-#include "cli/verbs/view.hpp"
+#include "cli/system/viewer.hpp"
+#include "files/output_file.hpp"
 
-namespace cs550::cli {
 namespace {
+
+using namespace cs550;
+using namespace cs550::cli;
 
 struct DemoOptions {
   std::string scene = "wall";
@@ -54,11 +60,11 @@ void run_scene(World& world, const Scene& scene, int steps, RunRecord& record,
 /// A picture of the scene after an eighth of the run, when most happens. It is optional.
 void take_picture(const Scene& scene, const std::string& name, int steps) {
   constexpr int moment = 8;
-  if (!has_viewer()) {
+  if (!CS550_HAS_VIEWER) {
     std::cout << "\nFor a picture: ./cs550 view " << name << " (installs the packages it needs)\n";
     return;
   }
-  std::vector<std::string> command = viewer_command(false, "release");
+  std::vector<std::string> command = viewer_command(false);
   if (command.empty()) return;
   const std::filesystem::path file = project_root() / "build/results" / (scene.name + ".png");
   const std::filesystem::path log = file.string() + ".txt";
@@ -94,19 +100,35 @@ int run_demo(const DemoOptions& options) {
   return record.good() ? Good : Failed;
 }
 
-}  // namespace
-
-Action declare_demo(CLI::App& app) {
-  const auto options = std::make_shared<DemoOptions>();
-  app.add_option("SCENE", options->scene,
+void declare(CLI::App& app, DemoOptions& options) {
+  app.add_option("SCENE", options.scene,
                  "name of a shipped scene, or a scene file; by default wall");
-  app.add_option("--csv", options->csv, "write the trajectory of every moving body to a file")
+  app.add_option("--csv", options.csv, "write the trajectory of every moving body to a file")
       ->option_text("FILE");
-  app.add_option("--steps", options->steps, "number of steps; by default the scene's own")
+  app.add_option("--steps", options.steps, "number of steps; by default the scene's own")
       ->option_text("N")
       ->check(CLI::Range(1, 1000000));
-  app.add_flag("--no-picture", options->no_picture, "print the summary only");
-  return [options] { return run_demo(*options); };
+  app.add_flag("--no-picture", options.no_picture, "print the summary only");
+  refuse_values_of_flags(app);
 }
 
-}  // namespace cs550::cli
+}  // namespace
+
+int main(int argc, char** argv) {
+  DemoOptions options;
+  CLI::App app("Run a scene through the engine; print a summary and save a picture",
+               "./cs550 demo");
+  app.formatter(std::make_shared<Help>());
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+    const int exit_code = run_demo(options);
+    files::check_standard_output();
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error, "demo");
+  } catch (const std::exception& error) {
+    std::cerr << "cs550: " << error.what() << '\n';
+    return Failed;
+  }
+}

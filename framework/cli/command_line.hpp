@@ -1,0 +1,25 @@
+#pragma once
+/// @file command_line.hpp
+/// What the programs behind ./cs550 print when a command line asks for help or is wrong.
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace cs550::cli {
+
+/// CLI11's help without what it adds to an option: types, ranges, exclusions.
+class Help : public CLI::Formatter {
+ public:
+  Help() { column_width(20); }
+  std::string make_option_opts(const CLI::Option* option) const override;
+};
+
+/// Makes a flag with a value, as in `--list=no`, an error.
+void refuse_values_of_flags(CLI::App& app);
+
+/// Prints the help that was asked for, or what is wrong.
+/// @param verb the verb with the wrong option
+/// @return an ExitCode
+int answer(const CLI::App& app, const CLI::ParseError& error, const std::string& verb);
+
+}  // namespace cs550::cli
