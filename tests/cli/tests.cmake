@@ -37,5 +37,9 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
   add_test(NAME cli.submit
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/submit_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_BINARY_DIR}/submit")
+  add_test(NAME cli.rough
+           COMMAND bash "${CMAKE_CURRENT_LIST_DIR}/rough_test.sh" "${PROJECT_SOURCE_DIR}"
+                   "${PROJECT_BINARY_DIR}/rough")
+  set_tests_properties(cli.rough PROPERTIES LABELS rough TIMEOUT 3600)
   set_tests_properties(cli.usage cli.launcher cli.output cli.submit PROPERTIES LABELS cli TIMEOUT 60)
 endif()
