@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "drawing/fitted_view.hpp"
 #include "xml.hpp"
 
 namespace cs550::drawing {
@@ -82,6 +83,21 @@ TEST(Svg, AnEmptyDrawingIsAnEmptyPicture) {
   EXPECT_EQ(xml_fault(write_svg(Drawing{})), "");
   EXPECT_EQ(xml_fault(write_svg(Page{})), "");
   EXPECT_EQ(xml_fault(write_svg(Plot{})), "");
+}
+
+TEST(FittedView, AFramedBallKeepsItsScaleWhileTheViewTurns) {
+  const auto pixels_per_metre = [](bool frames_ball, const Vec3& toward_eye) {
+    View view;
+    view.toward_eye = toward_eye;
+    view.frame.include({-1, -1, -1});
+    view.frame.include({1, 1, 1});
+    view.frames_ball = frames_ball;
+    return FittedView(view, {}, {0, 0, 300, 200}).pixels(Vec3::Zero(), 1);
+  };
+  for (const Vec3& toward_eye : {Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(1, 2, 3)}) {
+    EXPECT_NEAR(pixels_per_metre(true, toward_eye), 100, 1e-3) << toward_eye.transpose();
+  }
+  EXPECT_LT(pixels_per_metre(false, {1, 2, 3}), 80) << "the corners of the cube need more room";
 }
 
 TEST(Svg, PanelsStandSideBySide) {
