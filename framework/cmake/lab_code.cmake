@@ -30,8 +30,6 @@ set(lab_exports "${lab_folder}/exports.map")
 file(CONFIGURE OUTPUT "${lab_exports}" CONTENT "{ global: _ZN5cs550*; local: *; };\n")
 if(EXISTS "${PROJECT_SOURCE_DIR}/.starters")
   set(CS550_STUDENTS_COPY TRUE)
-  # Every function has a stub, so that no program is linked again after an edit.
-  set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
 else()
   set(CS550_STUDENTS_COPY FALSE)
 endif()
