@@ -41,6 +41,17 @@ std::vector<int> numbers_of(const Catalogue& catalogue) {
   return numbers;
 }
 
+/// "1 lab", "2 labs".
+std::string counted(int number, const std::string& noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+int timeouts(const LabRecord& lab) {
+  return static_cast<int>(
+      std::count_if(lab.tests.begin(), lab.tests.end(),
+                    [](const TestResult& test) { return test.status == "timeout"; }));
+}
+
 /// What a run leaves for the instructor to look at.
 void print_troubles(const std::vector<Record>& records) {
   for (const Record& record : records) {
@@ -48,16 +59,16 @@ void print_troubles(const std::vector<Record>& records) {
       std::cout << fmt::format("unreadable: {}: {}\n", record.name, record.trouble);
     }
     for (const LabRecord& lab : record.labs) {
-      if (lab.not_graded.empty()) continue;
-      std::cout << fmt::format("NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
-                               lab.not_graded);
+      if (!lab.not_graded.empty()) {
+        std::cout << fmt::format("NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
+                                 lab.not_graded);
+      }
+      if (const int late = timeouts(lab); late > 0) {
+        std::cout << fmt::format("timeout: {}, lab {}: {} ended at the limit of time\n",
+                                 record.name, lab.lab, counted(late, "test"));
+      }
     }
   }
-}
-
-/// "1 lab", "2 labs".
-std::string counted(int number, const std::string& noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
 }
 
 void print_outcome(const ClassOutcome& outcome, std::chrono::duration<double> time) {
@@ -124,7 +135,7 @@ bool grade(const GradeRequest& request) {
   fs::remove_all(judge.work);
   if (outcome.interrupted) {
     std::cout << fmt::format("Interrupted after {}. The same command with --resume continues.\n",
-                             outcome.runs);
+                             counted(outcome.runs, "lab"));
     return false;
   }
   print_outcome(outcome, std::chrono::steady_clock::now() - start);
