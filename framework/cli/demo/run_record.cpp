@@ -24,8 +24,8 @@ std::string quoted(const std::string& text) {
 }
 
 /// Each number after a comma, with the digits that restore a float.
-template <int Rows>
-std::string columns(const Eigen::Matrix<Real, Rows, 1>& numbers) {
+template <class Numbers>
+std::string columns(const Numbers& numbers) {
   std::string text;
   for (const Real number : numbers) text += fmt::format(",{:.9g}", number);
   return text;
@@ -142,7 +142,7 @@ void TrajectoryCsv::add(const World& world, const Scene& scene) {
     const Quat& q = body.pose.orientation;
     file_.write(fmt::format("{},{:.9g},{},{}", world.step_count(), world.time(), i,
                             quoted(scene.body_names[i])) +
-                columns(body.pose.position) + columns<4>({q.w(), q.x(), q.y(), q.z()}) +
+                columns(body.pose.position) + columns(std::array{q.w(), q.x(), q.y(), q.z()}) +
                 columns(body.linear_velocity) + columns(body.angular_velocity) + '\n');
   }
 }
