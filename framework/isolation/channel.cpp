@@ -67,7 +67,8 @@ bool Channel::send(const std::string& message) {
 }
 
 void Channel::limit_sending(std::chrono::milliseconds limit) {
-  const timeval time{limit.count() / 1000, (limit.count() % 1000) * 1000};
+  const timeval time{static_cast<time_t>(limit.count() / 1000),
+                     static_cast<suseconds_t>((limit.count() % 1000) * 1000)};
   setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time);
 }
 
