@@ -3,10 +3,11 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 
-# Editors search for the database in the root folder. Only builds inside the tree write it there.
+# Editors search for the database in the root folder. Only the presets' builds write it there: a test
+# that configures in a folder of its own would leave a broken link.
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-cmake_path(IS_PREFIX PROJECT_SOURCE_DIR "${PROJECT_BINARY_DIR}" build_is_inside)
-if(build_is_inside)
+cmake_path(GET PROJECT_BINARY_DIR PARENT_PATH build_folder)
+if(build_folder STREQUAL "${PROJECT_SOURCE_DIR}/build")
   file(CREATE_LINK "${PROJECT_BINARY_DIR}/compile_commands.json"
        "${PROJECT_SOURCE_DIR}/compile_commands.json" SYMBOLIC)
 endif()
