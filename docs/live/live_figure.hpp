@@ -16,10 +16,10 @@ class LiveFigure {
  public:
   /// @param description the number of a page and settings: "4 gauss_maps=off turn=0,0,45". Page 0
   /// takes scene=NAME too.
-  /// @throws std::invalid_argument that says what is wrong
+  /// @throws std::invalid_argument with the reason
   explicit LiveFigure(const std::string& description);
 
-  /// @param assignment name=value @throws std::invalid_argument that says what is wrong
+  /// @param assignment name=value @throws std::invalid_argument with the reason
   void set(const std::string& assignment);
   /// The settings as JSON: a list of {kind, name, label, unit, value, least, most, names}.
   std::string describe();

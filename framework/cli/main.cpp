@@ -22,20 +22,7 @@ struct Verb {
 
 constexpr Verb verbs[] = {
 #define CS550_VERB(name, preset, packages, arguments, summary) {#name, summary, declare_##name},
-#define CS550_INSTRUCTOR CS550_VERB
-#if CS550_HAS_GRADEBOOK
-#define CS550_GRADER CS550_VERB
-#else
-#define CS550_GRADER(...)
-#endif
-#define CS550_PROGRAM(...)
-#define CS550_SCRIPT(...)
 #include "cli/verbs.def"
-#undef CS550_VERB
-#undef CS550_INSTRUCTOR
-#undef CS550_GRADER
-#undef CS550_PROGRAM
-#undef CS550_SCRIPT
 };
 
 int run(int argc, char** argv) {

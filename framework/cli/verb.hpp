@@ -16,19 +16,6 @@ using Action = std::function<int()>;
 // declare_lab(CLI::App&), declare_progress(CLI::App&) and so on: each adds the verb's options to its
 // part of the command line and returns its action.
 #define CS550_VERB(name, preset, packages, arguments, summary) Action declare_##name(CLI::App& app);
-#define CS550_INSTRUCTOR CS550_VERB
-#if CS550_HAS_GRADEBOOK
-#define CS550_GRADER CS550_VERB
-#else
-#define CS550_GRADER(...)
-#endif
-#define CS550_PROGRAM(...)
-#define CS550_SCRIPT(...)
 #include "cli/verbs.def"
-#undef CS550_VERB
-#undef CS550_INSTRUCTOR
-#undef CS550_GRADER
-#undef CS550_PROGRAM
-#undef CS550_SCRIPT
 
 }  // namespace cs550::cli

@@ -70,14 +70,6 @@ std::vector<std::string> in_bubblewrap(const Command& command) {
   return words;
 }
 
-std::vector<char*> pointers(const std::vector<std::string>& words) {
-  std::vector<char*> result;
-  result.reserve(words.size() + 1);
-  for (const std::string& word : words) result.push_back(const_cast<char*>(word.c_str()));
-  result.push_back(nullptr);
-  return result;
-}
-
 /// A file in memory that cannot grow: what does not fit is lost.
 int fixed_file(std::size_t size) {
   const int file = memfd_create("output", MFD_CLOEXEC | MFD_ALLOW_SEALING);
@@ -176,6 +168,14 @@ bool is_control(char32_t point) {
 }
 
 }  // namespace
+
+std::vector<char*> pointers(const std::vector<std::string>& words) {
+  std::vector<char*> result;
+  result.reserve(words.size() + 1);
+  for (const std::string& word : words) result.push_back(const_cast<char*>(word.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
 
 Isolation best_isolation() {
   static const bool wrapped = access(bubblewrap, X_OK) == 0 && works({"/usr/bin/true"});

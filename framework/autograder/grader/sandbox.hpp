@@ -70,6 +70,9 @@ class Process {
   bool ended_ = false;
 };
 
+/// The words as execve() takes them: pointers to their characters, then a null pointer.
+std::vector<char*> pointers(const std::vector<std::string>& words);
+
 /// Text without control characters other than line ends, in valid UTF-8, of at most `most` bytes.
 std::string readable_text(std::string_view text, std::size_t most);
 

@@ -118,7 +118,7 @@ bool grade(const GradeRequest& request) {
   if (!request.resume && folder.has_records()) {
     throw std::runtime_error(request.out.string() + " has records already.\n" +
                              "  To continue an interrupted run, or to add submissions, add " +
-                             "--resume.\n  To grade anew, choose another --out.");
+                             "--resume.\n  To grade everything again, choose another --out.");
   }
   keep_settings(settings, request.out);
   const Judge judge{request.judge, request.root / "labs", fs::absolute(request.out) / "work",

@@ -53,14 +53,6 @@ class Watch {
   Clock::time_point since_ = Clock::now();
 };
 
-std::vector<char*> pointers(const std::vector<std::string>& words) {
-  std::vector<char*> result;
-  result.reserve(words.size() + 1);
-  for (const std::string& word : words) result.push_back(const_cast<char*>(word.c_str()));
-  result.push_back(nullptr);
-  return result;
-}
-
 /// Runs a program of ours to its end, with its output in a file.
 void run(const std::vector<std::string>& words, const std::vector<std::string>& environment,
          const fs::path& folder, const fs::path& output, Watch watch) {
