@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <tuple>
 
+#include "cli/handout/handout.hpp"
 #include "cli/system/project.hpp"
 
 namespace cs550::cli {
@@ -26,6 +28,16 @@ Json manifest(const std::string& lab_name) {
 
 bool has_hidden_tests(const std::string& lab_name) {
   return fs::exists(project_root() / "tests" / lab_name / "hidden");
+}
+
+/// The place of a step in its lab's writing order; after all others if it has none.
+std::size_t place_in_order(const std::string& step) {
+  static std::map<std::string, std::vector<std::string>> orders;  // by the start of a tag, "L2"
+  const std::string lab = step.substr(0, step.find('.'));
+  const auto [known, is_new] = orders.try_emplace(lab);
+  if (is_new) known->second = writing_order(lab_of_step(step));
+  const std::vector<std::string>& order = known->second;
+  return static_cast<std::size_t>(std::find(order.begin(), order.end(), step) - order.begin());
 }
 
 }  // namespace
@@ -48,9 +60,9 @@ int points_graded_elsewhere(const std::string& lab_name) {
   return has_hidden_tests(lab_name) ? 0 : manifest(lab_name).at("points").at("hidden").get<int>();
 }
 
-// Within one lab a longer tag has the longer number.
 bool is_earlier_step(const std::string& a, const std::string& b) {
-  return std::tuple(a.size(), a) < std::tuple(b.size(), b);
+  // Within one lab a longer tag has the longer number.
+  return std::tuple(place_in_order(a), a.size(), a) < std::tuple(place_in_order(b), b.size(), b);
 }
 
 std::string to_string(Verdict::Kind kind) {

@@ -39,7 +39,8 @@ std::vector<GradedTest> graded_tests(const std::string& lab_name);
 /// Points of the tests that the manifest lists and that are not present.
 int points_graded_elsewhere(const std::string& lab_name);
 
-/// Whether step a of a lab comes before step b: L7.9 before L7.10.
+/// Whether step a of a lab comes before step b in the order in which the handout advises to write
+/// them: L2.5 before L2.4. Steps without a place in it come last, L7.9 before L7.10.
 bool is_earlier_step(const std::string& a, const std::string& b);
 
 /// The word for a kind in result files, `passed`, and the reverse; an unknown word means failed.

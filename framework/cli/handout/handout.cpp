@@ -120,6 +120,18 @@ Step handout_step(const std::string& lab_name, const std::string& tag) {
   return found == steps.end() ? Step{tag, "", {}} : *found;
 }
 
+std::vector<std::string> writing_order(const std::string& lab_name) {
+  constexpr std::string_view mark = "- **Order:** ";
+  std::ifstream handout(project_root() / "labs" / lab_name / "README.md");
+  std::vector<std::string> order;
+  for (std::string line; order.empty() && std::getline(handout, line);) {
+    if (line.rfind(mark, 0) != 0) continue;
+    std::istringstream list(line.substr(mark.size(), line.find(". ") - mark.size()));
+    for (std::string tag; list >> tag;) order.push_back(tag.substr(0, tag.find(',')));
+  }
+  return order;
+}
+
 int show_hint(const std::string& lab_name, const std::string& tag, int number) {
   const Step step = handout_step(lab_name, tag);
   const int count = static_cast<int>(step.hints.size());

@@ -27,6 +27,10 @@ std::vector<Step> handout_steps(const std::string& lab_name);
 /// The step with this tag; a step without title and hints when the handout does not have it.
 Step handout_step(const std::string& lab_name, const std::string& tag);
 
+/// The tags of a lab's steps in the order in which the handout advises to write them; none if it
+/// does not state an order.
+std::vector<std::string> writing_order(const std::string& lab_name);
+
 /// Prints a hint of a step.
 /// @param number 1, 2, 3; 0 prints the one after the last that was printed
 /// (build/results/hints.json)
