@@ -1,8 +1,11 @@
 #include "cli/command_line.hpp"
 
+#include <exception>
 #include <iostream>
+#include <memory>
 
 #include "cli/system/exit_code.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -21,6 +24,23 @@ int answer(const CLI::App& app, const CLI::ParseError& error, const std::string&
   std::cerr << "cs550: " << error.what() << "\n./cs550 " << verb
             << " --help explains the options.\n";
   return Misused;
+}
+
+int run_verb(CLI::App& app, const std::string& verb, int argc, char** argv,
+             const std::function<int()>& action) {
+  app.formatter(std::make_shared<Help>());
+  refuse_values_of_flags(app);
+  try {
+    app.parse(argc, argv);
+    const int exit_code = action();
+    files::check_standard_output();
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error, verb);
+  } catch (const std::exception& error) {
+    std::cerr << "cs550: " << error.what() << '\n';
+    return Failed;
+  }
 }
 
 }  // namespace cs550::cli

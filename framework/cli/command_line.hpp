@@ -3,6 +3,7 @@
 /// What the programs behind ./cs550 print when a command line asks for help or is wrong.
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 
 namespace cs550::cli {
@@ -21,5 +22,10 @@ void refuse_values_of_flags(CLI::App& app);
 /// @param verb the verb with the wrong option
 /// @return an ExitCode
 int answer(const CLI::App& app, const CLI::ParseError& error, const std::string& verb);
+
+/// The main() of a verb with a program of its own: parses the command line, then runs the verb.
+/// @return an ExitCode
+int run_verb(CLI::App& app, const std::string& verb, int argc, char** argv,
+             const std::function<int()>& action);
 
 }  // namespace cs550::cli

@@ -3,17 +3,10 @@
 file(GLOB cli_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/cli/*.cpp"
      "${PROJECT_SOURCE_DIR}/framework/cli/grading/*.cpp" "${PROJECT_SOURCE_DIR}/framework/cli/handout/*.cpp"
      "${PROJECT_SOURCE_DIR}/framework/cli/system/*.cpp" "${PROJECT_SOURCE_DIR}/framework/cli/verbs/*.cpp")
-if(NOT CS550_HAS_GRADEBOOK)
-  list(REMOVE_ITEM cli_sources "${PROJECT_SOURCE_DIR}/framework/cli/verbs/grade.cpp")
-endif()
 add_executable(cs550_cli ${cli_sources})
 target_link_libraries(cs550_cli PRIVATE cs550_files CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json
                       Threads::Threads cs550_warnings)
-if(CS550_HAS_GRADEBOOK)
-  target_link_libraries(cs550_cli PRIVATE cs550_gradebook)
-endif()
-target_compile_definitions(cs550_cli PRIVATE CS550_VERSION="${PROJECT_VERSION}"
-                           CS550_HAS_GRADEBOOK=$<BOOL:${CS550_HAS_GRADEBOOK}>)
+target_compile_definitions(cs550_cli PRIVATE CS550_VERSION="${PROJECT_VERSION}")
 target_compile_options(cs550_cli PRIVATE -O0)
 set_target_properties(cs550_cli PROPERTIES OUTPUT_NAME cs550)
 cs550_unity(cs550_cli 16)
@@ -36,3 +29,10 @@ cs550_link_labs(cs550_demo fast reference stub)
 cs550_add_demo(cs550_demo_student)
 cs550_link_labs(cs550_demo_student assembled reference)
 set_target_properties(cs550_demo_student PROPERTIES EXCLUDE_FROM_ALL TRUE)
+
+# cs550_grade: the program behind ./cs550 grade.
+if(CS550_HAS_GRADEBOOK)
+  add_executable(cs550_grade "${PROJECT_SOURCE_DIR}/framework/cli/grade/main.cpp"
+                 "${PROJECT_SOURCE_DIR}/framework/cli/command_line.cpp")
+  target_link_libraries(cs550_grade PRIVATE cs550_gradebook CLI11::CLI11 cs550_warnings)
+endif()

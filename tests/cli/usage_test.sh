@@ -44,8 +44,6 @@ prints "there is no folder"
 refuses starter
 refuses starter --release-solutions many copy
 refuses progress --lsit
-refuses grade
-refuses grade --pseudonyms
 
 # The launcher.
 cd "$root"

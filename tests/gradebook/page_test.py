@@ -74,7 +74,7 @@ def make_class(folder):
     rows = [f"student{i:02}," + quoted(HOSTILE if i == 0 else f"Student Number {i}") for i in range(42)]
     (folder / "roster.csv").write_text("id,name\n" + "\n".join(rows) + "\n")
     (folder / "course.toml").write_text("title = \"Rigid bodies <script>document.title='hacked'</script>\"\n")
-    subprocess.run([PROGRAM, "grade", "--judge", FAKE, folder / "class", "--out", folder / "out", "--roster",
+    subprocess.run([PROGRAM, "--judge", FAKE, folder / "class", "--out", folder / "out", "--roster",
                     folder / "roster.csv", "--course", folder / "course.toml"], check=True, stdout=subprocess.DEVNULL,
                    env={**os.environ, "CS550_ROOT": str(ROOT)})
     return folder / "out"

@@ -8,7 +8,7 @@ if(NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
   find_program(CS550_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
   add_test(NAME gradebook.verb
            COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/grade_test.py"
-                   "$<TARGET_FILE:cs550_cli>" "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/grade_test")
+                   "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/grade_test")
   set_tests_properties(gradebook.verb PROPERTIES LABELS gradebook TIMEOUT 300)
   find_program(CS550_CHROMEDRIVER chromedriver)
   execute_process(COMMAND "${CS550_SYSTEM_PYTHON}" -c "import selenium" RESULT_VARIABLE without_selenium
@@ -16,7 +16,7 @@ if(NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
   if(CS550_CHROMEDRIVER AND NOT without_selenium)
     add_test(NAME gradebook.page
              COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/page_test.py"
-                     "$<TARGET_FILE:cs550_cli>" "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/page_test")
+                     "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/page_test")
     set_tests_properties(gradebook.page PROPERTIES LABELS gradebook TIMEOUT 300)
   endif()
 endif()

@@ -1,9 +1,7 @@
 // The program behind ./cs550 demo: runs a scene through the assembled engine, prints a summary.
 #include <chrono>
-#include <exception>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +13,6 @@
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "cli/system/viewer.hpp"
-#include "files/output_file.hpp"
 
 namespace {
 
@@ -109,7 +106,6 @@ void declare(CLI::App& app, DemoOptions& options) {
       ->option_text("N")
       ->check(CLI::Range(1, 1000000));
   app.add_flag("--no-picture", options.no_picture, "print the summary only");
-  refuse_values_of_flags(app);
 }
 
 }  // namespace
@@ -118,17 +114,6 @@ int main(int argc, char** argv) {
   DemoOptions options;
   CLI::App app("Run a scene through the engine; print a summary and save a picture",
                "./cs550 demo");
-  app.formatter(std::make_shared<Help>());
   declare(app, options);
-  try {
-    app.parse(argc, argv);
-    const int exit_code = run_demo(options);
-    files::check_standard_output();
-    return exit_code;
-  } catch (const CLI::ParseError& error) {
-    return answer(app, error, "demo");
-  } catch (const std::exception& error) {
-    std::cerr << "cs550: " << error.what() << '\n';
-    return Failed;
-  }
+  return run_verb(app, "demo", argc, argv, [&] { return run_demo(options); });
 }

@@ -1,25 +1,25 @@
-// ./cs550 grade: grades the submissions of a class, and makes reports from records.
+// The program behind ./cs550 grade: grades the submissions of a class, and makes reports from records.
 #include <algorithm>
 #include <iostream>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "cli/command_line.hpp"
+#include "cli/system/exit_code.hpp"
 #include "cli/system/project.hpp"
-#include "cli/verb.hpp"
 #include "gradebook/command/compare.hpp"
 #include "gradebook/command/export_sources.hpp"
 #include "gradebook/command/grade.hpp"
 #include "gradebook/command/report.hpp"
 #include "gradebook/records/record_folder.hpp"
 
-namespace cs550::cli {
-
-namespace fs = std::filesystem;
-
 namespace {
+
+using namespace cs550;
+using namespace cs550::cli;
+namespace fs = std::filesystem;
 
 struct GradeOptions {
   gradebook::GradeRequest grading;
@@ -104,25 +104,28 @@ void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
       ->check(CLI::ExistingFile);
 }
 
-}  // namespace
-
-Action declare_grade(CLI::App& app) {
-  const auto options = std::make_shared<GradeOptions>();
-  options->grading.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  add_grading_options(app, options->grading);
-  app.add_option("--report", options->report,
+void declare(CLI::App& app, GradeOptions& options) {
+  add_grading_options(app, options.grading);
+  app.add_option("--report", options.report,
                  "make all reports again from the records of a folder; several folders are merged")
       ->option_text("DIR...")
       ->check(CLI::ExistingDirectory);
-  app.add_flag("--pseudonyms", options->pseudonyms, "with --report: leave out names");
-  app.add_option("--compare", options->compare, "print what differs between two folders' records")
+  app.add_flag("--pseudonyms", options.pseudonyms, "with --report: leave out names");
+  app.add_option("--compare", options.compare, "print what differs between two folders' records")
       ->option_text("OLD NEW")
       ->expected(2)
       ->check(CLI::ExistingDirectory);
-  app.add_option("--export-jplag", options->export_folder,
+  app.add_option("--export-jplag", options.export_folder,
                  "write the submissions as JPlag and MOSS expect them, and grade nothing")
       ->option_text("FOLDER");
-  return [options] { return run_grade(*options); };
 }
 
-}  // namespace cs550::cli
+}  // namespace
+
+int main(int argc, char** argv) {
+  GradeOptions options;
+  options.grading.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  CLI::App app("Grade the submissions of a class", "./cs550 grade");
+  declare(app, options);
+  return run_verb(app, "grade", argc, argv, [&] { return run_grade(options); });
+}
