@@ -11,7 +11,7 @@ add_custom_target(update_manifests)
 # Helpers shared by tests, and the libraries used as oracles.
 file(GLOB support_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/helpers/*.cpp")
 add_library(cs550_test_support STATIC ${support_sources})
-target_link_libraries(cs550_test_support PRIVATE cs550_warnings
+target_link_libraries(cs550_test_support PRIVATE cs550_warnings fmt::fmt
   PUBLIC cs550_engine cs550_drawing cs550_autograder GTest::gtest PkgConfig::ccd cereal::cereal)
 cs550_unity(cs550_test_support 16)
 target_include_directories(cs550_test_support PUBLIC "${PROJECT_SOURCE_DIR}/tests")

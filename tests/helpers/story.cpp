@@ -1,5 +1,7 @@
 #include "helpers/story.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -70,20 +72,21 @@ bool Story::expect_at_least(const std::string& what, double got, double bound,
                       : failed(what, show(got, unit), "at least " + show(bound, unit), at);
 }
 
+std::string Story::show(double value, const std::string& unit) {
+  return show(fmt::format("{:.7g}", value), unit);
+}
+
 std::string Story::show(const Vec3& value, const std::string& unit) {
-  std::ostringstream text;
-  text.precision(7);
-  text << '(' << value.x() << ", " << value.y() << ", " << value.z() << ')';
-  return unit.empty() ? text.str() : text.str() + " " + unit;
+  return show(fmt::format("({:.7g}, {:.7g}, {:.7g})", value.x(), value.y(), value.z()), unit);
 }
 
 std::string Story::show(const Quat& value, const std::string& unit) {
-  return "w = " + show(value.w(), "") + ", xyz = " + show(Vec3(value.vec()), unit);
+  return "w = " + show(value.w()) + ", xyz = " + show(Vec3(value.vec()), unit);
 }
 
-std::string Story::show(bool value, const std::string&) { return value ? "yes" : "no"; }
-
-std::string Story::show(const char* value, const std::string&) { return value; }
+std::string Story::show(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : text + " " + unit;
+}
 
 bool Story::passed() {
   autograder::note_passed_check();

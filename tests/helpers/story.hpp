@@ -4,9 +4,9 @@
 /// with units, and the likely causes. The failed checks of a test become one block
 /// (test_report.hpp).
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -69,16 +69,17 @@ class Story {
     return got == expected ? passed() : failed(what, show(got, ""), show(expected, ""), at);
   }
 
+  // Numbers have seven significant digits, enough to tell two floats apart by eye.
+  static std::string show(double value, const std::string& unit = "");
   static std::string show(const Vec3& value, const std::string& unit = "");
   static std::string show(const Quat& value, const std::string& unit = "");
-  static std::string show(bool value, const std::string& unit = "");
-  static std::string show(const char* value, const std::string& unit = "");
-  template <class Value>
-  static std::string show(const Value& value, const std::string& unit) {
-    std::ostringstream text;
-    text.precision(7);
-    text << value;
-    return unit.empty() ? text.str() : text.str() + " " + unit;
+  static std::string show(const std::string& text, const std::string& unit = "");
+  // Includes bool, which as the type of a parameter would take text in quotes too.
+  static std::string show(std::integral auto value, const std::string& unit = "") {
+    if constexpr (std::same_as<decltype(value), bool>)
+      return value ? "yes" : "no";
+    else
+      return show(std::to_string(value), unit);
   }
 
  private:

@@ -49,7 +49,7 @@ TEST(Overlays, OneFastBodyDoesNotHideTheSpeedOfTheOthers) {
   EXPECT_FALSE(drawing.lines[0].stroke.dashed);
   EXPECT_TRUE(drawing.lines[7].stroke.dashed);
   ASSERT_EQ(drawing.notes.size(), 1U);
-  EXPECT_NE(drawing.notes[0].find("longer than they are drawn"), std::string::npos);
+  EXPECT_NE(drawing.notes[0].find("drawn shorter than they are"), std::string::npos);
 }
 
 TEST(Overlays, NoiseBesideMotionIsNotDrawn) {

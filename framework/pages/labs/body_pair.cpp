@@ -6,8 +6,8 @@ void describe(PairSettings& settings, ControlVisitor& visit) {
   visit.section("Bodies");
   visit.choice({"shape_a", "A", ""}, settings.shape_a, shape_names);
   visit.choice({"shape_b", "B", ""}, settings.shape_b, shape_names);
-  visit.vector({"position", "B is at", "m"}, settings.position, 4);
-  visit.vector({"turn", "B is turned by", "degrees"}, settings.turn, 180);
+  visit.vector({"position", "position of B", "m"}, settings.position, 4);
+  visit.vector({"turn", "rotation of B", "degrees"}, settings.turn, 180);
 }
 
 BodyPair::BodyPair(const PairSettings& settings)

@@ -76,8 +76,8 @@ std::unique_ptr<Page> make_constraint_page(Isolation isolation) {
   LabPageParts<ConstraintSettings> parts;
   parts.lab = 7;
   parts.story =
-      "Impulses are accumulated and may go back down, so passes converge to the forces that carry "
-      "the stack. Last step's impulses are a better start; friction stays in its disk.";
+      "Accumulated impulses may decrease again, so the passes converge to the forces that carry "
+      "the stack. Last step's impulses are a better start. Friction stays within its disk.";
   parts.first_view = seen_from(Real(-1.1), Real(0.3));
   parts.describe = describe;
   parts.show = show;

@@ -109,7 +109,7 @@ Drawing draw_refused(const TriangleSoup& soup, const MeshIssue& issue) {
     drawing::add_arrow(drawing, drawing::middle(polygon.corners), Real(0.3) * normal,
                        {drawing::Role::Warning, Real(2.5), false, true});
   }
-  drawing.legend.push_back({all_are_wrong ? "outward, say the triangles" : "at fault",
+  drawing.legend.push_back({all_are_wrong ? "outward according to the triangles" : "at fault",
                             {drawing::Role::Warning, 3, false, all_are_wrong}});
   return drawing;
 }
@@ -165,8 +165,8 @@ std::unique_ptr<Page> make_half_edge_page(Isolation isolation) {
   LabPageParts<HalfEdgeSettings> parts;
   parts.lab = 2;
   parts.story =
-      "A half-edge knows its next, prev, twin, vertex and face: enough to walk anywhere. Merging "
-      "makes one polygon of coplanar triangles; faulty triangles are refused.";
+      "A half-edge stores its next, prev, twin, vertex and face: enough to reach every other one. "
+      "Merging turns coplanar triangles into one polygon; faulty triangles are rejected.";
   parts.first_view = seen_from(Real(-1.1), Real(0.5));
   parts.describe = describe;
   parts.show = show;

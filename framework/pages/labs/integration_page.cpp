@@ -81,7 +81,7 @@ Drawing column(const IntegrationSettings& settings, const Run& run, int step, Ro
   const Vec3 tip(0, 0, extents.z());
   Drawing body = drawing::draw_box(run.poses[step], extents, role, Real(0.55));
   drawing::append(body, drawing::draw_trail(until(run.poses, step), tip, {role, 2, false, false},
-                                            name + ": way of a face"));
+                                            name + ": path of a face centre"));
   drawing::add_arrow(body, Vec3::Zero(), Real(1.5) * momentum.normalized(),
                      {Role::Axis, Real(2.5), false, true}, "L");
   body.labels.push_back({Vec3(0, 0, Real(1.55)), name, Role::Text});

@@ -66,7 +66,7 @@ MeshPtr box_mesh(const Vec3& half) {
 void describe(StackSettings& settings, ControlVisitor& visit) {
   visit.section("Stack");
   visit.whole({"boxes", "boxes", ""}, settings.boxes, 1, 10);
-  visit.number({"top_mass", "mass of the top", "kg"}, settings.top_mass, Real(0.1), 100);
+  visit.number({"top_mass", "mass of the top box", "kg"}, settings.top_mass, Real(0.1), 100);
   visit.number({"push", "sideways push", "m/s"}, settings.push, -2, 2);
 }
 
@@ -164,10 +164,10 @@ drawing::Plot plot_velocity_errors(std::span<const drawing::Convergence> runs) {
   drawing::Plot plot = drawing::plot_convergence(runs, "m/s");
   plot.title = "Error of the velocities";
   plot.alt_text =
-      "The distance of all velocities from the answer after each pass, in powers of ten.";
+      "The distance of all velocities from the exact solution after each pass, on a log scale.";
   plot.notes = {
-      "Distance from the answer of this stack without friction, which all the solvers are given "
-      "here: the root mean square over the mass."};
+      "Root mean square distance, weighted by mass, from the exact velocities of this stack. All "
+      "solvers run without friction here."};
   return plot;
 }
 

@@ -186,7 +186,7 @@ void add_legend(Drawing& drawing, const Overlays& overlays) {
   const bool are_cut = std::any_of(
       drawing.lines.begin(), drawing.lines.end(),
       [](const drawing::Line& line) { return line.stroke.dashed && line.stroke.arrow; });
-  if (are_cut) drawing.notes.push_back("Dashed arrows are longer than they are drawn.");
+  if (are_cut) drawing.notes.push_back("Dashed arrows are drawn shorter than they are.");
 }
 
 }  // namespace

@@ -31,12 +31,12 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
   visit.number({"contact_hertz", "stiffness", "1/s"}, settings.contact_hertz, 1, 240);
   visit.number({"contact_damping_ratio", "damping ratio", ""}, settings.contact_damping_ratio, 0,
                20);
-  visit.number({"baumgarte", "Baumgarte's share", ""}, settings.baumgarte, 0, 1);
+  visit.number({"baumgarte", "Baumgarte factor", ""}, settings.baumgarte, 0, 1);
   visit.number({"slop", "slop", "lengths"}, settings.slop, 0, Real(0.1));
   visit.number({"max_push_speed", "push-out speed", "lengths/s"}, settings.max_push_speed, 0, 20);
-  visit.number({"restitution_threshold", "bounce above", "lengths/s"},
+  visit.number({"restitution_threshold", "restitution above", "lengths/s"},
                settings.restitution_threshold, 0, 10);
-  visit.whole({"restitution_iterations", "bounce iterations", ""}, settings.restitution_iterations,
+  visit.whole({"restitution_iterations", "restitution iterations", ""}, settings.restitution_iterations,
               1, 50);
 
   visit.section("World");

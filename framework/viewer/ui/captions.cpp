@@ -132,7 +132,7 @@ void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts&
   float top = area.top + area.height - margin;
   std::vector<std::string> notes = drawing.notes;
   if (missing_labels > 0) {
-    notes.push_back("No room for " + std::to_string(missing_labels) + " labels: come closer.");
+    notes.push_back("No room for " + std::to_string(missing_labels) + " labels: zoom in.");
   }
   for (auto note = notes.rbegin(); note != notes.rend(); ++note) {
     const float height =
