@@ -36,8 +36,8 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
   visit.number({"max_push_speed", "push-out speed", "lengths/s"}, settings.max_push_speed, 0, 20);
   visit.number({"restitution_threshold", "restitution above", "lengths/s"},
                settings.restitution_threshold, 0, 10);
-  visit.whole({"restitution_iterations", "restitution iterations", ""}, settings.restitution_iterations,
-              1, 50);
+  visit.whole({"restitution_iterations", "restitution iterations", ""},
+              settings.restitution_iterations, 1, 50);
 
   visit.section("World");
   visit.vector({"gravity", "gravity", "m/s²"}, settings.gravity, 50);
