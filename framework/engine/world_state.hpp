@@ -22,11 +22,22 @@ struct BodySlot {
   Bounds swept_bounds;    ///< where its surface and contact margin may be during this step
 };
 
+/// What is kept of a pair's last full query to tell how long its answer holds. In the frame of the
+/// body that owns the manifold's reference feature: B for a face of B, otherwise A.
+struct PairMemory {
+  Pose smaller_in_larger;    ///< the body of smaller radius, seen from the other
+  Real margin = 0;           ///< features farther apart got no contact points (m)
+  Plane plane;               ///< through the anchors on the owner, with the manifold's normal
+  Vec3 tangent = {0, 0, 0};  ///< of the manifold
+};
+
 /// The pairs of bodies that are near each other, sorted by (body_a, body_b), with what is kept of
 /// each from step to step.
 struct PairList {
   std::vector<Contact> contacts;
-  std::vector<SeparatingAxis> axes;
+  std::vector<SeparatingAxis> axes;    ///< of the last full query
+  std::vector<PairMemory> memories;    ///< of the last full query
+  std::vector<char> kept;              ///< whether this step asks for no full query
   std::vector<char> touching;          ///< at the end of the last step
   std::vector<double> impulse_energy;  ///< of the impulses that the contact points keep (J)
 

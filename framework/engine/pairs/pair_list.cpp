@@ -97,6 +97,8 @@ void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs
   contact.restitution = std::max(a.restitution, b.restitution);
   pairs.contacts.push_back(contact);
   pairs.axes.emplace_back();
+  pairs.memories.emplace_back();
+  pairs.kept.push_back(0);
   pairs.touching.push_back(0);
   pairs.impulse_energy.push_back(0);
 }
@@ -135,6 +137,8 @@ void merge_pairs(WorldState& world) {
 void PairList::clear() {
   contacts.clear();
   axes.clear();
+  memories.clear();
+  kept.clear();
   touching.clear();
   impulse_energy.clear();
 }
@@ -142,9 +146,13 @@ void PairList::clear() {
 void PairList::append(const PairList& other, std::size_t i) {
   contacts.push_back(other.contacts[i]);
   axes.push_back(other.axes[i]);
+  memories.push_back(other.memories[i]);
+  kept.push_back(other.kept[i]);
   touching.push_back(other.touching[i]);
   impulse_energy.push_back(other.impulse_energy[i]);
 }
+
+Real spare_margin(const WorldState& world) { return 4 * world.slop(); }
 
 Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h) {
   const RigidBody& a = world.bodies[body_a];
@@ -152,7 +160,7 @@ Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h)
   const Real closing = (b.linear_velocity - a.linear_velocity).norm() +
                        a.angular_velocity.norm() * world.definitions[body_a].shape->radius +
                        b.angular_velocity.norm() * world.definitions[body_b].shape->radius;
-  return 4 * world.slop() + h * (closing + h * world.settings.gravity.norm());
+  return spare_margin(world) + h * (closing + h * world.settings.gravity.norm());
 }
 
 void update_pairs(WorldState& world, Real h) {

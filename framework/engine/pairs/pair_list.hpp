@@ -10,6 +10,9 @@ namespace cs550 {
 /// distance that they may close at their current speeds and in free fall, and a few slops.
 Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h);
 
+/// The part of the margin that no motion of this step explains (m).
+Real spare_margin(const WorldState& world);
+
 /// Inserts the leaf of a new body into the tree.
 void insert_leaf(WorldState& world, Index body);
 /// Enlarges leaves to their bodies' current bounds, so that queries between steps find them.

@@ -21,6 +21,7 @@ WorldSettings read_settings(SceneReader world) {
              Names<RotationMethod>{{"implicit_midpoint", RotationMethod::ImplicitMidpoint},
                                    {"explicit", RotationMethod::Explicit}});
   world.read("warm_starting", settings.warm_starting);
+  world.read("temporal_coherence", settings.temporal_coherence);
 
   world.read("contact_hertz", settings.contact_hertz, Range::Positive);
   world.read("contact_damping_ratio", settings.contact_damping_ratio, Range::NotNegative);

@@ -2,6 +2,7 @@
 
 #include "cs550/clipping.hpp"
 #include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/temporal_coherence.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -11,6 +12,7 @@ namespace {
 void find_axes(WorldState& world, Real h) {
   PairList& pairs = world.pairs;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs.kept[i] = 0;
     const Contact& contact = pairs.contacts[i];
     const Bounds& swept_bounds_a = world.slots[contact.body_a].swept_bounds;
     const Bounds& swept_bounds_b = world.slots[contact.body_b].swept_bounds;
@@ -19,31 +21,46 @@ void find_axes(WorldState& world, Real h) {
       continue;
     }
     const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
+    if (world.settings.temporal_coherence && answer_holds(world, i, margin)) {
+      pairs.kept[i] = 1;
+      continue;
+    }
     pairs.axes[i] = find_separating_axis(world.posed_shape(contact.body_a),
                                          world.posed_shape(contact.body_b), pairs.axes[i], margin);
   }
 }
 
+void rebuild_manifold(WorldState& world, Contact& contact, const SeparatingAxis& axis,
+                      Real margin) {
+  if (axis.feature == AxisFeature::None || axis.separation > margin) {
+    contact.manifold.points.clear();
+    return;
+  }
+  const Manifold before = contact.manifold;
+  contact.manifold = build_manifold(world.posed_shape(contact.body_a),
+                                    world.posed_shape(contact.body_b), axis, margin);
+  if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
+}
+
 void build_manifolds(WorldState& world, Real h) {
   PairList& pairs = world.pairs;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Contact& contact = pairs.contacts[i];
-    const SeparatingAxis& axis = pairs.axes[i];
-    const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
-    if (axis.feature == AxisFeature::None || axis.separation > margin) {
-      contact.manifold.points.clear();
+    if (pairs.kept[i]) {
+      move_manifold(world, i);
       continue;
     }
-    const Manifold before = contact.manifold;
-    contact.manifold = build_manifold(world.posed_shape(contact.body_a),
-                                      world.posed_shape(contact.body_b), axis, margin);
-    if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
+    Contact& contact = pairs.contacts[i];
+    const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
+    rebuild_manifold(world, contact, pairs.axes[i], margin);
+    if (world.settings.temporal_coherence) remember_answer(world, i, margin);
   }
 }
 
 void count_contacts(WorldState& world) {
   StepStats& stats = world.stats;
   stats.pairs = static_cast<int>(world.pairs.size());
+  stats.kept =
+      static_cast<int>(std::count(world.pairs.kept.begin(), world.pairs.kept.end(), char{1}));
   for (const Contact& contact : world.pairs.contacts) {
     if (!contact.manifold.points.empty()) ++stats.contacts;
     stats.points += contact.manifold.points.size();
@@ -58,7 +75,10 @@ void count_contacts(WorldState& world) {
 void detect_collisions(WorldState& world, Real h) {
   run_stage(world, Stage::BroadPhase, update_pairs, h);
   run_stage(world, Stage::Collide, find_axes, h);
-  if (world.settings.check_stages) check_axes(world);
+  if (world.settings.check_stages) {
+    check_axes(world);
+    run_stage(world, Stage::Collide, check_kept_answers, h);
+  }
   // Without all axes there are no manifolds.
   if (!world.unwritten.contains(Stage::Collide)) {
     run_stage(world, Stage::Manifolds, build_manifolds, h);

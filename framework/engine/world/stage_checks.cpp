@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cs550/clipping.hpp"
+#include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/temporal_coherence.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -76,6 +79,21 @@ const char* broken_promise(const Manifold& manifold) {
   return nullptr;
 }
 
+/// What a fresh query finds wrong with a kept answer, or nullptr.
+const char* broken_promise(const WorldState& world, std::size_t pair, Real margin) {
+  const Contact& contact = world.pairs.contacts[pair];
+  const PosedShape a = world.posed_shape(contact.body_a);
+  const PosedShape b = world.posed_shape(contact.body_b);
+  const SeparatingAxis fresh = find_separating_axis(a, b, {}, margin);
+  if (contact.manifold.points.empty()) {
+    return fresh.separation > margin ? nullptr : "bodies that were kept apart may touch";
+  }
+  const Real radius = std::min(a.shape->radius, b.shape->radius);
+  const Real tolerance = (kept_motion + 2 * tie_tolerance) * radius;
+  const Real change = std::min(fresh.separation, margin) - world.pairs.axes[pair].separation;
+  return std::abs(change) <= tolerance ? nullptr : "a contact was kept although the bodies moved";
+}
+
 }  // namespace
 
 void check_bodies(WorldState& world, Stage stage, int lab) {
@@ -106,6 +124,16 @@ void check_axes(WorldState& world) {
     if (promise == nullptr) continue;
     report(world, Stage::Collide, 4, contact.body_a, promise);
     axis = {};
+  }
+}
+
+void check_kept_answers(WorldState& world, Real h) {
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    if (!world.pairs.kept[i]) continue;
+    const Contact& contact = world.pairs.contacts[i];
+    const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
+    const char* promise = broken_promise(world, i, margin);
+    if (promise != nullptr) report(world, Stage::Collide, 4, contact.body_a, promise);
   }
 }
 

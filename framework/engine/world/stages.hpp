@@ -64,6 +64,8 @@ void check_bodies(WorldState& world, Stage stage, int lab);
 void restore_broken_bodies(WorldState& world);
 void check_axes(WorldState& world);
 void check_manifolds(WorldState& world);
+/// Compares kept answers with those of fresh queries. @param h step (s)
+void check_kept_answers(WorldState& world, Real h);
 /// @}
 
 /// The audit of linear momentum: its change during a step, less the impulses from outside the

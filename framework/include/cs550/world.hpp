@@ -35,6 +35,8 @@ struct WorldSettings {
   ContactModel contact_model = ContactModel::Soft;             ///< how penetration is corrected
   RotationMethod rotation = RotationMethod::ImplicitMidpoint;  ///< how bodies are rotated
   bool warm_starting = true;  ///< start from the accumulated impulses of the last step
+  /// Query a pair again only once its bodies have moved relative to each other.
+  bool temporal_coherence = false;
 
   Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
   Real contact_damping_ratio = 4;          ///< ζ of soft contacts; 1 is critical
@@ -107,6 +109,7 @@ struct StageProblem {
 struct StepStats {
   std::array<double, stage_count> seconds{};  ///< per stage
   int pairs = 0;                              ///< from the broad phase
+  int kept = 0;                               ///< pairs whose last answer still holds
   int contacts = 0;                           ///< pairs with a non-empty manifold
   int points = 0;                             ///< of all manifolds
   Real deepest_separation = 0;                ///< most negative separation, 0 if none (m)
@@ -190,7 +193,8 @@ class World {
   /// The pairs that the broad phase found, sorted by body. A pair with an empty manifold is not
   /// touching.
   std::span<const Contact> contacts() const;
-  /// The axis of each pair of contacts(), in the same order.
+  /// The axis of each pair of contacts(), in the same order, as the last query found it. With
+  /// temporal_coherence that may have been in an earlier step.
   std::span<const SeparatingAxis> axes() const;
   std::span<const ContactEvent> began() const;  ///< pairs that began to touch in the last step
   std::span<const ContactEvent> ended() const;  ///< pairs that ceased to touch in the last step
@@ -209,7 +213,8 @@ class World {
   const AabbTree& broad_phase() const;
 
   /// A hash of all poses and momenta, bit for bit (FNV-1a). Equal states have equal hashes. Impulses,
-  /// hints and settings are not hashed: worlds with equal hashes can continue differently.
+  /// hints, kept contacts and settings are not hashed: worlds with equal hashes can continue
+  /// differently.
   std::uint64_t state_hash() const;
 
   /// The momentum error |ΔP − J| over the run, relative to Σ|P| plus the weight that acts in one

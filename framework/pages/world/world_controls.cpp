@@ -27,6 +27,7 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
   visit.toggle({"warm_starting", "warm starting", ""}, settings.warm_starting);
 
   visit.section("Contacts");
+  visit.toggle({"temporal_coherence", "temporal coherence", ""}, settings.temporal_coherence);
   visit_enum(visit, {"contact_model", "model", ""}, settings.contact_model, models);
   visit.number({"contact_hertz", "stiffness", "1/s"}, settings.contact_hertz, 1, 240);
   visit.number({"contact_damping_ratio", "damping ratio", ""}, settings.contact_damping_ratio, 0,

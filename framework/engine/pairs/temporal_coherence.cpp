@@ -1,0 +1,100 @@
+#include "engine/pairs/temporal_coherence.hpp"
+
+#include <algorithm>
+
+#include "engine/pairs/pair_list.hpp"
+
+namespace cs550 {
+
+namespace {
+
+/// Where a body is, seen from another. Far from the world's origin the difference of the positions is
+/// exact, so only the distance between the bodies matters.
+Pose seen_from(const Pose& observer, const Pose& body) {
+  return {observer.to_body(body.position), observer.orientation.conjugate() * body.orientation};
+}
+
+struct PairOfShapes {
+  PosedShape smaller;
+  PosedShape larger;
+};
+
+/// A body that turns moves the points of a smaller one near it less than the other way round.
+PairOfShapes sorted_by_radius(const WorldState& world, const Contact& contact) {
+  const PosedShape a = world.posed_shape(contact.body_a);
+  const PosedShape b = world.posed_shape(contact.body_b);
+  if (b.shape->radius < a.shape->radius) return {b, a};
+  return {a, b};
+}
+
+/// An upper bound on the distance that any point within `radius` of a body's origin has moved (m).
+Real largest_displacement(const Pose& before, const Pose& now, Real radius) {
+  // Unit quaternions that are an angle θ apart differ by 2 sin(θ/4), with the nearer of their two signs. A
+  // point at distance r moves by 2r·sin(θ/2) ≤ 4r·sin(θ/4).
+  const auto p = before.orientation.coeffs();
+  const auto q = now.orientation.coeffs();
+  const Real turn = std::sqrt(std::min((q - p).squaredNorm(), (q + p).squaredNorm()));
+  return (now.position - before.position).norm() + 2 * radius * turn;
+}
+
+}  // namespace
+
+bool answer_holds(const WorldState& world, std::size_t pair, Real margin) {
+  const SeparatingAxis& axis = world.pairs.axes[pair];
+  if (axis.feature == AxisFeature::None) return false;
+
+  const Contact& contact = world.pairs.contacts[pair];
+  const PairMemory& memory = world.pairs.memories[pair];
+  const auto [smaller, larger] = sorted_by_radius(world, contact);
+  const Real radius = smaller.shape->radius;
+  const Real motion =
+      largest_displacement(memory.smaller_in_larger, seen_from(larger.pose, smaller.pose), radius);
+  if (contact.manifold.points.empty()) return axis.separation - motion > margin;
+
+  const Real reach = margin - spare_margin(world);
+  return motion <= kept_motion * radius && reach + motion <= memory.margin;
+}
+
+void remember_answer(WorldState& world, std::size_t pair, Real margin) {
+  const Contact& contact = world.pairs.contacts[pair];
+  const auto [smaller, larger] = sorted_by_radius(world, contact);
+  PairMemory& memory = world.pairs.memories[pair];
+  memory.margin = margin;
+  memory.smaller_in_larger = seen_from(larger.pose, smaller.pose);
+
+  const Manifold& manifold = contact.manifold;
+  if (manifold.points.empty()) return;
+  const bool on_b = manifold.reference == AxisFeature::FaceB;
+  const Pose& owner = world.bodies[on_b ? contact.body_b : contact.body_a].pose;
+  const ContactPoint& point = manifold.points[0];
+  memory.plane.normal = owner.unrotate(manifold.normal);
+  memory.plane.offset = memory.plane.normal.dot(on_b ? point.anchor_b : point.anchor_a);
+  memory.tangent = owner.unrotate(manifold.tangent);
+}
+
+void move_manifold(WorldState& world, std::size_t pair) {
+  Contact& contact = world.pairs.contacts[pair];
+  const PairMemory& memory = world.pairs.memories[pair];
+  Manifold& manifold = contact.manifold;
+  if (manifold.points.empty()) return;
+  const bool on_b = manifold.reference == AxisFeature::FaceB;
+  const Pose& owner = world.bodies[on_b ? contact.body_b : contact.body_a].pose;
+  const Pose& other = world.bodies[on_b ? contact.body_a : contact.body_b].pose;
+  const Pose other_in_owner = seen_from(owner, other);
+  const Real outward = on_b ? Real(-1) : Real(1);  // the normal points from A to B
+
+  manifold.normal = owner.rotate(memory.plane.normal);
+  manifold.tangent = owner.rotate(memory.tangent);
+  for (ContactPoint& point : manifold.points) {
+    const Vec3 on_other = other_in_owner.to_world(on_b ? point.anchor_a : point.anchor_b);
+    const Real height = memory.plane.distance(on_other);
+    (on_b ? point.anchor_b : point.anchor_a) = on_other - height * memory.plane.normal;
+    point.separation = outward * height;
+    if (!world.settings.warm_starting) {
+      point.normal_impulse = 0;
+      point.tangent_impulse = {0, 0};
+    }
+  }
+}
+
+}  // namespace cs550

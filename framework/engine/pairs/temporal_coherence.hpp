@@ -1,0 +1,31 @@
+#pragma once
+/// @file temporal_coherence.hpp
+/// Temporal coherence: the answer of a pair's last full query holds for as long as the bodies have
+/// hardly moved relative to each other. Nothing is queried here; this decides *when* to ask labs 4
+/// and 5 again. The bound and its proof are in the book's chapter on temporal coherence.
+
+#include "engine/world_state.hpp"
+
+namespace cs550 {
+
+/// How far a body of a touching pair may have moved relative to the other since their last full
+/// query, relative to the smaller radius of the two shapes. The separation of the bodies and that of
+/// each kept point change by no more than this. Kept and fresh answers therefore differ by twice as
+/// much: 1e-3 of the smaller body's diameter.
+inline constexpr Real kept_motion = Real(1e-3);
+
+/// Whether the answer of the pair's last full query holds at the current poses:
+/// - Without contact points: the surfaces are still farther apart than the margin.
+/// - With contact points: neither body has moved more than kept_motion, and no feature that the last
+///   query ignored can be reached in this step.
+/// @param margin of this step, see contact_margin() (m)
+bool answer_holds(const WorldState& world, std::size_t pair, Real margin);
+
+/// Stores the poses and the margin of a full query, and the plane of its manifold.
+void remember_answer(WorldState& world, std::size_t pair, Real margin);
+
+/// Updates a kept manifold. Its plane turns with the body that owns the reference feature, the points
+/// stay where they are on the other body, and their separations are measured again.
+void move_manifold(WorldState& world, std::size_t pair);
+
+}  // namespace cs550

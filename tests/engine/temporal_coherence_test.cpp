@@ -1,0 +1,298 @@
+// Temporal coherence: kept answers against the separation by brute force in double precision, on
+// prescribed trajectories and in scenes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/pairs/temporal_coherence.hpp"
+#include "engine/test_bodies.hpp"
+#include "engine/world/stages.hpp"
+#include "helpers/exact_separation.hpp"
+
+namespace cs550 {
+namespace {
+
+using namespace test;
+
+World coherent_world() {
+  WorldSettings settings;
+  settings.temporal_coherence = true;
+  return World(settings);
+}
+
+/// How the second body of a pair moves past the first.
+struct Trajectory {
+  const char* name;
+  Real speed;  ///< m/s
+  Real spin;   ///< rad/s, of each body
+  Real place;  ///< distance from the world's origin (m)
+  int steps;
+  Real least_kept;  ///< fraction of the steps in which a contact is kept
+};
+
+constexpr Trajectory trajectories[] = {
+    {"at rest", 0, 0, 0, 10, Real(0.5)},
+    {"slow", Real(0.004), Real(0.002), 0, 80, Real(0.5)},
+    {"creeping", Real(0.015), Real(0.01), 0, 80, Real(0.1)},
+    {"turning", 0, Real(0.03), 0, 80, Real(0.1)},
+    {"fast", 6, 1, 0, 10, 0},
+    {"spinning", Real(0.1), 20, 0, 30, 0},
+    {"slow and far", Real(0.004), Real(0.002), 2000, 80, Real(0.1)},
+    {"creeping and far", Real(0.015), Real(0.01), 2000, 40, 0},
+};
+
+/// Boxes, hulls, a plate, a needle and shapes with few corners, all about a metre in size.
+std::vector<ShapePtr> shapes_of_all_kinds() {
+  Random random(71);
+  return {box_shape(Vec3::Constant(Real(0.5))),
+          box_shape({Real(0.5), Real(0.4), Real(0.3)}),
+          box_shape({Real(0.5), Real(0.5), Real(0.02)}),
+          box_shape({Real(0.02), Real(0.02), Real(0.8)}),
+          shape_of(prism_soup(5, Real(0.5), Real(0.4))),
+          shape_of(tetrahedron_soup(1)),
+          random_hull(random, 8, Vec3::Constant(Real(0.5))),
+          random_hull(random, 14, {Real(0.6), Real(0.5), Real(0.3)})};
+}
+
+/// Two bodies on prescribed trajectories: before each step they are placed anew, with the velocities
+/// that lead to the next place.
+class MovingPair {
+ public:
+  MovingPair(const ShapePtr& a, const ShapePtr& b, const Trajectory& trajectory, Random& random)
+      : world_(coherent_world()), trajectory_(trajectory) {
+    world_.settings().gravity.setZero();
+    radius_ = std::min(a->radius, b->radius);
+    origin_ = trajectory.place * random.unit_vector();
+    turn_a_ = random.orientation();
+    turn_b_ = random.orientation();
+    spin_a_ = trajectory.spin * random.unit_vector();
+    spin_b_ = trajectory.spin * random.unit_vector();
+    heading_ = trajectory.speed * random.unit_vector();
+    a_ = world_.add_body(body_at(a, origin_));
+    b_ = world_.add_body(body_at(b, origin_));
+    offset_ = touching_offset(random);
+  }
+
+  void step(int number) {
+    const Real time = static_cast<Real>(number - trajectory_.steps / 2) * step_length;
+    place(a_, origin_, turn_a_, spin_a_, Vec3::Zero(), time);
+    place(b_, origin_ + offset_, turn_b_, spin_b_, heading_, time);
+    pose_a_ = world_.posed_shape(a_);
+    pose_b_ = world_.posed_shape(b_);
+    world_.step(step_length);
+  }
+
+  /// The separation in truth at the poses for which the last step detected contacts (m).
+  double separation() const {
+    const ExactBody exact_a(pose_a_, pose_a_.pose.position);
+    const ExactBody exact_b(pose_b_, pose_a_.pose.position);
+    return best_separations(exact_a, exact_b).largest();
+  }
+
+  const World& world() const { return world_; }
+  double radius() const { return double{radius_}; }
+  /// The farthest that the surfaces approach each other in a step (m).
+  double reach() const {
+    const Real turning = trajectory_.spin * (world_.shape(a_)->radius + world_.shape(b_)->radius);
+    return double{step_length * (trajectory_.speed + turning)};
+  }
+  const Contact* contact() const {
+    return world_.contacts().empty() ? nullptr : &world_.contacts()[0];
+  }
+
+ private:
+  static Quat turned(const Quat& start, const Vec3& spin, Real time) {
+    const Real angle = spin.norm() * time;
+    return (Quat(Eigen::AngleAxis<Real>(angle, any_direction(spin))) * start).normalized();
+  }
+  static Vec3 any_direction(const Vec3& v) { return v.norm() > 0 ? v.normalized() : Vec3::UnitX(); }
+
+  void place(BodyId id, const Vec3& middle, const Quat& turn, const Vec3& spin,
+             const Vec3& velocity, Real time) {
+    RigidBody& body = world_.body(id);
+    body.pose = {middle + time * velocity, turned(turn, spin, time)};
+    set_velocity(body, velocity, spin);
+  }
+
+  /// An offset in a random direction at which the bodies overlap by up to a few per cent, or are
+  /// apart by as little.
+  Vec3 touching_offset(Random& random) const {
+    const Vec3 way = random.unit_vector();
+    PosedShape a = world_.posed_shape(a_);
+    PosedShape b = world_.posed_shape(b_);
+    a.pose = {Vec3::Zero(), turn_a_};
+    Real near = 0;
+    Real far = a.shape->radius + b.shape->radius;
+    for (int i = 0; i < 30; ++i) {
+      const Real middle = (near + far) / 2;
+      b.pose = {middle * way, turn_b_};
+      (overlap(a, b) ? near : far) = middle;
+    }
+    return (near + random.real(Real(-0.04), Real(0.02)) * radius_) * way;
+  }
+
+  World world_;
+  Trajectory trajectory_;
+  Real radius_ = 0;
+  Vec3 origin_;
+  Vec3 offset_;
+  Vec3 heading_;
+  Vec3 spin_a_;
+  Vec3 spin_b_;
+  Quat turn_a_;
+  Quat turn_b_;
+  BodyId a_;
+  BodyId b_;
+  PosedShape pose_a_;
+  PosedShape pose_b_;
+};
+
+double deepest(const Manifold& manifold) {
+  double deepest = HUGE_VAL;
+  for (const ContactPoint& point : manifold.points) {
+    deepest = std::min(deepest, double{point.separation});
+  }
+  return deepest;
+}
+
+/// Follows a pair and compares each step with the truth. Returns the number of kept answers.
+int follow(MovingPair& pair, int steps) {
+  // Half the stated error of 1e-3 of the diameter each: for the bodies, and for the points.
+  const double half_of_stated = 1e-3 * pair.radius();
+  const double rounding = 1e-5;  // of float at these sizes, in a margin and in a separation (m)
+  int kept = 0;
+  double deepest_of_query = 0;
+  for (int step = 0; step < steps; ++step) {
+    pair.step(step);
+    const Contact* contact = pair.contact();
+    const double truth = pair.separation();
+    const bool touches = contact != nullptr && !contact->manifold.points.empty();
+    EXPECT_TRUE(touches || truth > pair.reach() - rounding)
+        << "missed a contact at step " << step << ", separation " << truth;
+    if (!touches) continue;
+
+    if (pair.world().stats().kept == 0) {
+      deepest_of_query = deepest(contact->manifold);
+      continue;
+    }
+    ++kept;
+    const double tie = double{tie_tolerance} * pair.radius();
+    const double separation_of_query = double{pair.world().axes()[0].separation};
+    if (truth < 0) {
+      EXPECT_NEAR(truth, separation_of_query, half_of_stated + tie + rounding) << "step " << step;
+    }
+    EXPECT_NEAR(deepest(contact->manifold), deepest_of_query, half_of_stated + rounding)
+        << "step " << step;
+  }
+  return kept;
+}
+
+class TemporalCoherenceOnTrajectories : public testing::TestWithParam<Trajectory> {};
+
+TEST_P(TemporalCoherenceOnTrajectories, KeptContactsHaveTheStatedError) {
+  const Trajectory& trajectory = GetParam();
+  const std::vector<ShapePtr> shapes = shapes_of_all_kinds();
+  Random random(72);
+  int kept = 0;
+  int steps = 0;
+  for (const ShapePtr& a : shapes) {
+    for (const ShapePtr& b : shapes) {
+      MovingPair pair(a, b, trajectory, random);
+      SCOPED_TRACE(testing::Message() << trajectory.name << ", " << a->mesh.vertex_count()
+                                      << " and " << b->mesh.vertex_count() << " vertices");
+      kept += follow(pair, trajectory.steps);
+      steps += trajectory.steps;
+    }
+  }
+  EXPECT_GE(kept, trajectory.least_kept * Real(steps)) << "too little was kept to test";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TemporalCoherenceOnTrajectories, testing::ValuesIn(trajectories));
+
+World coherent_pile(int count, std::uint32_t seed) {
+  World world = falling_hulls(count, seed);
+  world.settings().temporal_coherence = true;
+  return world;
+}
+
+TEST(TemporalCoherence, IsOffByDefault) {
+  World world = falling_hulls(8, 73);
+  for (int step = 0; step < 120; ++step) {
+    world.step(step_length);
+    ASSERT_EQ(world.stats().kept, 0);
+  }
+}
+
+TEST(TemporalCoherence, FreshQueriesAgreeInEveryStepOfAPile) {
+  World world = coherent_pile(20, 74);
+  world.settings().check_stages = true;
+  for (int step = 0; step < 400; ++step) {
+    world.step(step_length);
+    ASSERT_TRUE(world.problems().empty()) << world.problems()[0].message;
+  }
+  EXPECT_GT(world.stats().contacts, 20);
+  EXPECT_GT(2 * world.stats().kept, world.stats().pairs) << "a resting pile keeps most answers";
+  EXPECT_GT(world.stats().deepest_separation, Real(-0.01));
+}
+
+TEST(TemporalCoherence, CopyContinuesToTheLastBit) {
+  World world = coherent_pile(12, 75);
+  run(world, 150);
+  ASSERT_GT(world.stats().kept, 5);
+  World copy = world;
+  for (int step = 0; step < 100; ++step) {
+    for (World* each : {&world, &copy}) each->step(step_length);
+    ASSERT_EQ(copy.state_hash(), world.state_hash()) << "step " << step;
+  }
+}
+
+/// A box that rests on the floor, with its contact kept.
+World resting_box() {
+  World world = coherent_world();
+  world.add_body(floor_body());
+  world.add_body(body_at(box_shape(Vec3::Constant(Real(0.5))), {0, 0, Real(0.5)}));
+  run(world, 60);
+  return world;
+}
+
+TEST(TemporalCoherence, AKeptContactCarriesTheWeight) {
+  World world = resting_box();
+  ASSERT_EQ(world.stats().kept, 1);
+  const Manifold before = world.contacts()[0].manifold;
+  run(world, 1);
+  const Manifold& now = world.contacts()[0].manifold;
+  ASSERT_EQ(now.points.size(), before.points.size());
+  Real impulse = 0;
+  for (Index i = 0; i < now.points.size(); ++i) {
+    EXPECT_EQ(now.points[i].feature, before.points[i].feature);
+    impulse += now.points[i].normal_impulse;
+  }
+  const Real substep = step_length / static_cast<Real>(world.settings().substeps);
+  EXPECT_NEAR(impulse, 1000 * Real(9.81) * substep, Real(0.2));
+}
+
+TEST(TemporalCoherence, ABodyThatIsMovedAwayLosesItsContact) {
+  World world = resting_box();
+  world.body(world.id_at(1)).pose.position.z() += Real(0.05);
+  run(world, 1);
+  EXPECT_EQ(world.stats().contacts, 0);
+}
+
+TEST(TemporalCoherence, ChecksReportAnAnswerThatNoLongerHolds) {
+  WorldState state;
+  state.pairs.contacts.push_back({0, 1, {}, 0, 0});
+  state.pairs.axes.emplace_back();
+  state.pairs.memories.emplace_back();
+  state.pairs.kept.push_back(1);
+  for (int i = 0; i < 2; ++i) {
+    state.bodies.emplace_back();
+    state.definitions.push_back(body_at(box_shape(Vec3::Ones()), Vec3::Zero()));
+  }
+  check_kept_answers(state, step_length);
+  ASSERT_EQ(state.problems.size(), 1U) << "bodies at one place, kept apart";
+  EXPECT_NE(state.problems[0].message.find("kept apart"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cs550
