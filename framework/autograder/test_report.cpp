@@ -71,6 +71,7 @@ std::vector<std::string> common_causes(const std::vector<const FailedCheck*>& ca
   std::stable_sort(counts.begin(), counts.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::vector<std::string> causes;
+  causes.reserve(counts.size());
   for (const auto& [cause, count] : counts) causes.push_back(cause);
   return causes;
 }
@@ -86,7 +87,7 @@ std::string list(std::string label, const std::vector<std::string>& items) {
   label.resize(10, ' ');
   std::string text;
   for (const std::string& item : items) {
-    text += "  " + label + item + '\n';
+    text.append("  ").append(label).append(item).append("\n");
     label.assign(label.size(), ' ');
   }
   return text;
