@@ -25,6 +25,22 @@ builds_in() {
 
 builds_in "$project"
 
+# The command line is built when its files have changed, and only then.
+mkdir -p "$project/framework/cmake" "$project/framework/files" "$project/build/student/bin"
+: >"$project/CMakeLists.txt"
+printf '#!/bin/sh\necho "$*"\n' >"$project/build/student/bin/cs550"
+chmod +x "$project/build/student/bin/cs550"
+runs_after_build() {
+  rm -f "$project/build/student.log"
+  [ "$("$project/cs550" progress --list)" = 'progress --list' ] || wrong "the program did not run"
+  [ "$1" = "$([ -e "$project/build/student.log" ] && echo yes || echo no)" ] || wrong "built before it ran: not '$1'"
+}
+runs_after_build yes
+runs_after_build no
+touch -d '+1 minute' "$project/framework/cli/verbs.def"
+runs_after_build yes
+rm -r "$project/build/student"
+
 # A second build waits for the first, and then succeeds.
 mkfifo "$scratch/pipe"
 exec 8>"$project/build/test/.lock"
