@@ -29,10 +29,3 @@ cs550_link_labs(cs550_demo fast reference stub)
 cs550_add_demo(cs550_demo_student)
 cs550_link_labs(cs550_demo_student assembled reference)
 set_target_properties(cs550_demo_student PROPERTIES EXCLUDE_FROM_ALL TRUE)
-
-# cs550_grade: the program behind ./cs550 grade.
-if(CS550_HAS_GRADEBOOK)
-  add_executable(cs550_grade "${PROJECT_SOURCE_DIR}/framework/cli/grade/main.cpp"
-                 "${PROJECT_SOURCE_DIR}/framework/cli/command_line.cpp")
-  target_link_libraries(cs550_grade PRIVATE cs550_gradebook CLI11::CLI11 cs550_warnings)
-endif()

@@ -32,8 +32,8 @@ const std::map<std::string, Names> may_include{
     {"viewer", {"include", "drawing", "pages", "files"}},
     {"autograder", {"include", "files", "serialisation", "isolation"}},
     {"milestones", {"include", "files"}},
-    {"gradebook", {"files", "cli"}},  // only cli/system
-    {"cli", {"include", "files", "gradebook"}},
+    {"gradebook", {"files", "cli"}},  // only cli/system, and its program cli/command_line
+    {"cli", {"include", "files"}},
 };
 
 /// Libraries that only one folder may use.
