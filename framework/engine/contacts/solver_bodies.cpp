@@ -20,18 +20,4 @@ void gather_solver_bodies(WorldState& world) {
   }
 }
 
-void write_back_momenta(WorldState& world) {
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    RigidBody& body = world.bodies[i];
-    if (body.kind != BodyKind::Dynamic) continue;
-    const Vec3 dv = world.solver_bodies[i].v - body.linear_velocity;
-    const Vec3 dw = world.solver_bodies[i].w - body.angular_velocity;
-    if (dv.isZero(0) && dw.isZero(0)) continue;
-    const Vec3 dw_body = body.pose.unrotate(dw);
-    body.linear_momentum += body.mass * dv;
-    body.angular_momentum += body.pose.rotate(body.inertia * dw_body);
-    refresh_velocity(body);
-  }
-}
-
 }  // namespace cs550

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "engine/world/body_sweeps.hpp"
 #include "engine/world_state.hpp"
 
 namespace cs550 {
@@ -12,9 +13,6 @@ namespace cs550 {
 void gather(const RigidBody& body, SolverBody& solver_body);
 /// Does so for all bodies.
 void gather_solver_bodies(WorldState& world);
-/// Gives the bodies the momenta that belong to the velocities in SolverBody[]. Only the *change* is
-/// added, so that a body without contacts keeps P and L to the last bit.
-void write_back_momenta(WorldState& world);
 
 /// Runs `solve(bodies)` on SolverBody[] between gathering and writing back. Nothing else gathers or
 /// writes back the array. Without constraints there is nothing to solve.
@@ -23,7 +21,7 @@ void with_solver_bodies(WorldState& world, const Solve& solve) {
   if (world.constraints.empty()) return;
   gather_solver_bodies(world);
   solve(std::span<SolverBody>(world.solver_bodies));
-  write_back_momenta(world);
+  add_momentum_changes(world.bodies, world.solver_bodies);
 }
 
 }  // namespace cs550

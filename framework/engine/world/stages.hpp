@@ -52,9 +52,6 @@ ContactStep contact_step(const WorldSettings& settings, Real h);
 void prepare(WorldState& world, const ContactStep& step);
 /// Moves the bodies by one substep and solves their contacts.
 void substep(WorldState& world, const ContactStep& step);
-/// integrate_pose() and refresh_velocity(), with a guard against turns that the midpoint iteration
-/// cannot follow. @param h substep (s) @pre velocities are up to date
-void turn_and_move(RigidBody& body, Real h, RotationMethod method);
 
 /// Checks of what a stage promised. Broken promises are reported in problems(), and their effect is
 /// undone, that on bodies when the step ends.

@@ -3,6 +3,7 @@
 #include "cs550/naive_solver.hpp"
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/contacts/solver_bodies.hpp"
+#include "engine/world/body_sweeps.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -25,13 +26,6 @@ void measure_approach(WorldState& world) {
     constraint.approach_velocity =
         normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n);
   }
-}
-
-void integrate_momenta(WorldState& world, const ContactStep& step) {
-  for_dynamic_bodies(world, [&](RigidBody& body) {
-    integrate_momentum(body, step.h);
-    refresh_velocity(body);
-  });
 }
 
 /// The substep starts with the impulses of the one before, or with none.
@@ -69,17 +63,6 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
   });
 }
 
-/// Separations change by what the bodies move in this substep: displacements are counted first.
-void integrate_poses(WorldState& world, const ContactStep& step) {
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    RigidBody& body = world.bodies[i];
-    if (body.kind == BodyKind::Static) continue;
-    world.solver_bodies[i].delta_position += step.h * body.linear_velocity;
-    world.solver_bodies[i].delta_rotation += step.h * body.angular_velocity;
-    turn_and_move(body, step.h, world.settings.rotation);
-  }
-}
-
 /// Removes the velocity that the bias has added.
 void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
   step.use_bias = false;
@@ -104,6 +87,14 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
       if (constraint.impact_handled) constraint.approach_velocity = 0;
     }
   }
+}
+
+void apply_forces(WorldState& world, const ContactStep& step) {
+  integrate_momenta(world.bodies, step.h);
+}
+
+void move_bodies(WorldState& world, const ContactStep& step) {
+  integrate_poses(world.bodies, world.solver_bodies, step.h, world.settings.rotation);
 }
 
 /// Runs a part of the substep that changes bodies, and checks them after it if the settings ask for
@@ -146,9 +137,9 @@ void prepare(WorldState& world, const ContactStep& step) {
 
 void substep(WorldState& world, const ContactStep& step) {
   run_stage(world, Stage::Solve, measure_approach);
-  run_checked(world, Stage::Integrate, integrate_momenta, step);
+  run_checked(world, Stage::Integrate, apply_forces, step);
   run_checked(world, Stage::Solve, solve_with_bias, step);
-  run_checked(world, Stage::Integrate, integrate_poses, step);
+  run_checked(world, Stage::Integrate, move_bodies, step);
   run_checked(world, Stage::Solve, relax_and_bounce, step);
   audit_substep(world, step.h);
 }

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "engine/world/stages.hpp"
+#include "engine/world/body_sweeps.hpp"
 
 /// @file turn_guard.cpp
 /// The implicit midpoint is solved by fixed-point iteration, which contracts only while
@@ -12,7 +12,6 @@ namespace cs550 {
 
 namespace {
 
-constexpr Real allowed_gain = Real(1.01);
 constexpr int smaller_turns = 8;
 
 /// @pre velocities are up to date

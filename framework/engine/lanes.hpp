@@ -1,7 +1,7 @@
 #pragma once
 /// @file lanes.hpp
-/// Arithmetic on four constraints at a time. A *wide* number holds four, one for each constraint,
-/// in the lanes of a vector register; a lane is one element of it. All operations act lane by lane,
+/// Arithmetic on four constraints or bodies at a time. A *wide* number holds four, one for each of
+/// them, in the lanes of a vector register; a lane is one element of it. All operations act lane by lane,
 /// round as scalar ones do and keep the order in which Eigen evaluates them, so that each lane
 /// holds the bits of the teaching form.
 ///
@@ -25,6 +25,7 @@ using WideMask = decltype(WideReal{} < WideReal{});
 inline WideReal all_lanes(Real x) { return WideReal{x, x, x, x}; }
 
 inline bool any(WideMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+inline bool all(WideMask mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
 
 /// std::max(x, y) and std::min(x, y).
 inline WideReal larger(WideReal x, WideReal y) { return x < y ? y : x; }
@@ -76,6 +77,54 @@ struct WideMat3 {
     const auto& [c0, c1, c2] = column;
     return {c0.x * a.x + (c1.x * a.y + c2.x * a.z), c0.y * a.x + (c1.y * a.y + c2.y * a.z),
             c0.z * a.x + (c1.z * a.y + c2.z * a.z)};
+  }
+  WideMat3 operator*(const WideMat3& m) const {
+    return {{*this * m.column[0], *this * m.column[1], *this * m.column[2]}};
+  }
+  WideMat3 transpose() const {
+    const auto& [c0, c1, c2] = column;
+    return {{{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}, {c0.z, c1.z, c2.z}}};
+  }
+};
+
+struct WideQuat {
+  WideVec3 vec;
+  WideReal w;
+
+  WideQuat conjugate() const { return {-vec, w}; }
+
+  /// Rotates a vector.
+  WideVec3 operator*(const WideVec3& a) const {
+    const WideVec3 half = vec.cross(a);
+    const WideVec3 uv = half + half;
+    return a + w * uv + vec.cross(uv);
+  }
+  WideQuat operator*(const WideQuat& o) const {
+    const WideVec3& a = vec;
+    const WideVec3& b = o.vec;
+    return {{(a.x * o.w - a.z * b.y) + (a.y * b.z + w * b.x),
+             (a.y * o.w - a.x * b.z) + (a.z * b.x + w * b.y),
+             (a.z * o.w - a.y * b.x) + (a.x * b.y + w * b.z)},
+            (w * o.w - a.x * b.x) - (a.z * b.z + a.y * b.y)};
+  }
+  /// @pre not zero
+  WideQuat normalized() const {
+    const WideReal length = square_root((vec.x * vec.x + vec.z * vec.z) + (vec.y * vec.y + w * w));
+    return {{vec.x / length, vec.y / length, vec.z / length}, w / length};
+  }
+  WideMat3 rotation() const {
+    const WideReal one = all_lanes(1);
+    const WideVec3 t = all_lanes(2) * vec;
+    const WideVec3 tw = w * t;
+    const WideReal xx = t.x * vec.x;
+    const WideReal xy = t.y * vec.x;
+    const WideReal xz = t.z * vec.x;
+    const WideReal yy = t.y * vec.y;
+    const WideReal yz = t.z * vec.y;
+    const WideReal zz = t.z * vec.z;
+    return {{{one - (yy + zz), xy + tw.z, xz - tw.y},
+             {xy - tw.z, one - (xx + zz), yz + tw.x},
+             {xz + tw.y, yz - tw.x, one - (xx + yy)}}};
   }
 };
 
