@@ -24,13 +24,11 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
       field += text[++i];
     } else if (c == '"') {
       quoted = !quoted;
-    } else if (quoted) {
-      field += c;
-    } else if (c == separator) {
+    } else if (!quoted && c == separator) {
       row.push_back(std::exchange(field, {}));
-    } else if (c == '\n') {
+    } else if (!quoted && c == '\n') {
       end_row();
-    } else if (c != '\r') {
+    } else if (quoted || c != '\r') {
       field += c;
     }
   }

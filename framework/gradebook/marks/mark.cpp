@@ -176,6 +176,7 @@ StudentMark mark_student(const Student& student, const std::vector<int>& labs,
 std::vector<StudentMark> mark_class(const std::vector<Student>& students,
                                     const std::vector<int>& labs, const Course& course) {
   std::vector<StudentMark> marks;
+  marks.reserve(students.size());
   for (const Student& student : students) marks.push_back(mark_student(student, labs, course));
   return marks;
 }

@@ -44,6 +44,7 @@ std::vector<Record> merged(const std::vector<std::vector<Record>>& folders) {
     }
   }
   std::vector<Record> records;
+  records.reserve(by_name.size());
   for (auto& [name, record] : by_name) records.push_back(std::move(record));
   return records;
 }

@@ -17,7 +17,7 @@ const std::string& name_of(const Student& student) {
 
 /// The student's name, linked to the feedback on the first submission.
 std::string link(const StudentMark& mark) {
-  const std::string name = html(name_of(mark.student));
+  std::string name = html(name_of(mark.student));
   if (mark.is_missing()) return name;
   return fmt::format("<a href=\"feedback/{}.html\">{}</a>",
                      html(mark.student.records.front()->name), name);
