@@ -43,6 +43,8 @@ struct PairList {
 
   std::size_t size() const { return contacts.size(); }
   void clear();
+  /// Makes room for that many pairs, or for twice as many if there is not enough.
+  void make_room(std::size_t count);
   /// Appends pair i of another list.
   void append(const PairList& other, std::size_t i);
 };

@@ -115,6 +115,7 @@ void merge_pairs(WorldState& world) {
   PairList& old = world.pairs;
   PairList& merged = world.next_pairs;
   merged.clear();
+  merged.make_room(old.size() + world.new_keys.size());
   auto key = world.new_keys.begin();
   for (std::size_t i = 0; i < old.size(); ++i) {
     const std::uint64_t old_key = pair_key(old.contacts[i]);
@@ -141,6 +142,12 @@ void PairList::clear() {
   kept.clear();
   touching.clear();
   impulse_energy.clear();
+}
+
+void PairList::make_room(std::size_t count) {
+  if (count <= contacts.capacity()) return;
+  const auto reserve = [&](auto&... arrays) { (arrays.reserve(2 * count), ...); };
+  reserve(contacts, axes, memories, kept, touching, impulse_energy);
 }
 
 void PairList::append(const PairList& other, std::size_t i) {
