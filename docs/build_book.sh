@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the book into build/docs: html/index.html and cs550.pdf. Run by `./cs550 docs`, which has installed
-# the tools and built the program that draws the figures.
+# Builds the book into build/docs: html/index.html, cs550.pdf, and site/ with both for a static host. Run by
+# `./cs550 docs`, which has installed the tools and built the program that draws the figures.
 #
 #   docs/build_book.sh FIGURE_PROGRAM [VIEWER]
 set -eu
@@ -41,10 +41,11 @@ draw_figures() {
   done
 }
 
-# The engine for the browser, which live figures run: build/docs/live_engine.js, where emscripten is installed.
-# CS550_LIVE_FIGURES=off leaves it out, so that published pages do not contain the reference.
+# The engine for the browser, which live figures run, where emscripten is installed: live_engine.js, a function that is
+# the source of a worker, and live.js. CS550_LIVE_FIGURES=off leaves them out, so that published pages do not contain
+# the reference.
 build_live_engine() {
-  rm -f "$docs/live_engine.js"
+  rm -f "$docs/live_engine.js" "$docs/live.js"
   [ "${CS550_LIVE_FIGURES-on}" != off ] || return 0
   command -v emcmake >/dev/null || return 0
   launcher=
@@ -56,7 +57,23 @@ build_live_engine() {
     echo "The live figures cannot be compiled. To leave them out: CS550_LIVE_FIGURES=off ./cs550 docs" >&2
     return 1
   }
-  cp build/live/live_engine.js "$docs/"
+  # The hull library is native: the browser's engine lists the point clouds of all scenes, the native one answers.
+  node -e "require(process.argv[1])().then(engine =>
+    process.stdout.write(engine.ccall('live_clouds', 'string', [], [])))" "$root/build/live/live_engine.js" \
+    >"$docs/data/clouds.json"
+  "$figure_program" --hulls "$docs/data/clouds.json" --output "$docs/data/hulls.json"
+  {
+    echo 'function cs550LiveWorker() {'
+    cat build/live/live_engine.js
+    printf "\nconst hulls = '%s';\n" "$(cat "$docs/data/hulls.json")"
+    cat docs/live/worker.js
+    echo '}'
+  } >"$docs/live_engine.js"
+  {
+    echo "'use strict'; (() => {"
+    cat docs/live/engine.js docs/live/painter.js docs/live/pointer.js docs/live/live.js
+    echo '})();'
+  } >"$docs/live.js"
 }
 
 # The parts of MathJax that the pages use: 2 MB of 54.
@@ -87,15 +104,24 @@ print_pdf() {
   rm -rf "$profile" "$docs/html/print.html"
 }
 
+# What a static host serves. Files are not filtered there: GitHub Pages would leave out some without .nojekyll.
+write_site() {
+  rm -rf "$docs/site"
+  cp -R "$docs/html" "$docs/site"
+  : >"$docs/site/.nojekyll"
+  [ ! -s "$docs/cs550.pdf" ] || cp "$docs/cs550.pdf" "$docs/site/"
+}
+
 rm -rf "$docs/html"
 draw_figures
 build_live_engine
 python3 docs/tools/make_pages.py "$docs/pages"
 doxygen docs/Doxyfile
 cp -R "$docs/figures" "$docs/html/figures"
-[ ! -f "$docs/live_engine.js" ] || cp "$docs/live_engine.js" docs/live/live.js "$docs/html/"
+[ ! -f "$docs/live_engine.js" ] || cp "$docs/live_engine.js" "$docs/live.js" "$docs/html/"
 copy_mathjax
 print_pdf
+write_site
 
 echo "$docs/html/index.html: $(find "$docs/html" -maxdepth 1 -name '*.html' | wc -l) pages," \
   "$(find "$docs/figures" -type f | wc -l) figures"
@@ -106,3 +132,5 @@ elif [ ! -f "$docs/live_engine.js" ]; then
 fi
 [ -n "$viewer" ] || echo "  without pictures of the viewer: ./cs550 doctor --install viewer"
 [ ! -s "$docs/cs550.pdf" ] || echo "$docs/cs550.pdf"
+echo "$docs/site: the same for a static host, $(du -sm "$docs/site" | cut -f 1) MB"
+[ ! -d solutions ] || echo "  Do not publish it: it lists and runs the reference. docs/instructors.md names what to publish."

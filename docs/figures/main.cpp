@@ -2,6 +2,8 @@
 /// book_figures: draws the pictures of the book and measures its tables.
 ///
 ///   book_figures --figures DIR --data DIR [--only NAME]
+///   book_figures --live DESCRIPTION --output FILE
+///   book_figures --hulls CLOUDS --output FILE
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -9,6 +11,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "cloud_hulls.hpp"
 #include "cs550/not_implemented.hpp"
 #include "figure.hpp"
 #include "live_figure.hpp"
@@ -91,15 +94,17 @@ void draw_live(const std::string& description, const std::string& name) {
 int main(int argc, char** argv) {
   using namespace cs550::book;
   CLI::App app("Draws the pictures of the book and measures its tables.");
-  std::string figures, data, only, live, output;
+  std::string figures, data, only, live, hulls, output;
   app.add_option("--figures", figures, "folder for pictures");
   app.add_option("--data", data, "folder for tables");
   app.add_option("--only", only, "one picture or table");
   app.add_option("--live", live, "a live figure as it is at first: a page's number and settings");
-  app.add_option("--output", output, "file for --live");
+  app.add_option("--hulls", hulls, "point clouds that the browser's engine has listed");
+  app.add_option("--output", output, "file for --live and --hulls");
   CLI11_PARSE(app, argc, argv);
   try {
     if (!live.empty()) draw_live(live, output);
+    if (!hulls.empty()) answer_clouds(hulls, output);
     for (const Figure& figure : all_figures()) {
       if (!figures.empty() && (only.empty() || only == figure.name)) draw(figure, figures);
     }

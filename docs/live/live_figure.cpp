@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "control_json.hpp"
+#include "cs550/scene.hpp"
 #include "drawing/svg.hpp"
 #include "pages/make_page.hpp"
-#include "pages/world/world_page.hpp"
 
 namespace cs550::live {
 
@@ -80,6 +80,9 @@ LiveFigure::LiveFigure(const std::string& description) {
   page_ = pages::make_page(choice);
   page_->refresh();
   camera_ = page_->first_view();
+  world_ = dynamic_cast<pages::WorldPage*>(page_.get());
+  scene_ = choice.scene;
+  if (world_ != nullptr) canvas_ = std::make_unique<WorldCanvas>(*world_, camera_);
   for (const std::string& assignment : assignments) set(assignment);
   page_->refresh();
 }
@@ -89,19 +92,44 @@ void LiveFigure::set(const std::string& assignment) {
     throw std::invalid_argument(
         "the Minkowski difference needs the hull library: use ./cs550 view");
   }
+  if (world_ != nullptr && assignment.starts_with("scene=")) {
+    choose_scene(assignment.substr(assignment.find('=') + 1));
+    return;
+  }
   pages::ControlSetter setter(assignment);
   page_->describe(setter);
   setter.expect_found();
 }
 
+/// A figure never opens other files: the name must be that of a shipped scene.
+void LiveFigure::choose_scene(const std::string& name) {
+  const std::vector<std::string> names = shipped_scenes();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    throw std::invalid_argument("there is no scene '" + name + "'");
+  }
+  scene_ = name;
+  world_->load(name);
+  canvas_->frame_again();
+}
+
 std::string LiveFigure::describe() {
   ControlJson lister;
+  if (world_ != nullptr) {
+    const std::vector<std::string> names = shipped_scenes();
+    std::vector<const char*> words;
+    for (const std::string& name : names) words.push_back(name.c_str());
+    int place = static_cast<int>(std::find(names.begin(), names.end(), scene_) - names.begin());
+    lister.choice({"scene", "scene", ""}, place, words);
+  }
   page_->describe(lister);
   return lister.text();
 }
 
 void LiveFigure::rewind() {
-  if (auto* world = dynamic_cast<pages::WorldPage*>(page_.get())) world->reset();
+  if (world_ != nullptr) {
+    world_->reset();
+    canvas_->frame_again();
+  }
   page_->rewind();
 }
 
@@ -111,13 +139,6 @@ void LiveFigure::drag(Real right, Real up) {
   const Axes axes = axes_of(camera_);
   const Real radius = page_->content().focus.radius;
   page_->move_handle(*handle + radius * (right * axes.right + up * axes.up));
-}
-
-void LiveFigure::throw_box() {
-  auto* world = dynamic_cast<pages::WorldPage*>(page_.get());
-  if (world == nullptr) return;
-  const auto& [center, radius] = page_->content().focus;
-  world->throw_box(center + radius * axes_of(camera_).toward_eye, center);
 }
 
 std::string LiveFigure::svg() {
@@ -147,8 +168,9 @@ std::string LiveFigure::facts() {
   for (const pages::Fact& fact : content.facts) facts.push_back({fact.name, fact.value});
   const nlohmann::json all = {{"title", page_->title()},
                               {"story", page_->story()},
-                              {"walks", page_->lab() == 0 || content.step_count > 1},
-                              {"throws", page_->lab() == 0},
+                              {"walks", world_ != nullptr || content.step_count > 1},
+                              {"canvas", world_ != nullptr},
+                              {"h", world_ != nullptr ? world_->step_length() : Real(0)},
                               {"steps", content.step_count},
                               {"plots", content.plots.size()},
                               {"drag", page_->handle().has_value()},

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pages/base/page.hpp"
+#include "world_canvas.hpp"
 
 namespace cs550::live {
 
@@ -21,7 +22,8 @@ class LiveFigure {
 
   /// @param assignment name=value @throws std::invalid_argument with the reason
   void set(const std::string& assignment);
-  /// The settings as JSON: a list of {kind, name, label, unit, value, least, most, names}.
+  /// The settings as JSON: a list of {kind, name, label, unit, value, least, most, names}. That of page 0
+  /// begins with the scene.
   std::string describe();
   /// One step of the walk or of time.
   void advance() { page_->advance(); }
@@ -31,22 +33,29 @@ class LiveFigure {
   /// focus's radius
   void drag(Real right, Real up);
 
-  /// In a running world: throws a box from the camera's side through the middle.
-  void throw_box();
+  /// Of page 0: its picture on a canvas, on which bodies are picked and thrown. Null on other pages.
+  WorldCanvas* canvas() { return canvas_.get(); }
 
   /// Turns the camera (rad).
   void orbit(Real yaw, Real pitch) { camera_.orbit(yaw, pitch); }
+  /// Multiplies the camera's distance, on a canvas.
+  void zoom(Real factor) { camera_.zoom(factor); }
   /// The picture.
   std::string svg();
   /// A plot beside it; empty if there is none of that number.
   std::string plot_svg(std::size_t plot);
-  /// What is said beside the picture, as JSON: title, story, walks, throws, steps,
-  /// plots, drag, problem, facts.
+  /// What is said beside the picture, as JSON: title, story, walks, canvas, h,
+  /// steps, plots, drag, problem, facts.
   std::string facts();
 
  private:
+  void choose_scene(const std::string& name);
+
   std::unique_ptr<pages::Page> page_;
+  pages::WorldPage* world_ = nullptr;  ///< page_, where that is the world
+  std::string scene_;
   pages::Camera camera_;
+  std::unique_ptr<WorldCanvas> canvas_;
 };
 
 }  // namespace cs550::live

@@ -93,6 +93,7 @@ class Markup:
         number, _ = self.book.figure_number[key]
         text = self.inline_html(caption or alt + ".")
         live = f' data-live="{escape(self.book.live_figures[name])}"' if name in self.book.live_figures else ""
+        live += " data-start" if live and self.page.name == "index" else ""  # the first page opens on a live scene
         return raw(f'<figure id="fig_{key}"{live}><img src="figures/{key}.{kind}" alt="{escape(" ".join(alt.split()))}"/>'
                    f"<figcaption><b>Figure {number}.</b> {text}</figcaption></figure>")
 

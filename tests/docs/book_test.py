@@ -45,7 +45,7 @@ def broken_links(folder):
     for name, page in pages.items():
         for target in sorted(page.targets):
             file, _, anchor = unquote(target).partition("#")
-            file = file or name
+            file = file.partition("?")[0] or name
             if not (folder / file).exists():
                 yield f"{name}: links to {target}, which does not exist"
             elif anchor and file in pages and anchor not in pages[file].anchors:

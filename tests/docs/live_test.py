@@ -2,10 +2,14 @@
 """Opens every live figure of the book from disk in a headless browser, at the width of a phone.
 
 A figure passes when it loads, its first picture is the one that the book shows without JavaScript, every control
-changes it, a link restores its state, nothing is wider than the screen and the browser logs no error. Prints
-milliseconds per picture. Exit code 77: the book has no live figures, since emscripten is not installed.
+changes it, a link restores its state, nothing is wider than the screen and the browser logs no error. In the World
+every scene steps. Prints milliseconds per picture. Exit code 77: the book has no live
+figures, since emscripten is not installed.
+
+    tests/docs/live_test.py build/docs/html build/test/bin/cs550_demo
 """
 import re
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -14,16 +18,28 @@ from book_test import LOOK, look_at, start_browser
 
 SECONDS_TO_LOAD = 30
 STEPS_OF_A_WORLD = 20
+LEAST_PICTURES = 15  # in 3 s, on a machine that does other things as well
 WITHOUT_EFFECT = {("live_naive", "push")}  # nothing pushes back sideways where there is no friction
 # Sines of another C library differ in the last bit, which decides here and there which piece of a curve is painted
 # first. Measured: at most 0.04 %; a view turned by half a degree differs in 0.8 %.
 MOST_DIFFERENT = 0.001  # share of the pixels
 
-# What a figure shows, without pictures that are due.
+# What a figure shows, when all pictures are drawn.
 STATE = """
-const live = arguments[0].live;
-if (live.pending) { cancelAnimationFrame(live.pending); live.draw(); }
-return live.steps + live.svg + live.numbers.textContent + live.plots.innerHTML + live.problem.textContent;
+const live = figure.live;
+await live.drawSoon();
+return live.facts.steps + (live.svg ?? live.shapes.join()) + live.numbers.textContent + live.plots.innerHTML
+    + live.problem.textContent;
+"""
+
+# Begins the figure again.
+BEGIN = """
+const live = figure.live;
+live.problem.textContent = '';
+live.changed.clear();
+await live.engine.ask('open', live.figure.dataset.live);
+await live.list();
+await live.drawSoon();
 """
 
 # Calls back with the share of the pixels in which two pictures differ visibly.
@@ -49,13 +65,13 @@ Promise.all([pixels(first), pixels(second)]).then(([a, b]) => {
 }, () => done(1));
 """
 
-# Begins the figure again, changes control number arguments[1], and returns its name.
+# The flight of a thrown box, and the energy after it.
+FLY = "await live.engine.ask('advance', 20); await live.drawSoon();"
+KINETIC = "return live.facts.facts.find(([name]) => name === 'kinetic energy')[1];"
+
+# Changes control number `place`, and returns its name.
 CHANGE = """
-const live = arguments[0].live;
-live.call('live_open', live.figure.dataset.live);
-live.list();
-live.draw();
-const control = live.controls.querySelectorAll('input, select, button')[arguments[1]];
+const control = figure.live.controls.querySelectorAll('input, select, button')[place];
 if (control.type === 'range') {
   const [low, high] = [Number(control.min), Number(control.max)];
   control.value = Number(control.value) > (low + high) / 2 ? low + 0.3 * (high - low) : low + 0.7 * (high - low);
@@ -66,8 +82,21 @@ if (control.type === 'range') {
 } else {
   control.click();
 }
+// Answers come in order: this one after that of the change.
+await figure.live.engine.ask('facts');
+await figure.live.drawSoon();
 return control.name;
 """
+
+
+def run(browser, script, figure, place=None):
+    """What an asynchronous script returns. Raises the error that it throws."""
+    result = browser.execute_async_script(
+        "const [figure, place, done] = arguments; (async () => {" + script + "})()"
+        ".then(value => done({value: value ?? null}), reason => done({problem: String(reason)}))", figure, place)
+    if "problem" in result:
+        raise RuntimeError(result["problem"])
+    return result["value"]
 
 
 def wait_for(browser, figure):
@@ -84,36 +113,44 @@ def check_controls(browser, figure):
     count = browser.execute_script(
         "return arguments[0].live.controls.querySelectorAll('input, select, button').length", figure)
     for number in range(count):
-        browser.execute_script(
-            "const live = arguments[0].live; live.problem.textContent = '';"
-            "live.call('live_open', live.figure.dataset.live); live.draw();", figure)
-        before = browser.execute_script(STATE, figure)
-        name = browser.execute_script(CHANGE, figure, number)
-        if browser.execute_script(STATE, figure) == before and (figure_name, name) not in WITHOUT_EFFECT:
+        run(browser, BEGIN, figure)
+        before = run(browser, STATE, figure)
+        name = run(browser, CHANGE, figure, number)
+        if run(browser, STATE, figure) == before and (figure_name, name) not in WITHOUT_EFFECT:
             yield f"control {name} changes nothing"
 
 
 def check_world(browser, figure):
-    """Its settings matter when time goes on: every one is accepted, and the picture moves."""
-    before = browser.execute_script(STATE, figure)
-    browser.execute_script(f"for (let i = 0; i < {STEPS_OF_A_WORLD}; ++i) arguments[0].live.advance();", figure)
-    if browser.execute_script(STATE, figure) == before:
+    """Its settings matter when time goes on. The picture moves, a throw adds a body, a body can be picked."""
+    run(browser, BEGIN, figure)
+    before = run(browser, STATE, figure)
+    run(browser, f"for (let i = 0; i < {STEPS_OF_A_WORLD}; ++i) await figure.live.advance();", figure)
+    if run(browser, STATE, figure) == before:
         yield "nothing moves"
-    faces = "return arguments[0].live.svg.match(/<polygon/g).length"
-    before = browser.execute_script(faces, figure)
-    browser.execute_script("const live = arguments[0].live; live.throwBox(); live.draw();", figure)
-    if browser.execute_script(faces, figure) <= before:
-        yield "the thrown box is not to be seen"
+    alone = run(browser, BEGIN + FLY + KINETIC, figure)
+    if run(browser, BEGIN + "await live.throwBox();" + FLY + KINETIC, figure) == alone:
+        yield "a thrown box changes nothing"
+    if "body" not in run(browser, "await figure.live.run('select_next');" + STATE, figure):
+        yield "selecting the next body shows none"
+    run(browser, "await figure.live.set('impulses', 'on'); await figure.live.advance()", figure)
+    if not run(browser, "await figure.live.drawSoon(); return figure.live.legend.textContent", figure):
+        yield "impulses have no legend"
+    if run(browser, "return figure.live.plots.querySelectorAll('svg').length", figure) < 2:
+        yield "plots are missing"
+    if run(browser, "await figure.live.drawSoon(); return new Set(figure.live.canvas.getContext('2d')"
+                    ".getImageData(0, 0, figure.live.canvas.width, figure.live.canvas.height).data).size", figure) < 8:
+        yield "the canvas is empty"
 
 
 def check(browser, folder, figure):
     name = figure.get_attribute("id").removeprefix("fig_")
-    browser.execute_script("arguments[0].querySelector('.live-start').click()", figure)
+    browser.execute_script("arguments[0].querySelector('.live-start')?.click()", figure)
     if not wait_for(browser, figure):
         yield f"{name}: does not load: {figure.text[:200]}"
         return
+    run(browser, "figure.live.stopPlaying();" + BEGIN, figure)
     native = (folder / "figures" / f"{name}.svg").read_text()
-    first = browser.execute_script("return arguments[0].live.svg", figure)
+    first = run(browser, "return (await figure.live.engine.ask('draw')).svg", figure)
     different = 0 if first == native else browser.execute_async_script(DIFFERENT, first, native)
     if different > MOST_DIFFERENT:
         yield f"{name}: its first picture is not figures/{name}.svg"
@@ -128,18 +165,79 @@ def check(browser, folder, figure):
 def check_link(browser, page, figure):
     """A link with a setting opens the figure with it."""
     name = figure.get_attribute("id").removeprefix("fig_")
-    browser.execute_script("const live = arguments[0].live; live.call('live_open', live.figure.dataset.live);"
-                           "live.changed.clear(); live.set('position', '0.1,0.2,1.5'); live.draw()", figure)
-    expected = browser.execute_script(STATE, figure)
+    run(browser, BEGIN + "await live.set('position', '0.1,0.2,1.5')", figure)
+    expected = run(browser, STATE, figure)
     link = browser.execute_script("return arguments[0].live.link.getAttribute('href')", figure)
     browser.get(page.as_uri() + link)
     figure = browser.find_element("id", f"fig_{name}")
-    if not wait_for(browser, figure) or browser.execute_script(STATE, figure) != expected:
+    if not wait_for(browser, figure) or run(browser, STATE, figure) != expected:
         yield f"{name}: {link} does not restore the state"
 
 
+def check_end(browser, figure):
+    """Code without an end is stopped, the figure reports that, and begins again."""
+    endless = """
+        const Engine = figure.live.engine.constructor;
+        const code = new Blob(['onmessage = () => { for (;;); }']);
+        try { await new Engine(URL.createObjectURL(code)).ask('advance', 1); } catch (reason) { return reason.message; }
+        """
+    if "endless loop" not in (run(browser, endless, figure) or ""):
+        yield "an endless loop is not stopped"
+    run(browser, "figure.live.engine.stop('Stopped by the test')", figure)
+    run(browser, "await figure.live.advance()", figure)
+    if "Stopped by the test" not in run(browser, "return figure.live.problem.textContent", figure):
+        yield "a stopped engine is not reported"
+    run(browser, "await figure.live.restart(); await figure.live.advance()", figure)
+    if run(browser, "return figure.live.problem.textContent", figure):
+        yield "a stopped figure does not begin again"
+
+
+def check_scenes(browser, figure, demo):
+    """Every shipped scene steps. Prints milliseconds, and in which scenes the hash is that of the native engine."""
+    equal, scenes = [], run(browser, "return [...figure.querySelector('[name=scene]').options].map(each => each.value)",
+                            figure)
+    for scene in scenes:
+        run(browser, f"await figure.live.set('scene', '{scene}')", figure)
+        start = time.monotonic()
+        run(browser, f"await figure.live.engine.ask('advance', {STEPS_OF_A_WORLD})", figure)
+        step = 1000 * (time.monotonic() - start) / STEPS_OF_A_WORLD
+        start = time.monotonic()
+        run(browser, "await figure.live.drawSoon()", figure)
+        drawn = 1000 * (time.monotonic() - start)
+        if problem := run(browser, "return figure.live.problem.textContent", figure):
+            yield f"scene {scene}: {problem}"
+        live = run(browser, f"return figure.live.engine.ask('hash', '{scene}', {STEPS_OF_A_WORLD})", figure)
+        command = [demo, scene, "--steps", str(STEPS_OF_A_WORLD), "--no-picture"]
+        native = re.search(r"state hash\s+(\w+)", subprocess.run(command, capture_output=True, text=True).stdout)
+        equal += [scene] if native and live == native[1] else []
+        print(f"scene {scene}: {step:.1f} ms per step, {drawn:.0f} ms per picture and plots")
+    print(f"hashes after {STEPS_OF_A_WORLD} steps equal the native ones in {len(equal)} of {len(scenes)} scenes; "
+          f"others: {', '.join(sorted(set(scenes) - set(equal))) or 'none'}")
+
+
+def check_speed(browser, figure):
+    """Two hundred boxes move smoothly."""
+    run(browser, "await figure.live.set('scene', 'wall')", figure)
+    steps, pictures = run(browser, """
+        const live = figure.live;
+        let pictures = 0;
+        const paint = live.paint.bind(live);
+        live.paint = () => { ++pictures; return paint(); };
+        live.play();
+        await sleep(3000);
+        live.play();
+        await live.drawSoon();
+        delete live.paint;
+        const steps = live.facts.facts.find(([name]) => name === 'step')[1];
+        return [Number(steps), pictures];
+        """.replace("sleep(", "new Promise(resolve => setTimeout(resolve, ").replace("3000)", "3000))"), figure)
+    print(f"wall: {steps / 3:.0f} steps and {pictures / 3:.0f} pictures per second")
+    if pictures < LEAST_PICTURES:
+        yield f"the wall moves in jerks: {pictures} pictures in 3 s"
+
+
 def main():
-    folder = Path(sys.argv[1]).resolve()
+    folder, demo = Path(sys.argv[1]).resolve(), sys.argv[2]
     if not (folder / "live_engine.js").exists():
         print("the book has no live figures: they need emscripten, then ./cs550 docs")
         return 77
@@ -155,6 +253,10 @@ def main():
             for figure in figures:
                 faults += check(browser, folder, figure)
             faults += [f"{page.name}, live: {fault}" for fault in browser.execute_script(LOOK)]
+            if page.name == "world.html":
+                faults += [f"{page.name}: {fault}" for each in (check_end(browser, figures[0]),
+                                                                check_scenes(browser, figures[0], demo),
+                                                                check_speed(browser, figures[0])) for fault in each]
             if page.name == "separating_axis.html":
                 faults += check_link(browser, page, figures[0])
             faults += [f"{page.name}: {fault}" for fault in look_at(browser, page)]

@@ -12,7 +12,7 @@ if(CS550_CHROMEDRIVER AND CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATC
     # docs.live: every figure that answers. Skipped where the book was built without emscripten.
     add_test(NAME docs.live
              COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/live_test.py"
-                     "${PROJECT_SOURCE_DIR}/build/docs/html")
+                     "${PROJECT_SOURCE_DIR}/build/docs/html" $<TARGET_FILE:cs550_demo>)
     set_tests_properties(docs.book docs.live PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 900)
   endif()
 endif()

@@ -48,6 +48,8 @@ class WorldPage final : public Page {
   void let_go() { pull_ = {}; }
   bool is_dragging() const { return pull_.body != no_index; }
 
+  /// Length of a step (s).
+  Real step_length() const { return info_.h; }
   const WorldFrame& frame() const { return frame_; }
   const WorldSettings& settings() const { return settings_; }
   /// Leaves out timings, which differ from run to run, so that pictures can be compared.

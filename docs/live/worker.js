@@ -1,0 +1,41 @@
+// Runs in a worker, after the engine and its `hulls`: one figure, which live.js asks by messages {id, name, values}.
+// An answer is {id, result} or {id, problem}.
+const starting = cs550LiveEngine();
+
+function tasks(engine) {
+  const call = (name, ...values) => {
+    const text = engine.ccall(`live_${name}`, 'string', values.map(value => typeof value), values);
+    if (text.startsWith('!')) throw new Error(text.slice(1));
+    return text;
+  };
+  const timed = make => {
+    const start = performance.now();
+    const made = make();
+    return {...made, milliseconds: performance.now() - start, facts: JSON.parse(call('facts'))};
+  };
+  const shapes = () => {
+    const first = engine.ccall('live_shapes', 'number') / Float32Array.BYTES_PER_ELEMENT;
+    return engine.HEAPF32.slice(first, first + engine.ccall('live_shapes_size', 'number'));
+  };
+  return {
+    call,
+    open: description => call('hulls', hulls) + call('open', description),
+    draw: () => timed(() => ({svg: call('svg')})),
+    paint: (width, height) => timed(() => ({words: JSON.parse(call('paint', width, height)), shapes: shapes()})),
+    plots: count => Array.from({length: count}, (_, plot) => call('plot', plot)),
+  };
+}
+
+function explain(reason) {
+  if (reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError) return `the code crashed: ${reason.message}`;
+  return reason.message ?? 'the code threw something that is not a std::exception';
+}
+
+self.onmessage = async ({data: {id, name, values}}) => {
+  try {
+    const {call, ...own} = tasks(await starting);
+    self.postMessage({id, result: own[name] ? own[name](...values) : call(name, ...values)});
+  } catch (reason) {
+    self.postMessage({id, problem: explain(reason)});
+  }
+};
