@@ -117,6 +117,7 @@ draw_figures
 build_live_engine
 python3 docs/tools/make_pages.py "$docs/pages"
 doxygen docs/Doxyfile
+python3 docs/tools/make_search.py "$docs"
 cp -R "$docs/figures" "$docs/html/figures"
 [ ! -f "$docs/live_engine.js" ] || cp "$docs/live_engine.js" "$docs/live.js" "$docs/html/"
 copy_mathjax

@@ -21,6 +21,9 @@ def write_page(book, page, output):
     heading = f"# {page.label} {{#{name}}}\n"
     if "<figure id=" in body and " data-live=" in body:
         body += raw('<script src="live.js" defer></script>')
+    if page.name == "search":
+        body += raw('<script src="search_text.js" defer></script><script src="text_search.js" defer></script>')
+    body += raw('<script src="permalinks.js" defer></script>')
     text = f"{heading}\n[TOC]\n{body}\n\n{navigation(book, page)}\n"
     (output / f"{page.name}.md").write_text(text)
     return markup.cited

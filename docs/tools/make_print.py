@@ -20,13 +20,15 @@ def contents_of(html):
     body = re.search(r'<div class="contents">(.*)</div><!-- contents -->', html, re.S).group(1)
     body = re.sub(r'<div class="toc">.*?</div>', "", body, flags=re.S)
     body = re.sub(r"<nav class=\"pages\".*?</nav>", "", body, flags=re.S)
+    body = re.sub(r"<script src=.*?</script>", "", body)  # figures stay as they are
+    body = re.sub(r'href="[\w-]+\.html\?[^"]*"', "", body)  # to a state of a live figure
     body = re.sub(r"<details>.*?</details>", "", body, flags=re.S)  # hints give answers away
     return title, body
 
 
 def main():
     html = Path(sys.argv[1]) / "html"
-    chapters = [page for page in read_order() if page.source]
+    chapters = [page for page in read_order() if page.source and page.name != "search"]
     names = {page.html for page in chapters}
     parts, entries = [], []
     for page in chapters:

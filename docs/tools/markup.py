@@ -27,6 +27,7 @@ from book import FIGURE, figure_key, is_of_handout, listing_name
 from listing import find_function
 
 CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
+FENCE_OR_HEADING = re.compile(r"(^```.*?^```)|^(##+) ([^\n]*)$", re.M | re.S)
 BOLD = re.compile(r"\*\*(.+?)\*\*", re.S)
 DEFAULT = re.compile(r"\{default:([^}|]+)(?:\|([^}]*))?\}")
 CODE = re.compile(r"^\{code:(\S+) (\w+)\}$", re.M)
@@ -54,12 +55,19 @@ class Markup:
         text = text.replace("{defaults}", self.defaults())
         text = DEFAULT.sub(lambda m: self.default(*m.groups()), text)
         text = re.sub(r"^## (L(\d+)\.(\d+) .*)$", r"## \1 {#L\2_\3}", text, flags=re.M)
+        text = FENCE_OR_HEADING.sub(lambda m: self.heading(*m.groups()), text)
         text = re.sub(r"<details><summary>(.*?)</summary>",
                       lambda m: raw(f"<details><summary>{self.inline_html(m[1])}</summary>"), text, flags=re.S)
         text = text.replace("</details>", raw("</details>"))
         text = re.sub(r"\[`?([^\]`]+)`?\]\(([^)#]+)\)", lambda m: self.link(*m.groups()), text)
         pieces = re.split(r"(@htmlonly.*?@endhtmlonly)", text, flags=re.S)
         return "".join(piece if piece.startswith("@htmlonly") else self.convert_prose(piece) for piece in pieces)
+
+    def heading(self, fence, marks, title):
+        """An anchor that stays the same when other headings are added, so that it can be cited."""
+        if fence or title.endswith("}"):
+            return fence or f"{marks} {title}"
+        return f"{marks} {title} {{#{self.page.name}_{re.sub(r'[^a-z0-9]+', '_', title.lower()).strip('_')}}}"
 
     def convert_prose(self, text):
         # Doxygen knows no formula between asterisks, and leaves a gap before one in parentheses.

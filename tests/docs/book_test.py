@@ -136,6 +136,13 @@ def search_works(browser, folder):
     return False
 
 
+def text_search_works(browser, folder):
+    """A word that is no name leads to a section of a chapter."""
+    browser.get((folder / "search.html").as_uri() + "?q=polhode")
+    links = browser.find_elements(By.CSS_SELECTOR, "#text_search li a")
+    return any("rigid_body.html#" in link.get_attribute("href") for link in links)
+
+
 def main():
     folder = Path(sys.argv[1]).resolve()
     if not (folder / "index.html").exists():
@@ -149,6 +156,8 @@ def main():
             faults += [f"{page.name}: {fault}" for fault in look_at(browser, page)]
         if not search_works(browser, folder):
             faults.append("index.html: the search does not find hill_climb")
+        if not text_search_works(browser, folder):
+            faults.append("search.html: the text search does not find polhode")
     finally:
         browser.quit()
     print("\n".join(faults))
