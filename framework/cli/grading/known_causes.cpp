@@ -51,6 +51,7 @@ std::vector<std::string> plausible(const std::vector<std::string>& causes,
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> result;
+  result.reserve(ranked.size());
   for (const auto& [count, cause] : ranked) result.push_back(cause);
   return result;
 }
