@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "pages/failure/failure_page.hpp"
 #include "pages/labs/lab_page.hpp"
 #include "pages/world/world_page.hpp"
 
@@ -13,6 +14,7 @@ std::unique_ptr<Page> make_page(const PageChoice& choice) {
                               make_constraint_page};
   static_assert(makers.size() == lab_page_count);
   if (choice.lab == 0) return std::make_unique<WorldPage>(choice.scene, choice.isolation);
+  if (choice.lab == failure_page) return make_failure_page(choice.picture);
   return makers.at(choice.lab - 1)(choice.isolation);
 }
 

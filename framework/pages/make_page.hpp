@@ -2,6 +2,7 @@
 /// @file make_page.hpp
 /// All pages by number.
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -11,9 +12,10 @@ namespace cs550::pages {
 
 /// Which page, and where its code runs.
 struct PageChoice {
-  int lab = 0;                            ///< 0: the world
+  int lab = 0;                            ///< 0: the world; or failure_page
   std::string scene = "wall";             ///< of the world
   Isolation isolation = Isolation::Here;  ///< Child for a student's code
+  std::filesystem::path picture;          ///< of the failing test (failure_page.hpp)
 };
 
 /// Makes a page; it is empty until its first refresh().

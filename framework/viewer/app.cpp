@@ -17,7 +17,7 @@ Size display_size() {
 }  // namespace
 
 App::App(const Options& options, Interface& interface) : options_(options), interface_(interface) {
-  open(options.lab);
+  open(options.page().lab);
   if (options.steps || options.is_sequence()) page_->rewind();
   for (const std::string& assignment : options.settings) {
     ControlSetter setter(assignment);
@@ -37,8 +37,9 @@ App::App(const Options& options, Interface& interface) : options_(options), inte
 }
 
 void App::open(int lab) {
-  const Isolation isolation = options_.student ? Isolation::Child : Isolation::Here;
-  page_ = make_page({lab, options_.scene, isolation});
+  PageChoice choice = options_.page();
+  choice.lab = lab;
+  page_ = make_page(choice);
   world_ = dynamic_cast<WorldPage*>(page_.get());
   if (world_ != nullptr) world_->show_times(!hides_times_);
   drag_depth_.reset();

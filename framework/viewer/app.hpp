@@ -37,7 +37,7 @@ class App {
   void toggle_panels() { options_.ui = !options_.ui; }
   /// Throws a box towards the mouse.
   void throw_box();
-  /// Opens the page of a lab; 0 is the world.
+  /// Opens the page of a lab; 0 is the world, failure_page the failing test of the options.
   void open(int lab);
   /// Leaves out timings, so that the same command produces the same picture.
   void hide_times();

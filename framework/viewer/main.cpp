@@ -16,8 +16,7 @@ enum ExitCode { Good = 0, Failed = 1, Misused = 2 };
 
 void list_settings(const cs550::viewer::Options& options) {
   using namespace cs550::viewer;
-  const auto page =
-      make_page({options.lab, options.scene, options.student ? Isolation::Child : Isolation::Here});
+  const auto page = make_page(options.page());
   page->refresh();
   ControlLister lister;
   page->describe(lister);

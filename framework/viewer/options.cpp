@@ -4,11 +4,9 @@
 #include <iostream>
 
 #include "pages/base/camera.hpp"
-#include "pages/make_page.hpp"
 
 namespace cs550::viewer {
 
-using namespace pages;
 namespace {
 
 constexpr int good = 0;
@@ -47,21 +45,31 @@ bool parse_switch(const std::string& text) {
   throw CLI::ValidationError("--ui", "'" + text + "' is neither on nor off");
 }
 
+// Each option has a text and short lines, so that --help fits 80 columns.
 void declare(CLI::App& app, Options& options) {
+  app.get_formatter()->column_width(22);
   app.add_option("SCENE", options.scene, "a shipped scene, or the path of a scene file")
-      ->capture_default_str();
-  app.add_option("--lab", options.lab, "show the page of this lab instead of a scene")
-      ->check(CLI::Range(1, lab_page_count));
-  app.add_flag("--student", options.student,
-               "run your own code from labs/ instead of the reference");
+      ->option_text("(wall)");
+  auto* lab = app.add_option("--lab", options.lab, "show the page of this lab instead of a scene")
+                  ->option_text("N")
+                  ->check(CLI::Range(1, lab_page_count));
+  app.add_option("--failure", options.failure,
+                 "show the case in which a test failed, as in\n"
+                 "--failure Lab4.AxisMatchesBruteForce")
+      ->option_text("TEST")
+      ->excludes(lab);
+  app.add_flag("--student", options.student, "run your own code in labs/ instead of the reference");
   app.add_option("--steps", options.steps, "steps to take before the first picture")
+      ->option_text("N")
       ->check(CLI::Range(0, 100000));
-  app.add_option("--set", options.settings,
-                 "name=value: change a setting of the page; may be repeated")
+  app.add_option("--set", options.settings, "change a setting of the page; may be repeated")
+      ->option_text("NAME=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--list", options.list, "print the settings of the page and exit");
   app.add_option("--camera", options.camera,
-                 "YAW,PITCH[,DISTANCE[,X,Y,Z]]: degrees and metres, as in --camera=-60,20,8")
+                 "YAW,PITCH[,DISTANCE[,X,Y,Z]]: degrees and metres,\n"
+                 "as in --camera=-60,20,8")
+      ->option_text("NUMBERS")
       ->check([](const std::string& text) -> std::string {
         try {
           parse_camera(text, {});
@@ -72,21 +80,29 @@ void declare(CLI::App& app, Options& options) {
       });
   app.add_option_function<std::string>(
          "--size", [&](const std::string& text) { options.size = parse_size(text); },
-         "WIDTHxHEIGHT of the picture or window in pixels")
-      ->default_str("1280x720");
+         "size of the picture or window in pixels (1280x720)")
+      ->option_text("WIDTHxHEIGHT");
   app.add_option_function<std::string>(
          "--ui", [&](const std::string& text) { options.ui = parse_switch(text); },
-         "on or off: show panels and plots; hidden if the width is below 495 pixels")
-      ->default_str("on");
+         "show panels and plots; hidden if the width is below\n"
+         "495 pixels")
+      ->option_text("on|off");
   app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window")
+      ->option_text("FILE")
       ->check(ends_in(".png"));
   app.add_option("--frames", options.frames,
-                 "write 0000.png, 0001.png, ... to this folder, one per step");
+                 "write 0000.png, 0001.png, ... to this folder, one per\n"
+                 "step")
+      ->option_text("FOLDER");
   app.add_option("--gif", options.gif,
-                 "write an animation (needs ffmpeg or ImageMagick), one frame per step")
+                 "write an animation, one frame per step (needs ffmpeg\n"
+                 "or ImageMagick)")
+      ->option_text("FILE")
       ->check(ends_in(".gif"));
   app.add_option("--frame-count", options.frame_count,
-                 "frames for --frames and --gif; default: all steps of the page, or 120")
+                 "frames for --frames and --gif; by default all steps of\n"
+                 "the page, or 120")
+      ->option_text("N")
       ->check(CLI::Range(1, 10000));
   for (CLI::Option* option : app.get_options()) {
     if (option->get_expected_min() == 0) option->disable_flag_override();

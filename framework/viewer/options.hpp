@@ -7,14 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "pages/make_page.hpp"
 #include "viewer/gl/canvas.hpp"
 
 namespace cs550::viewer {
+
+using namespace pages;
 
 /// The command line's options.
 struct Options {
   std::string scene = "wall";         ///< name or path
   int lab = 0;                        ///< page; 0: the world
+  std::filesystem::path failure;      ///< picture of a failing test, shown instead of a lab
   bool student = false;               ///< the student's code, in a process of its own
   std::optional<int> steps;           ///< before the first picture
   std::string camera;                 ///< YAW,PITCH[,DISTANCE[,X,Y,Z]]; empty: the page's own
@@ -28,6 +32,11 @@ struct Options {
   std::filesystem::path gif;       ///< animation
   std::optional<int> frame_count;  ///< of a sequence
 
+  /// The page to open first (PageChoice).
+  PageChoice page() const {
+    const Isolation isolation = student ? Isolation::Child : Isolation::Here;
+    return {failure.empty() ? lab : failure_page, scene, isolation, failure};
+  }
   /// Steps of a scene before the first picture if --steps is missing. A snapshot of the initial
   /// state shows little.
   int default_steps() const { return snapshot.empty() ? 0 : 60; }

@@ -44,6 +44,9 @@ prints "there is no folder"
 refuses starter
 refuses starter --release-solutions many copy
 refuses progress --lsit
+refuses view --lab 99
+refuses view --failure Lab3.NoSuchTest
+prints "there is no picture of a failing test Lab3.NoSuchTest"
 
 # The launcher.
 cd "$root"

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "helpers/story.hpp"
+#include "pages/failure/failure_panels.hpp"
 
 namespace cs550::test {
 namespace {
@@ -79,6 +80,21 @@ TEST_F(Picture, ShowsTheGotBesideTheExpected) {
   EXPECT_NE(svg.find("Expected: one point"), std::string::npos);
   EXPECT_NE(svg.find("Got: one point"), std::string::npos);
   EXPECT_NE(svg.find("not finite"), std::string::npos);
+}
+
+TEST_F(Picture, ContainsItsDrawingsForTheViewer) {
+  drawing::Drawing expected;
+  expected.points.push_back({{1, 2, 3}, drawing::Role::Expected, 4});
+  drawing::Drawing got = expected;
+  got.points[0].position = {7, 8, 9};
+  const auto panels = pages::panels_in(
+      expected_beside_got("A point", expected, got, drawing::view_from_above(), ""));
+  ASSERT_EQ(panels.size(), 2U);
+  EXPECT_EQ(panels[0].content.drawing.title, "Expected: ");
+  EXPECT_EQ(panels[1].content.drawing.points.at(0).position, Vec3(7, 8, 9));
+  EXPECT_EQ(panels[1].toward_eye, Vec3::UnitZ());
+  EXPECT_EQ(panels[1].content.focus, panels[0].content.focus);
+  EXPECT_TRUE(pages::panels_in("<svg></svg>").empty());
 }
 
 }  // namespace

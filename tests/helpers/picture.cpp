@@ -8,6 +8,8 @@
 #include <fstream>
 #include <utility>
 
+#include "pages/failure/failure_panels.hpp"
+
 namespace cs550::test {
 namespace {
 
@@ -34,6 +36,37 @@ bool write(const fs::path& file, const std::string& text) {
   stream.close();
   if (stream) fs::rename(draft, file, error);
   return stream && !error;
+}
+
+bool is_empty(const Bounds& box) { return !(box.lower.array() <= box.upper.array()).all(); }
+
+/// The scenes of a page, framed as in its picture, each with all plots.
+std::vector<pages::FailurePanel> panels_of(const drawing::Page& page) {
+  std::vector<pages::FailurePanel> panels;
+  std::vector<drawing::Plot> plots;
+  for (const drawing::Panel& part : page.panels) {
+    if (const auto* plot = std::get_if<drawing::Plot>(&part)) {
+      plots.push_back(*plot);
+      continue;
+    }
+    const auto& [drawing, view] = std::get<drawing::Scene>(part);
+    const Bounds frame = is_empty(view.frame) ? drawing::bounds(drawing) : view.frame;
+    pages::FailurePanel& panel = panels.emplace_back();
+    panel.content.drawing = drawing;
+    panel.toward_eye = view.toward_eye;
+    if (page.framed_by_first && panels.size() > 1) {
+      panel.content.focus = panels.front().content.focus;
+    } else if (!is_empty(frame)) {
+      panel.content.focus = pages::focus_of(frame);
+    }
+  }
+  if (panels.empty()) panels.emplace_back();
+  for (pages::FailurePanel& panel : panels) panel.content.plots = plots;
+  return panels;
+}
+
+std::string to_file(const drawing::Page& page) {
+  return pages::with_panels(drawing::write_svg(page), panels_of(page));
 }
 
 /// The shortest path that a terminal can open.
@@ -69,7 +102,7 @@ std::string expected_beside_got(const std::string& title, drawing::Drawing expec
   page.panels = {drawing::Scene{std::move(expected), view}, drawing::Scene{std::move(got), view}};
   page.framed_by_first = true;
   if (!note.empty()) page.notes.push_back(note);
-  return drawing::write_svg(page);
+  return to_file(page);
 }
 
 std::string side_by_side(const std::string& title, std::vector<drawing::Panel> panels,
@@ -78,7 +111,7 @@ std::string side_by_side(const std::string& title, std::vector<drawing::Panel> p
   page.title = title;
   page.panels = std::move(panels);
   if (!note.empty()) page.notes.push_back(note);
-  return drawing::write_svg(page);
+  return to_file(page);
 }
 
 }  // namespace cs550::test

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
+#include "pages/failure/failure_panels.hpp"
 #include "program.hpp"
 
 namespace cs550::test {
@@ -111,12 +113,37 @@ TEST_F(CommandLine, FramesGoOnceThroughTheWalkOfAPageFromItsBeginning) {
   EXPECT_FALSE(fs::exists(file("walk/0007.png")));
 }
 
+TEST_F(CommandLine, ThePictureOfAFailingTestIsShown) {
+  pages::FailurePanel panel;
+  panel.content.drawing.points.push_back({Vec3::Zero(), drawing::Role::Got, 40});
+  std::ofstream(file("Lab3.Climb.svg")) << pages::with_panels("<svg></svg>", {panel, panel});
+  const auto shows = [&](const std::string& wanted, std::vector<std::string> more) {
+    more.insert(more.begin(), {"--failure", file("Lab3.Climb.svg"), "--size", "160x120"});
+    const Outcome outcome = view(more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find(wanted), std::string::npos) << outcome.output;
+  };
+  shows("panel=2", {"--list"});
+  shows(file("a.png"), {"--snapshot", file("a.png")});
+  shows(file("frames") + ": 2 frames", {"--frames", file("frames")});
+  std::ofstream(file("Lab3.Climb.svg")) << "<svg></svg>";
+  EXPECT_EQ(view({"--failure", file("Lab3.Climb.svg"), "--list"}).exit_code, 2);
+  EXPECT_EQ(view({"--failure", file("absent.svg"), "--list"}).exit_code, 2);
+}
+
 TEST_F(CommandLine, AnAnimationIsAGif) {
   const Outcome outcome = view({"--lab", "3", "--size", "160x120", "--ui", "off", "--gif",
                                 file("walk.gif"), "--frame-count", "4"});
   if (outcome.output.find("needs ffmpeg") != std::string::npos) GTEST_SKIP() << outcome.output;
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_EQ(bytes(file("walk.gif")).substr(0, 4), "GIF8");
+}
+
+TEST_F(CommandLine, HelpFitsEightyColumns) {
+  std::istringstream lines(view({"--help"}).output);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80U) << line;
+  EXPECT_GT(count, 20);
 }
 
 TEST_F(CommandLine, ListsTheSettingsOfAPage) {

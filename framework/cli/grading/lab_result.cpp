@@ -10,6 +10,7 @@
 
 #include "cli/grading/graded_run.hpp"
 #include "cli/grading/lab_files.hpp"
+#include "cli/grading/pictures.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/project.hpp"
 #include "files/output_file.hpp"
@@ -31,12 +32,6 @@ void ask_sanitizers_for_places() {
   constexpr int keep_the_users = 0;
   setenv("UBSAN_OPTIONS", "print_stacktrace=1", keep_the_users);
   setenv("ASAN_OPTIONS", "handle_abort=1", keep_the_users);
-}
-
-/// A picture shows how a test failed: one of a test that passes is out of date.
-void remove_picture(int lab, const GradedTest& test) {
-  fs::remove(project_root() / "build/results/pictures" /
-             fmt::format("Lab{}.{}.svg", lab, test.name));
 }
 
 Json to_json(const LabResult& result) {

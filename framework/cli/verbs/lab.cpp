@@ -13,6 +13,7 @@
 #include "cli/grading/lab_files.hpp"
 #include "cli/grading/lab_report.hpp"
 #include "cli/grading/lab_result.hpp"
+#include "cli/grading/pictures.hpp"
 #include "cli/handout/handout.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
@@ -144,6 +145,7 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   }
   report.print_total(is_whole_lab ? points_graded_elsewhere(options.name) : 0);
   if (is_remembered) remember(result);
+  finish_pictures(options.lab, result.verdicts);
 
   if (options.debug) return debug_first_failure(options.lab, result);
   return result.next_failure() ? Failed : Good;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "cli/grading/pictures.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/viewer.hpp"
@@ -9,16 +10,39 @@
 
 namespace cs550::cli {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-/// The word after --lab; empty if there is none.
-std::string lab_asked_for(const std::vector<std::string>& arguments) {
-  const std::string option = "--lab";
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i].rfind(option + "=", 0) == 0) return arguments[i].substr(option.size() + 1);
-    if (arguments[i] == option && i + 1 < arguments.size()) return arguments[i + 1];
+using Words = std::vector<std::string>;
+
+/// The value of an option; null if it is not among the words. "--lab=4" becomes two words.
+std::string* value_of(Words& words, const std::string& option) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i].rfind(option + '=', 0) == 0) {
+      const std::string value = words[i].substr(option.size() + 1);
+      words[i] = option;
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, value);
+    }
+    if (words[i] == option && i + 1 < words.size()) return &words[i + 1];
   }
-  return {};
+  return nullptr;
+}
+
+/// What is wrong with the name of a failing test; empty if it has a picture.
+std::string fault_of_failure(const std::string& test) {
+  if (fs::exists(picture_of(test))) return {};
+  std::string fault = "there is no picture of a failing test " + test;
+  const Words tests = tests_with_pictures();
+  fault +=
+      tests.empty() ? ".\n  ./cs550 lab N draws one for most tests that fail." : ". These are:";
+  for (const std::string& one : tests) fault += "\n  " + one;
+  return fault;
+}
+
+int misuse(const std::string& fault) {
+  std::cerr << "cs550: " << fault << '\n';
+  return Misused;
 }
 
 }  // namespace
@@ -27,18 +51,19 @@ Action declare_view(CLI::App& app) {
   app.set_help_flag();  // --help goes to the viewer, which has the options
   app.allow_extras();
   return [&app] {
-    std::vector<std::string> arguments = app.remaining();
+    Words arguments = app.remaining();
     // The viewer checks its options itself, but it may take a minute to build.
-    if (const std::string lab = lab_asked_for(arguments); !lab.empty()) {
-      if (const std::string fault = fault_of_lab_number(lab); !fault.empty()) {
-        std::cerr << "cs550: " << fault << '\n';
-        return static_cast<int>(Misused);
-      }
+    if (const std::string* lab = value_of(arguments, "--lab")) {
+      if (const std::string fault = fault_of_lab_number(*lab); !fault.empty()) return misuse(fault);
+    }
+    if (std::string* test = value_of(arguments, "--failure")) {
+      if (const std::string fault = fault_of_failure(*test); !fault.empty()) return misuse(fault);
+      *test = picture_of(*test);
     }
     const auto student = std::find(arguments.begin(), arguments.end(), "--student");
     const bool wants_student = student != arguments.end();
     if (wants_student) arguments.erase(student);
-    std::vector<std::string> command = viewer_command(wants_student);
+    Words command = viewer_command(wants_student);
     if (command.empty()) return static_cast<int>(Failed);
     command.insert(command.end(), arguments.begin(), arguments.end());
     become(command);

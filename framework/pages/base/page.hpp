@@ -24,7 +24,7 @@ class Page {
   Page& operator=(const Page&) = delete;
   virtual ~Page() = default;
 
-  /// Number of the lab; 0 for the world.
+  /// Number of the lab; 0 for the world, failure_page for a failing test.
   virtual int lab() const = 0;
   /// The heading.
   virtual std::string title() const = 0;
@@ -50,6 +50,8 @@ class Page {
 
 /// Number of labs with a page.
 inline constexpr int lab_page_count = 7;
+/// Stands for the page of a failing test where others have the number of a lab.
+inline constexpr int failure_page = -1;
 /// The names of the pages, starting with the world.
 const char* page_name(int lab);
 

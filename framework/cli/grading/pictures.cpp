@@ -1,0 +1,73 @@
+#include "cli/grading/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* png_converter = "rsvg-convert";
+
+fs::path pictures_folder() { return project_root() / "build/results/pictures"; }
+
+fs::path png_of(const fs::path& picture) { return fs::path(picture).replace_extension(".png"); }
+
+std::string full_name(int lab, const GradedTest& test) {
+  return fmt::format("Lab{}.{}", lab, test.name);
+}
+
+/// Another program may have the same name.
+bool can_convert() {
+  try {
+    return output_of({png_converter, "--version"}).rfind(png_converter, 0) == 0;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+fs::path picture_of(const std::string& test) { return pictures_folder() / (test + ".svg"); }
+
+std::vector<std::string> tests_with_pictures() {
+  std::vector<std::string> tests;
+  std::error_code absent;
+  for (const auto& entry : fs::directory_iterator(pictures_folder(), absent)) {
+    if (entry.path().extension() == ".svg") tests.push_back(entry.path().stem());
+  }
+  std::sort(tests.begin(), tests.end());
+  return tests;
+}
+
+void remove_picture(int lab, const GradedTest& test) {
+  const fs::path picture = picture_of(full_name(lab, test));
+  fs::remove(picture);
+  fs::remove(png_of(picture));
+}
+
+void finish_pictures(int lab, const std::vector<Verdict>& verdicts) {
+  std::vector<std::string> tests;
+  for (const Verdict& verdict : verdicts) {
+    const std::string test = full_name(lab, verdict.test);
+    const bool failed = verdict.kind == Verdict::Kind::Failed;
+    if (failed && fs::exists(picture_of(test))) tests.push_back(test);
+  }
+  if (tests.empty()) return;
+  std::cout << "See the failing case from all sides:\n  ./cs550 view --failure " << tests.front()
+            << std::endl;
+  if (!can_convert()) return;
+  for (const std::string& test : tests) {
+    run({png_converter, "--output", png_of(picture_of(test)), picture_of(test)});
+  }
+}
+
+}  // namespace cs550::cli
