@@ -113,6 +113,14 @@ std::map<std::string, Checks> visible_checks(const Json& manifest) {
   return steps;
 }
 
+Names visible_tests(const Lab& lab) {
+  Names tests;
+  for (const auto& [tag, checks] : visible_checks(read_json(lab.manifest()))) {
+    tests.insert(checks.tests.begin(), checks.tests.end());
+  }
+  return tests;
+}
+
 /// From "**10 points.** Checked by `One`,\n`Two`."
 Checks stated_checks(const std::string& section) {
   std::smatch match;
@@ -221,13 +229,20 @@ TEST_P(Tags, TheHandoutStatesTheOrderThatIsChecked) {
   EXPECT_EQ(stated_order(read(lab.handout())), checked) << lab.handout();
 }
 
+TEST_P(Tags, RecordedEarlierLabsAreThoseOfVisibleTests) {
+  const Names tests = visible_tests(lab);
+  const Json document = read_json(root / "tests" / lab.folder / "earlier_labs.json");
+  ASSERT_FALSE(document.is_discarded()) << "tests/mutants/record_earlier_labs.py --record";
+  for (const auto& [test, earlier] : document.get<std::map<std::string, std::vector<int>>>()) {
+    EXPECT_TRUE(tests.count(test)) << test;
+    for (const int number : earlier) EXPECT_LT(number, std::stoi(lab.number())) << test;
+  }
+}
+
 TEST_P(Tags, RecordedCausesNameVisibleTestsAndMutants) {
   const fs::path file = root / "tests" / lab.folder / "causes.json";
   if (!fs::exists(file)) GTEST_SKIP() << "no causes are recorded for this lab";
-  Names tests;
-  for (const auto& [tag, checks] : visible_checks(read_json(lab.manifest()))) {
-    tests.insert(checks.tests.begin(), checks.tests.end());
-  }
+  const Names tests = visible_tests(lab);
   Names causes;
   if (fs::exists(lab.mutants())) {
     const Json document = read_json(lab.mutants());

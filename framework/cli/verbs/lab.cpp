@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "cli/grading/challenge.hpp"
+#include "cli/grading/earlier_labs.hpp"
 #include "cli/grading/lab_files.hpp"
 #include "cli/grading/lab_report.hpp"
 #include "cli/grading/lab_result.hpp"
@@ -98,24 +99,6 @@ int debug_first_failure(int lab, const LabResult& result) {
   return Failed;
 }
 
-/// Without the reference, a mistake in an earlier lab fails tests of this one.
-void warn_of_earlier_labs(int lab) {
-  for (const std::string& earlier : lab_names()) {
-    const int number = lab_number(earlier);
-    if (number >= lab || has_reference(earlier) || is_untouched(earlier)) continue;
-    show_status("Checking " + title(earlier) + " ...");
-    const LabResult result = result_of(earlier);
-    show_status("");
-    const std::optional<Verdict> failure = result.next_failure();
-    if (!failure) continue;
-    const std::string fault =
-        result.compile_error.empty() ? "fails " + failure->step_to_mend() : "does not compile";
-    std::cout << coloured(fmt::format("Lab {} itself {}: fix that first.", number, fault),
-                          Colour::Yellow)
-              << fmt::format(" (./cs550 lab {})\n\n", number);
-  }
-}
-
 bool any_failed(const std::vector<Verdict>& verdicts) {
   return std::any_of(verdicts.begin(), verdicts.end(),
                      [](const Verdict& verdict) { return verdict.kind == Verdict::Kind::Failed; });
@@ -139,7 +122,9 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
     if (chosen.empty()) continue;
     if (is_long) std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;
     const std::vector<Verdict> verdicts = grade(options.lab, grading, chosen);
-    if (any_failed(verdicts) && !any_failed(result.verdicts)) warn_of_earlier_labs(options.lab);
+    if (any_failed(verdicts) && !any_failed(result.verdicts)) {
+      warn_of_earlier_labs(options.name, verdicts);
+    }
     report.print(verdicts);
     result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
   }
