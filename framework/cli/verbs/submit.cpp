@@ -156,8 +156,7 @@ Action declare_submit(CLI::App& app) {
       ->check(fault_of_lab_number);
   app.add_option("--out", options->out, "zip file to write; by default labN.zip or labs.zip")
       ->option_text("FILE");
-  app.add_option("--student", options->student,
-                 "your name or student number; it is remembered")
+  app.add_option("--student", options->student, "your name or student number; it is remembered")
       ->option_text("NAME");
   app.add_flag("--force", options->force, "pack a lab even if it is the unchanged starter");
   return [options] { return run_submit(*options); };
