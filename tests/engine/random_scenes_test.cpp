@@ -76,11 +76,13 @@ void expect_sane(const World& world) {
 }
 
 /// Runs scenes for four seconds each. Bodies may begin inside each other.
-void run_scenes(const std::vector<ShapePtr>& shapes, int count, std::uint32_t seed) {
+void run_scenes(const std::vector<ShapePtr>& shapes, int count, std::uint32_t seed,
+                bool temporal_coherence = false) {
   Random random(seed);
   long touching = 0;
   for (int scene = 0; scene < count; ++scene) {
     World world = random_scene(random, shapes);
+    world.settings().temporal_coherence = temporal_coherence;
     for (int step = 0; step < 240; ++step) {
       SCOPED_TRACE(testing::Message()
                    << "seed " << seed << ", scene " << scene << ", step " << step);
@@ -94,6 +96,7 @@ void run_scenes(const std::vector<ShapePtr>& shapes, int count, std::uint32_t se
 }
 
 TEST(RandomScenes, TwentyStayFinite) { run_scenes(some_shapes(), 20, 52); }
+TEST(RandomScenes, TwentyCoherentOnesStayFinite) { run_scenes(some_shapes(), 20, 55, true); }
 TEST(RandomScenes, AThousandStayFiniteLong) { run_scenes(some_shapes(), 1000, 53); }
 TEST(RandomScenes, NeedlesStayFiniteLong) { run_scenes(shapes_with_a_needle(), 100, 53); }
 TEST(RandomScenes, TenThousandStayFiniteSoak) { run_scenes(some_shapes(), 10000, 54); }

@@ -291,7 +291,7 @@ TEST(TemporalCoherence, ChecksReportAnAnswerThatNoLongerHolds) {
   }
   check_kept_answers(state, step_length);
   ASSERT_EQ(state.problems.size(), 1U) << "bodies at one place, kept apart";
-  EXPECT_NE(state.problems[0].message.find("kept apart"), std::string::npos);
+  EXPECT_NE(state.problems[0].message.find("overlap were kept apart"), std::string::npos);
 }
 
 }  // namespace

@@ -84,14 +84,15 @@ const char* broken_promise(const WorldState& world, std::size_t pair, Real margi
   const Contact& contact = world.pairs.contacts[pair];
   const PosedShape a = world.posed_shape(contact.body_a);
   const PosedShape b = world.posed_shape(contact.body_b);
-  const SeparatingAxis fresh = find_separating_axis(a, b, {}, margin);
-  if (contact.manifold.points.empty()) {
-    return fresh.separation > margin ? nullptr : "bodies that were kept apart may touch";
-  }
+  const Real separation_then = world.pairs.axes[pair].separation;
+  const Real separation_now = find_separating_axis(a, b, {}, margin).separation;
+  // Depths are compared. The separation of bodies apart jumps where edges become parallel.
+  const Real change = std::min(Real(0), separation_now) - std::min(Real(0), separation_then);
   const Real radius = std::min(a.shape->radius, b.shape->radius);
-  const Real tolerance = (kept_motion + 2 * tie_tolerance) * radius;
-  const Real change = std::min(fresh.separation, margin) - world.pairs.axes[pair].separation;
-  return std::abs(change) <= tolerance ? nullptr : "a contact was kept although the bodies moved";
+  const Real tolerance = (kept_motion + 2 * tie_tolerance + 2 * parallel_sine) * radius;
+  if (std::abs(change) <= tolerance) return nullptr;
+  return contact.manifold.points.empty() ? "bodies that overlap were kept apart"
+                                         : "a contact was kept although the bodies moved";
 }
 
 }  // namespace
