@@ -81,6 +81,10 @@ check_assembled lab1 apply_impulse in
 check_assembled lab2 build_half_edge_mesh in
 check_assembled lab2 merge_coplanar_faces missing
 check_assembled lab3 hill_climb in
+sed -i '1i #include "later.hpp"' "$(echo "$copy"/labs/lab1_*/integration.cpp)"
+check_assembled lab1 apply_impulse missing
+: >"$(echo "$copy"/labs/lab1_*)/later.hpp"
+check_assembled lab1 apply_impulse in
 cp "$copy"/labs/lab3_*/hill_climbing.cpp "$(echo "$copy"/labs/lab3_*)/again.cpp"
 ! cmake --build "$copy/build" --target lab3_student_code >"$list/build.log" 2>&1 ||
   wrong "two files of a lab may not define the same function"
