@@ -40,6 +40,7 @@ struct PairList {
   std::vector<char> kept;              ///< whether this step asks for no full query
   std::vector<char> touching;          ///< at the end of the last step
   std::vector<double> impulse_energy;  ///< of the impulses that the contact points keep (J)
+  std::vector<char> misplaced;         ///< overlaps more deeply than the bodies can have moved
 
   std::size_t size() const { return contacts.size(); }
   void clear();
@@ -92,6 +93,14 @@ struct ColdStart {
   std::vector<SolverBody> bodies;  ///< with the velocities that gravity and the impulses give them
 };
 
+/// The bodies of a step that recover from overlap, and the state to which they return after a push.
+struct OverlapRecovery {
+  bool any = false;
+  std::vector<char> recovers;  ///< of each body
+  std::vector<RigidBody> bodies;
+  std::vector<ContactConstraint> constraints;
+};
+
 struct WorldState {
   WorldSettings settings;
 
@@ -118,6 +127,7 @@ struct WorldState {
   std::vector<ContactConstraint> constraints;
   SolveOrder solve_order;
   ColdStart cold_start;
+  OverlapRecovery recovery;
   PairList next_pairs;
   std::vector<Index> moved;  ///< bodies whose leaves have moved since the last search for pairs
   std::vector<Index> found;

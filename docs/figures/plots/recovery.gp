@@ -3,5 +3,4 @@ set ylabel "bottom of the box above the floor (mm)"
 set xzeroaxis linecolor rgb faint
 set key bottom right
 plot file using 1:2 with lines linewidth 2.5 linecolor rgb wrong title "Baumgarte, β = 0.2", \
-     file using 1:3 with lines linewidth 2.5 linecolor rgb right title "soft contacts, 2 relax passes", \
-     file using 1:4 with lines linewidth 2 dashtype 2 linecolor rgb third title "soft contacts, 16 relax passes"
+     file using 1:3 with lines linewidth 2.5 linecolor rgb right title "soft contacts"

@@ -101,6 +101,7 @@ void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs
   pairs.kept.push_back(0);
   pairs.touching.push_back(0);
   pairs.impulse_energy.push_back(0);
+  pairs.misplaced.push_back(0);
 }
 
 void note_end(WorldState& world, std::size_t pair, std::vector<ContactEvent>& events) {
@@ -142,12 +143,13 @@ void PairList::clear() {
   kept.clear();
   touching.clear();
   impulse_energy.clear();
+  misplaced.clear();
 }
 
 void PairList::make_room(std::size_t count) {
   if (count <= contacts.capacity()) return;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(2 * count), ...); };
-  reserve(contacts, axes, memories, kept, touching, impulse_energy);
+  reserve(contacts, axes, memories, kept, touching, impulse_energy, misplaced);
 }
 
 void PairList::append(const PairList& other, std::size_t i) {
@@ -157,6 +159,7 @@ void PairList::append(const PairList& other, std::size_t i) {
   kept.push_back(other.kept[i]);
   touching.push_back(other.touching[i]);
   impulse_energy.push_back(other.impulse_energy[i]);
+  misplaced.push_back(other.misplaced[i]);
 }
 
 Real spare_margin(const WorldState& world) { return 4 * world.slop(); }

@@ -26,6 +26,8 @@ void add_momentum_changes(std::span<RigidBody> bodies, std::span<const SolverBod
 void integrate_poses(std::span<RigidBody> bodies, std::span<SolverBody> solver_bodies, Real h,
                      RotationMethod method);
 
+/// The kinetic energy of a body's rotation (J). @pre velocities are up to date
+Real turning_energy(const RigidBody& body);
 /// integrate_pose() and refresh_velocity() for one body, with a guard against turns that the midpoint
 /// iteration cannot follow. @param h substep (s)
 void turn_and_move(RigidBody& body, Real h, RotationMethod method);

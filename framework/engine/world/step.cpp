@@ -3,6 +3,7 @@
 
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/pairs/pair_list.hpp"
+#include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -62,6 +63,7 @@ void advance(WorldState& world, Real h) {
   begin_step(world);
   run_stage(world, Stage::Integrate, refresh_velocities);
   detect_collisions(world, h);
+  find_misplaced_bodies(world, h);
 
   const int substeps = substep_count(world.settings);
   const ContactStep step = contact_step(world.settings, h / static_cast<Real>(substeps));

@@ -4,6 +4,7 @@
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/contacts/solver_bodies.hpp"
 #include "engine/world/body_sweeps.hpp"
+#include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -56,6 +57,7 @@ void solve_pass(WorldState& world, std::span<SolverBody> bodies, ContactStep ste
 void solve_with_bias(WorldState& world, const ContactStep& step) {
   with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
     refresh_masses(world, step);
+    if (is_soft(world.settings)) begin_push(world);
     start_impulses(world, bodies);
     for (int pass = 0; pass < world.settings.iterations; ++pass) {
       solve_pass(world, bodies, step, pass);
@@ -75,8 +77,10 @@ void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
 /// Impacts bounce here if contacts are soft. The other models bounce in their passes.
 void relax_and_bounce(WorldState& world, const ContactStep& step) {
   if (is_soft(world.settings)) {
+    end_push(world);
     with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
       refresh_masses_of_thin_bodies(world, step);
+      restart_after_push(world, bodies, step);
       relax(world, bodies, step);
       apply_restitution(world.constraints, bodies, step);
     });

@@ -14,11 +14,6 @@ namespace {
 
 constexpr int smaller_turns = 8;
 
-/// @pre velocities are up to date
-Real turning_energy(const RigidBody& body) {
-  return Real(0.5) * body.angular_velocity.dot(body.angular_momentum);
-}
-
 void turn(RigidBody& body, Real h, RotationMethod method, int turns) {
   for (int i = 0; i < turns; ++i) {
     integrate_pose(body, h / static_cast<Real>(turns), method);
@@ -27,6 +22,10 @@ void turn(RigidBody& body, Real h, RotationMethod method, int turns) {
 }
 
 }  // namespace
+
+Real turning_energy(const RigidBody& body) {
+  return Real(0.5) * body.angular_velocity.dot(body.angular_momentum);
+}
 
 void turn_and_move(RigidBody& body, Real h, RotationMethod method) {
   const Real energy = turning_energy(body);
