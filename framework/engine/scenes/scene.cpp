@@ -44,10 +44,15 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, const Sce
   root.read("h", scene.h, 1e-6, 1.0);
   root.read("steps", scene.steps, 1, 1000000);
   root.read("max_penetration", scene.max_penetration, Range::NotNegative);
-  if (root.has("world")) scene.settings = read_settings(root.object("world"));
+  if (root.has("world")) {
+    scene.settings = read_settings(root.object("world", R"({"gravity": [0, 0, -9.81]})"));
+  }
 
   SceneShapes shapes(file.parent_path(), limits);
-  if (root.has("shapes")) shapes.define(root.object("shapes"));
+  if (root.has("shapes")) {
+    shapes.define(
+        root.object("shapes", R"({"brick": {"kind": "box", "half_extents": [0.2, 0.1, 0.05]}})"));
+  }
   const auto bodies = root.list("bodies", bodies_example);
   if (bodies.size() > static_cast<std::size_t>(limits.bodies)) {
     throw SceneFault("/bodies",

@@ -85,13 +85,18 @@ NamedBody read_body_without_shape(SceneReader& body) {
   body.read("density", def.density, Range::Positive);
 
   body.read("position", def.pose.position);
-  if (body.has("orientation")) def.pose.orientation = read_orientation(body.object("orientation"));
+  if (body.has("orientation")) {
+    def.pose.orientation =
+        read_orientation(body.object("orientation", R"({"axis": [0, 0, 1], "degrees": 30})"));
+  }
   body.read("linear_velocity", def.linear_velocity);
   body.read("angular_velocity", def.angular_velocity);
 
   body.read("friction", def.friction, Range::NotNegative);
   body.read("restitution", def.restitution, Range::ZeroToOne);
-  if (body.has("filter")) def.filter = read_filter(body.object("filter"));
+  if (body.has("filter")) {
+    def.filter = read_filter(body.object("filter", R"({"category": 1, "mask": 1})"));
+  }
   return result;
 }
 

@@ -51,8 +51,9 @@ class Copies {
 };
 
 Copies copies_of_body(SceneReader& generator, const Context& context) {
-  generator.require("body", R"({"shape": {"kind": "box", "half_extents": [0.5, 0.5, 0.5]}})");
-  return Copies(read_body(generator.object("body"), context.shapes));
+  const std::string example = R"({"shape": {"kind": "box", "half_extents": [0.5, 0.5, 0.5]}})";
+  generator.require("body", example);
+  return Copies(read_body(generator.object("body", example), context.shapes));
 }
 
 /// How far the i-th of `count` places is from their middle, in places.
@@ -203,7 +204,7 @@ std::vector<NamedBody> drop(SceneReader& generator, const Context& context) {
   generator.read("smallest", shapes.smallest, Range::Positive);
   generator.read("largest", shapes.largest, Range::Positive);
   generator.require("body", R"({"position": [0, 0, 2]})");
-  SceneReader body = generator.object("body");
+  SceneReader body = generator.object("body", "{}");
   Copies copies(read_body_without_shape(body));
   body.refuse_other_keys();
   refuse_large_drop(generator, context, count, shapes);

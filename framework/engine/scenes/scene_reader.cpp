@@ -174,7 +174,10 @@ std::size_t SceneReader::read_word(const std::string& key, const std::vector<std
   return found - words.begin();
 }
 
-SceneReader SceneReader::object(const std::string& key) { return {json(key), path_of(key)}; }
+SceneReader SceneReader::object(const std::string& key, const std::string& example) {
+  if (!json(key).is_object()) refuse(key, "an object in braces", example);
+  return {json(key), path_of(key)};
+}
 
 std::string SceneReader::excerpt(const Json& value) {
   constexpr std::size_t longest = 60;

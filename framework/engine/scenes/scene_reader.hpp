@@ -73,7 +73,7 @@ class SceneReader {
   }
 
   /// The object under a key. @pre has(key)
-  SceneReader object(const std::string& key);
+  SceneReader object(const std::string& key, const std::string& example);
   /// The values of the list under a key with their paths; none if there is no such key.
   std::vector<std::pair<const Json*, std::string>> list(const std::string& key,
                                                         const std::string& example);

@@ -23,6 +23,8 @@ const Names<ShapeKind> shape_kinds = {
     {"mesh", ShapeKind::Mesh},
 };
 
+const std::string example_shape = R"({"kind": "box", "half_extents": [0.5, 0.5, 0.5]})";
+
 /// False also for a name that no file can have (empty, too long).
 bool is_file(const std::filesystem::path& path) {
   std::error_code none;
@@ -86,12 +88,14 @@ std::vector<Vec3> read_points(SceneReader& description, const SceneLimits& limit
 }  // namespace
 
 void SceneShapes::define(SceneReader named) {
-  for (const std::string& name : named.keys()) named_[name] = make(named.object(name));
+  for (const std::string& name : named.keys()) {
+    named_[name] = make(named.object(name, example_shape));
+  }
 }
 
 ShapePtr SceneShapes::read(SceneReader& owner, const std::string& key) const {
-  owner.require(key, R"({"kind": "box", "half_extents": [0.5, 0.5, 0.5]})");
-  if (!owner.is_string(key)) return make(owner.object(key));
+  owner.require(key, example_shape);
+  if (!owner.is_string(key)) return make(owner.object(key, example_shape));
 
   std::string name;
   owner.read(key, name);
@@ -103,7 +107,7 @@ ShapePtr SceneShapes::read(SceneReader& owner, const std::string& key) const {
   owner.refuse(key,
                "an object, or a name from the scene's \"shapes\"" +
                    (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)"),
-               R"({"kind": "box", "half_extents": [0.5, 0.5, 0.5]})");
+               example_shape);
 }
 
 ShapePtr SceneShapes::random_hull(const SceneReader& owner, int vertices, std::uint32_t seed,
