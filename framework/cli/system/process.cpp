@@ -40,6 +40,11 @@ std::vector<char*> as_arguments(const std::vector<std::string>& command) {
   _exit(cannot_start);
 }
 
+/// Whether a program can be started. One found along PATH is not looked for.
+bool is_startable(const std::string& program) {
+  return program.find('/') != std::string::npos && access(program.c_str(), X_OK) == 0;
+}
+
 }  // namespace
 
 std::string Ending::in_words() const {
@@ -67,7 +72,8 @@ Ending run(const std::vector<std::string>& command, const Surroundings& surround
   }
   if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
   if (WIFEXITED(status)) ending.exit_code = WEXITSTATUS(status);
-  if (ending.exit_code == cannot_start) {
+  // The dynamic linker exits with the same code if a program lacks a function.
+  if (ending.exit_code == cannot_start && !is_startable(command.front())) {
     throw std::system_error(ENOENT, std::generic_category(), command.front());
   }
   return ending;
