@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "helpers/picture.hpp"
+#include "helpers/random.hpp"
 
 namespace cs550::test {
 
@@ -28,7 +29,7 @@ Story& Story::when(const std::string& action) {
 
 Story& Story::seed(std::uint32_t seed) {
   case_.is_random = true;
-  return given("seed", seed);
+  return given("seed", seed, seed_salt() == 0 ? "" : "and the course's salt");
 }
 
 Story& Story::likely(const std::string& cause) {
