@@ -25,7 +25,7 @@ file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/*.cpp" "${grader_folder}/j
 list(FILTER sources EXCLUDE REGEX "/start\\.cpp$")
 add_library(cs550_grader STATIC EXCLUDE_FROM_ALL ${sources})
 target_include_directories(cs550_grader PUBLIC "${PROJECT_SOURCE_DIR}/framework")
-target_link_libraries(cs550_grader PUBLIC cs550_contract cs550_isolation cs550_autograder cereal::cereal
+target_link_libraries(cs550_grader PUBLIC cs550_contract cs550_isolation cs550_autograder cs550_files cereal::cereal
                       nlohmann_json::nlohmann_json GTest::gtest PRIVATE cs550_warnings)
 
 file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/worker/*.cpp")
@@ -49,7 +49,7 @@ endif()
 list(JOIN lab_options " " lab_options)
 file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/grade_lab/*.cpp")
 add_executable(grade_lab EXCLUDE_FROM_ALL ${sources})
-target_link_libraries(grade_lab PRIVATE cs550_grader cs550_files CLI11::CLI11 cs550_warnings)
+target_link_libraries(grade_lab PRIVATE cs550_grader CLI11::CLI11 cs550_warnings)
 target_compile_definitions(grade_lab PRIVATE
   CS550_COMPILER="${CMAKE_CXX_COMPILER}"
   CS550_COMPILER_NAME="${compiler_name}"
@@ -66,12 +66,13 @@ target_compile_definitions(cs550_judge_start PRIVATE
   CS550_ENGINE_LIBRARY="$<TARGET_FILE:cs550_given>")
 
 function(cs550_add_judge number)
-  set(remote "${grader_folder}/remote/lab${number}.cpp")
-  if(NOT TARGET lab${number}_reference OR NOT EXISTS "${remote}")
-    message(STATUS "Lab ${number} has no judge: ${remote} is missing")
+  set(remote "${grader_folder}/remote/lab${number}")
+  file(GLOB sources CONFIGURE_DEPENDS "${remote}.cpp" "${remote}_*.cpp")
+  if(NOT TARGET lab${number}_reference OR NOT sources)
+    message(STATUS "Lab ${number} has no judge: ${remote}.cpp is missing")
     return()
   endif()
-  cs550_add_lab_code(${number} remote "${remote}")
+  cs550_add_lab_code(${number} remote ${sources})
   target_link_libraries(lab${number}_remote_code PRIVATE cs550_warnings cereal::cereal)
   target_include_directories(lab${number}_remote_code PRIVATE "${PROJECT_SOURCE_DIR}/framework")
   add_executable(lab${number}_judge EXCLUDE_FROM_ALL)
@@ -85,6 +86,27 @@ function(cs550_add_judge number)
   # The worker loads the other labs by name.
   add_dependencies(lab${number}_judge lab_worker)
   add_dependencies(judges lab${number}_judge)
+endfunction()
+
+# judged.LabN grades labs/labN_topic/, or the folder that the environment variable CS550_SUBMISSION names, and
+# each student.LabN.Name reads its verdict from the record. That cannot be the record of an earlier run: it is
+# removed first, and without a new one no test runs.
+function(cs550_register_judged_tests number)
+  set(record "${result_folder}/judged/lab${number}.json")
+  add_test(NAME judged.Lab${number}
+           COMMAND "${CMAKE_COMMAND}" -DLAB=${number} "-DBUILD=${PROJECT_BINARY_DIR}" "-DRECORD=${record}"
+                   "-DGRADE_LAB=$<TARGET_FILE:grade_lab>"
+                   "-DFILES=${PROJECT_SOURCE_DIR}/labs/${CS550_LAB${number}_NAME}"
+                   -P "${grader_folder}/ctest/judge_lab.cmake")
+  set_tests_properties(judged.Lab${number} PROPERTIES FIXTURES_SETUP judged_lab${number} TIMEOUT 7200
+                       RESOURCE_LOCK build_folder LABELS "lab${number};student")
+  foreach(test IN LISTS CS550_LAB${number}_TESTS)
+    set(name student.Lab${number}.${test})
+    add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DRECORD=${record}" -DWANTED=Lab${number}.${test}
+             -P "${grader_folder}/ctest/judged_verdict.cmake")
+    set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED judged_lab${number} TIMEOUT 60
+                         LABELS "lab${number};student;${CS550_LAB${number}_${test}_LABELS}")
+  endforeach()
 endfunction()
 
 foreach(number IN LISTS CS550_LABS)

@@ -6,20 +6,23 @@
 namespace cs550::files {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+std::atomic<bool> was_interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
 
 }  // namespace
 
 void watch_for_interruption() {
   struct sigaction action {};
-  action.sa_handler = [](int) { interrupted = 1; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = [](int) { was_interrupted = true; };
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
 
+const std::atomic<bool>& interrupted() { return was_interrupted; }
+
 void throw_if_interrupted() {
-  if (interrupted != 0) throw std::runtime_error("interrupted: what was unfinished is removed");
+  if (was_interrupted) throw std::runtime_error("interrupted: what was unfinished is removed");
 }
 
 }  // namespace cs550::files

@@ -1,13 +1,20 @@
 #pragma once
 /// @file interruption.hpp
-/// Ctrl-C and SIGTERM as exceptions, so that destructors remove what is unfinished.
+/// Signals that ask a program to end, as a flag and as exceptions, so that destructors remove what is
+/// unfinished.
+
+#include <atomic>
 
 namespace cs550::files {
 
-/// From now on SIGINT and SIGTERM set a flag; a second one ends the process at once.
+/// From now on SIGINT, SIGTERM and SIGHUP set a flag; a second one of the same kind ends the process at
+/// once.
 void watch_for_interruption();
 
-/// @throws std::runtime_error after SIGINT or SIGTERM
+/// The flag.
+const std::atomic<bool>& interrupted();
+
+/// @throws std::runtime_error if the flag is set
 void throw_if_interrupted();
 
 }  // namespace cs550::files

@@ -25,6 +25,12 @@ class ByteWriter : public cereal::OutputArchive<ByteWriter, cereal::AllowEmptyCl
   void write(const void* data, std::size_t count) {
     bytes_.append(static_cast<const char*>(data), count);
   }
+  /// Several numbers at once.
+  template <class Number>
+  void numbers(const Number* values, std::size_t count) {
+    write(values, count * sizeof(Number));
+    for (std::size_t i = 0; i < count; ++i) note(std::isfinite(values[i]));
+  }
   std::string take() { return std::move(bytes_); }
 
   /// Whether a number that was written is NaN or infinite.
@@ -48,6 +54,12 @@ class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyCla
     if (count > rest_.size()) throw cereal::Exception("the bytes end too early");
     if (count > 0) std::memcpy(data, rest_.data(), count);
     rest_.remove_prefix(count);
+  }
+  /// Several numbers at once.
+  template <class Number>
+  void numbers(Number* values, std::size_t count) {
+    read(values, count * sizeof(Number));
+    for (std::size_t i = 0; i < count; ++i) note(std::isfinite(values[i]));
   }
   /// How many bytes have not been read yet.
   std::size_t left() const { return rest_.size(); }

@@ -19,7 +19,7 @@ namespace Eigen {
 template <class Archive, class Scalar, int Rows, int Columns, int Options>
 void serialize(Archive& archive, Matrix<Scalar, Rows, Columns, Options>& matrix) {
   static_assert(Rows > 0 && Columns > 0, "only types of fixed size");
-  for (Scalar& entry : matrix.reshaped()) archive(entry);
+  archive.numbers(matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
 template <class Archive, class Scalar, int Options>

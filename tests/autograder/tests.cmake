@@ -130,7 +130,11 @@ if(TARGET grade_lab)
   set_tests_properties(grader.builds PROPERTIES FIXTURES_SETUP grader TIMEOUT 900
                        RESOURCE_LOCK build_folder LABELS autograder)
   cs550_test_grader(survives_some_attacks autograder "${scripts}/attacks/run_attacks.py" --short)
-  set_tests_properties(grader.survives_some_attacks PROPERTIES FIXTURES_REQUIRED grader)
+  cs550_test_grader(ends_on_request autograder "${scripts}/attacks/check_termination.py")
+  cs550_test_grader(gives_ctest_its_verdicts autograder "${scripts}/attacks/check_ctest_verdicts.py")
+  set_tests_properties(grader.gives_ctest_its_verdicts PROPERTIES RESOURCE_LOCK build_folder)
+  set_tests_properties(grader.survives_some_attacks grader.ends_on_request grader.gives_ctest_its_verdicts
+                       PROPERTIES FIXTURES_REQUIRED grader)
 
   # These expect that `judges` is built.
   foreach(isolation bubblewrap plain)
@@ -140,6 +144,10 @@ if(TARGET grade_lab)
   foreach(number IN LISTS CS550_LABS)
     if(TARGET lab${number}_judge)
       cs550_test_grader(same_marks.Lab${number} attack "${scripts}/attacks/same_marks.py" --lab ${number})
+      cs550_test_grader(same_marks_of_mutants.Lab${number} mutant "${scripts}/attacks/same_marks.py"
+                        --lab ${number} --mutants "*")
+      set_tests_properties(grader.same_marks_of_mutants.Lab${number} PROPERTIES
+                           RESOURCE_LOCK build_folder PROCESSORS 2 TIMEOUT 7200)
     endif()
   endforeach()
 endif()

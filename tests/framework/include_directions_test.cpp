@@ -30,7 +30,8 @@ const std::map<std::string, Names> may_include{
     {"isolation", {"serialisation"}},
     {"pages", {"include", "drawing", "serialisation", "isolation"}},
     {"viewer", {"include", "drawing", "pages", "files"}},
-    {"autograder", {"include", "files", "serialisation", "isolation"}},
+    // engine: only grader/, whose judge lets another process run the substeps of a world
+    {"autograder", {"include", "engine", "files", "serialisation", "isolation"}},
     {"milestones", {"include", "files"}},
     {"gradebook", {"files", "cli"}},  // only cli/system, and its program cli/command_line
     {"cli", {"include", "files"}},

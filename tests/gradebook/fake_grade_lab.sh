@@ -13,7 +13,7 @@ while [ $# -gt 0 ]; do
     --submission) submission=$2 ;;
     --results) results=$2 ;;
     --work) work=$2 ;;
-    --secret) secret=$2 ;;
+    --salt) salt=$2 ;;
   esac
   shift 2
 done
@@ -25,7 +25,7 @@ case $told in
 esac
 [ -z "${FAKE_LOG-}" ] || echo "lab $lab" >>"$FAKE_LOG"
 : >"$work/touched"
-printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${secret:-published}" '
+printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${salt:-published}" '
   FILENAME == "-" { if ($1 == "fails") fails[$2] = 1; if ($0 == "no compile") broken = 1; next }
   /"name":/ { split($0, part, "\""); name = part[4] }
   /"points": [0-9]/ { gsub(/[^0-9]/, ""); points = $0 }

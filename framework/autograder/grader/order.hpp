@@ -3,6 +3,7 @@
 /// What grade_lab asks of a judge, passed in the environment.
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ struct Order {
   Isolation isolation = Isolation::Plain;
   Limits limits;                  ///< of each worker
   std::chrono::seconds wall{60};  ///< longest time for one test
+  std::uint32_t salt = 0;         ///< of the seeds; it reaches the tests by CS550_SEED_SALT
 
   /// "NAME=value" for the environment of a judge.
   std::string to_environment() const;

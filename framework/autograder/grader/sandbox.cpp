@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "autograder/grader/message.hpp"
+#include "files/interruption.hpp"
 
 namespace cs550::grader {
 namespace {
@@ -117,6 +118,7 @@ struct Start {
           setresuid(nobody, nobody, nobody) != 0) {
         _exit(cannot_start);
       }
+      prctl(PR_SET_PDEATHSIG, SIGKILL);  // a change of the user has cleared it
     }
     execve(words[0], words.data(), environment.data());
     _exit(cannot_start);
@@ -216,6 +218,7 @@ bool Process::wait(std::chrono::milliseconds limit) {
   auto pause = std::chrono::microseconds(100);
   while (!ended_ && waitpid(process_, &status_, WNOHANG) != process_) {
     if (Clock::now() > deadline) return false;
+    files::throw_if_interrupted();
     std::this_thread::sleep_for(pause);
     pause = std::min(2 * pause, std::chrono::microseconds(5000));
   }

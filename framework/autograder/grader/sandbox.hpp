@@ -54,6 +54,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   /// Waits until it ends by itself. @return false if it was still running after the limit
+  /// @throws std::runtime_error if this program is interrupted
   bool wait(std::chrono::milliseconds limit);
   /// Kills it and its children, if they still run.
   void kill();

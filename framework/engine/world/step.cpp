@@ -70,7 +70,7 @@ void advance(WorldState& world, Real h) {
   apply_gravity(world);
   run_stage(world, Stage::Prepare, prepare, step);
   begin_audit(world);
-  for (int i = 0; i < substeps; ++i) substep(world, step);
+  run_substeps(world, step, substeps);
   end_audit(world, h);
 
   store_impulses(world);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <iostream>
 #include <optional>
 #include <regex>
@@ -13,10 +14,11 @@
 
 #include "cli/system/process.hpp"
 #include "cli/system/terminal.hpp"
+#include "files/interruption.hpp"
 #include "gradebook/command/settings.hpp"
 #include "gradebook/reports/write_reports.hpp"
 #include "gradebook/run/class_run.hpp"
-#include "gradebook/run/interruption.hpp"
+#include "gradebook/run/reference_check.hpp"
 
 namespace cs550::gradebook {
 namespace {
@@ -71,6 +73,31 @@ void print_troubles(const std::vector<Record>& records) {
   }
 }
 
+/// A file that exceeds a size limit is an error of the write instead of a signal. This is a handler and
+/// not SIG_IGN, which programs that we start would inherit.
+void make_full_disk_an_error() {
+  struct sigaction action {};
+  action.sa_handler = [](int) {};
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGXFSZ, &action, nullptr);
+}
+
+/// A folder that is removed at the end of a run, whichever way it ends.
+class Temporary {
+ public:
+  explicit Temporary(fs::path folder) : folder_(std::move(folder)) {}
+  ~Temporary() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+ private:
+  fs::path folder_;
+};
+
 void print_outcome(const ClassOutcome& outcome, std::chrono::duration<double> time) {
   std::cout << fmt::format("{}, {} graded in {:.0f} s, {} reused.\n",
                            counted(outcome.submissions, "submission"), counted(outcome.runs, "lab"),
@@ -103,7 +130,9 @@ std::vector<int> parse_labs(const std::string& text, const std::vector<int>& kno
 }
 
 bool grade(const GradeRequest& request) {
-  const std::atomic<bool>& stop = interrupted();
+  files::watch_for_interruption();
+  const std::atomic<bool>& stop = files::interrupted();
+  make_full_disk_an_error();
   const Settings settings = read_settings(request.root, request.course, request.roster,
                                           request.resume ? request.out : fs::path());
   const std::vector<int> labs = parse_labs(request.labs, numbers_of(settings.catalogue));
@@ -123,7 +152,14 @@ bool grade(const GradeRequest& request) {
   keep_settings(settings, request.out);
   const Judge judge{request.judge, request.root / "labs", fs::absolute(request.out) / "work",
                     project_version(request.root), request.isolation};
+  std::optional<Temporary> work(judge.work);
   const auto start = std::chrono::steady_clock::now();
+  // Where the solutions have been removed (gradescope/setup.sh), the reference has been graded before.
+  if (!settings.course.secret.empty() && fs::exists(request.root / "solutions")) {
+    std::cout << "Grading the reference with the seeds of this course's secret …\n";
+    check_reference(request.root / "solutions", labs, request.jobs, settings.catalogue,
+                    settings.course, judge, folder, stop);
+  }
   std::optional<cli::ProgressBar> bar;
   const ClassRun run{std::move(found.submissions), labs, request.jobs, [&bar](int done, int total) {
                        if (!bar && total > 0) bar.emplace(total, "lab");
@@ -132,7 +168,7 @@ bool grade(const GradeRequest& request) {
   const ClassOutcome outcome =
       grade_class(run, settings.catalogue, settings.course, judge, folder, stop);
   bar.reset();
-  fs::remove_all(judge.work);
+  work.reset();
   if (outcome.interrupted) {
     std::cout << fmt::format("Interrupted after {}. The same command with --resume continues.\n",
                              counted(outcome.runs, "lab"));

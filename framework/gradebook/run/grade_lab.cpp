@@ -51,13 +51,20 @@ void add_limit(std::vector<std::string>& command, const char* option, std::optio
   if (value) command.insert(command.end(), {option, std::to_string(*value)});
 }
 
+/// What is added to the seeds of all tests, never 0. The secret cannot be computed from it.
+std::string seed_salt(const std::string& secret) {
+  constexpr std::size_t digits = 7;
+  return std::to_string(1 +
+                        std::stoul(sha256_of({"seeds", secret}).substr(0, digits), nullptr, 16));
+}
+
 std::vector<std::string> command_for(int lab, const Course& course, const Judge& judge,
                                      const fs::path& folder) {
   std::vector<std::string> command{
       judge.program, std::to_string(lab), "--submission", folder / "submission",
       "--work",      folder / "work",     "--results",    folder / "result.json",
       "--isolation", judge.isolation};
-  if (!course.secret.empty()) command.insert(command.end(), {"--secret", course.secret});
+  if (!course.secret.empty()) command.insert(command.end(), {"--salt", seed_salt(course.secret)});
   const Limits limits = course.limits_of(lab);
   add_limit(command, "--wall", limits.wall);
   add_limit(command, "--cpu", limits.cpu);

@@ -42,6 +42,11 @@ def make_submission(attack, folder):
     if base:
         for file in lab_folder(ROOT / base, attack["lab"]).glob("*.[ch]pp"):
             shutil.copy(file, folder)
+    if "edit" in attack:
+        file = folder / attack["edit"]["file"]
+        before, found, after = file.read_text().partition(attack["edit"]["find"])
+        assert found, f"{file} has no {attack['edit']['find']}"
+        file.write_text(before + attack["edit"]["replace"] + after)
     for name, content in attack.get("files", {}).items():
         write_file(folder / name, content.replace("@ROOT@", str(ROOT)))
     source = HERE / "sources" / f"{attack['name']}.cpp"
@@ -49,6 +54,10 @@ def make_submission(attack, folder):
         for header in source.parent.glob("*.hpp"):
             shutil.copy(header, folder)
         write_file(folder / source.name, source.read_text().replace("@ROOT@", str(ROOT)))
+
+
+def become_subreaper():
+    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
 
 
 def children():
@@ -109,7 +118,7 @@ def main():
     parser.add_argument("--isolation", default="auto", choices=["auto", "bubblewrap", "plain"])
     options = parser.parse_args()
     options.build = options.build.resolve()
-    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
+    become_subreaper()
 
     attacks = [attack for attack in json.loads((HERE / "attacks.json").read_text())["attacks"]
                if fnmatch.fnmatch(attack["name"], options.only)

@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "files/interruption.hpp"
+
 namespace cs550::grader {
 namespace {
 
@@ -71,9 +73,10 @@ void run(const std::vector<std::string>& words, const std::vector<std::string>& 
     _exit(127);
   }
   while (waitpid(child, nullptr, WNOHANG) != child) {
-    if (watch.is_stuck()) kill(child, SIGKILL);
+    if (watch.is_stuck() || files::interrupted()) kill(child, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+  files::throw_if_interrupted();
 }
 
 Json read_json(const fs::path& file) {
@@ -87,7 +90,8 @@ Json run_judge(const Order& order, const Json& tests, const std::string& filter,
                const fs::path& work) {
   const std::string lab = "Lab" + std::to_string(order.lab) + ".";
   std::vector<std::string> environment{order.to_environment(),
-                                       "CS550_PICTURES=" + (work / "pictures").string()};
+                                       "CS550_PICTURES=" + (work / "pictures").string(),
+                                       "CS550_SEED_SALT=" + std::to_string(order.salt)};
   if (!fs::exists(judge_program(order.lab))) {
     throw std::runtime_error(judge_program(order.lab).string() +
                              " is missing; build it: ./cs550 build test judges");

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
 #include "autograder/grader/grade_lab/compile.hpp"
 #include "autograder/grader/grade_lab/judging.hpp"
+#include "files/interruption.hpp"
 #include "files/output_file.hpp"
 
 namespace {
@@ -30,7 +33,7 @@ struct Options {
   fs::path submission;
   fs::path work;
   fs::path results;
-  std::string secret;
+  std::uint32_t salt = 0;
   std::string filter = "*";
   // A world of hundreds of contacts takes a million calls. An endless loop ends with its call.
   int wall = 1800;
@@ -46,7 +49,7 @@ CLI::App* add_options(CLI::App& app, Options& options) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--work", options.work, "folder for this run; it is emptied first")->required();
   app.add_option("--results", options.results, "JSON file to write")->required();
-  app.add_option("--secret", options.secret, "ignored so far: tests use their published seeds");
+  app.add_option("--salt", options.salt, "added to the seeds of all tests; 0: the published seeds");
   app.add_option("--filter", options.filter, "only tests with such names, as in GoogleTest");
   app.add_option("--wall", options.wall, "longest time for one test (s)")
       ->check(CLI::Range(1, 3600));
@@ -115,6 +118,20 @@ Json record_of(int lab, const Json& test, const nlohmann::json& rows, bool compi
   return record;
 }
 
+/// Adds what its first failing test looks like, if that is a visible one that draws a picture.
+void add_picture(Json& records, const fs::path& pictures) {
+  constexpr std::uintmax_t largest = 100'000;  // bytes
+  for (Json& record : records) {
+    const fs::path file = pictures / (record["name"].get<std::string>() + ".svg");
+    std::error_code absent;
+    const std::uintmax_t size = fs::file_size(file, absent);
+    if (record["hidden"] || record["status"] == "passed" || absent || size > largest) continue;
+    std::ifstream stream(file);
+    record["picture"] = std::string(std::istreambuf_iterator<char>(stream), {});
+    return;
+  }
+}
+
 Json sum_of(const Json& tests, const std::function<bool(const Json&)>& counts) {
   int points = 0;
   int earned = 0;
@@ -141,6 +158,7 @@ Json grade(const Options& options) {
   order.limits.cpu = std::chrono::seconds(options.cpu);
   order.limits.memory = static_cast<std::size_t>(options.memory) << 20U;
   order.wall = std::chrono::seconds(options.wall);
+  order.salt = options.salt;
   fs::create_directory(work / "run");
   Limits compiling = order.limits;
   compiling.cpu = std::min(compiling.cpu, longest_compilation);
@@ -156,11 +174,12 @@ Json grade(const Options& options) {
       records.push_back(record_of(options.lab, test, rows, compilation.succeeded));
     }
   }
+  add_picture(records, work / "pictures");
   const Json all = sum_of(records, [](const Json&) { return true; });
   return {{"lab", options.lab},
           {"isolation", to_string(order.isolation)},
           {"compiler", CS550_COMPILER_NAME},
-          {"seed", "published"},
+          {"seed", options.salt == 0 ? "published" : "salt " + std::to_string(options.salt)},
           {"compile",
            {{"ok", compilation.succeeded},
             {"seconds", compilation.seconds},
@@ -183,6 +202,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? Graded : WrongUsage;
   }
+  files::watch_for_interruption();
   try {
     const Json record = grade(options);
     files::write_file(options.results,

@@ -4,6 +4,7 @@
 #include <grp.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <signal.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -65,6 +66,7 @@ bool confine_to(const std::filesystem::path& folder) {
   check(setgroups(0, nullptr) == 0 && setresgid(nobody, nobody, nobody) == 0 &&
             setresuid(nobody, nobody, nobody) == 0,
         "setresuid");
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a change of the user has cleared it
   return true;
 }
 

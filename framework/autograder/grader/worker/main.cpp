@@ -61,14 +61,22 @@ class Worker {
     }
     std::string name;
     request(name);
-    return call(lab_functions().at(name), name, request);
+    return call(functions().at(name), name, request);
   }
 
  private:
-  std::string call(const LabFunction& function, const std::string& name, ByteReader& arguments) {
-    void* address = dlsym(submission_, function.symbol);
-    if (address == nullptr)
-      return message(Reply::Refused, "the submission does not define " + name);
+  void* address_of(const std::string& name) const {
+    const char* symbol = functions().at(name).symbol;
+    void* address = symbol == nullptr ? nullptr : dlsym(submission_, symbol);
+    if (symbol != nullptr && address == nullptr) {
+      throw Hopeless("the submission does not define " + name);
+    }
+    return address;
+  }
+
+  std::string call(const Function& function, const std::string& name, ByteReader& arguments) {
+    for (const std::string& called : function.calls) address_of(called);
+    void* address = address_of(name);
     try {
       return function.serve(address, arguments);
     } catch (const NotImplemented& missing) {
@@ -91,7 +99,7 @@ void* prepare(std::vector<std::string> arguments) {
   if (confined) arguments.erase(arguments.begin());
   std::filesystem::path submission = arguments.front();
   for (std::size_t i = 1; i < arguments.size(); ++i) load(arguments[i], RTLD_LAZY);
-  lab_functions();
+  functions();
   if (confined && confine_to(submission.parent_path())) submission = "/" / submission.filename();
   forbid_system_calls();
   return load(submission, RTLD_NOW);

@@ -1,0 +1,17 @@
+# Builds the judge of a lab and grades a folder with it. Run with -DLAB=N -DBUILD=FOLDER -DGRADE_LAB=PROGRAM
+# -DFILES=FOLDER -DRECORD=FILE; the environment variable CS550_SUBMISSION names another folder to grade.
+file(REMOVE "${RECORD}")
+if(DEFINED ENV{CS550_SUBMISSION})
+  set(FILES "$ENV{CS550_SUBMISSION}")
+endif()
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${output}")
+  endif()
+endfunction()
+
+run("${CMAKE_COMMAND}" --build "${BUILD}" --target grade_lab lab${LAB}_judge)
+run("${GRADE_LAB}" ${LAB} --submission "${FILES}" --work "${BUILD}/judged/lab${LAB}" --results "${RECORD}")
+message("The record is ${RECORD}")

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""In an instructor's copy ctest's verdicts on the student's code are those of the judge: points are in each test's
+output, and nothing of an earlier run is left when a file does not compile."""
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+from run_attacks import ROOT, lab_folder
+
+LAB = 3
+TESTS = rf"^student\.Lab{LAB}\."
+
+
+def verdicts(build, submission):
+    """By test: whether ctest calls it passed, and its line of points."""
+    junit = submission.parent / "junit.xml"
+    junit.unlink(missing_ok=True)
+    # From a folder of its own: in the build folder the log of an outer ctest would be overwritten.
+    (submission.parent / "CTestTestfile.cmake").write_text(f'subdirs("{build}")')
+    subprocess.run(["ctest", "--test-dir", submission.parent, "-R", TESTS, "--output-junit", junit],
+                   env={**os.environ, "CS550_SUBMISSION": str(submission)}, stdout=subprocess.DEVNULL)
+    found = {}
+    for case in ElementTree.parse(junit).getroot().iter("testcase"):
+        if re.match(TESTS, case.get("name")):
+            points = re.search(r"points \d+, earned (\d+)", case.findtext("system-out"))
+            found[case.get("name")] = (case.get("status") == "run", points and int(points[1]))
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", type=Path, default=ROOT / "build/test")
+    build = parser.parse_args().build.resolve()
+    with tempfile.TemporaryDirectory() as scratch:
+        submission = Path(scratch) / "submission"
+        submission.mkdir()
+        for source in lab_folder(ROOT / "solutions", LAB).glob("*.cpp"):
+            (submission / source.name).write_text(source.read_text())
+        right = verdicts(build, submission)
+        for source in submission.glob("*.cpp"):
+            source.write_text(source.read_text() + "this is no C++\n")
+        broken = verdicts(build, submission)
+        for source in submission.glob("*.cpp"):
+            source.unlink()
+        absent = verdicts(build, submission)
+    assert right and all(passed for passed, _ in right.values()), right
+    assert sum(points for _, points in right.values()) == 60, right
+    for verdict in (broken, absent):
+        assert verdict.keys() == right.keys(), verdict
+        assert set(verdict.values()) == {(False, 0)}, verdict
+
+
+if __name__ == "__main__":
+    sys.exit(main())

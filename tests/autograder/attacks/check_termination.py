@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""SIGTERM ends grade_lab at once, with its compiler, judge and worker, and leaves nothing behind."""
+
+import argparse
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from run_attacks import HERE, ROOT, become_subreaper, children, make_submission
+
+SECONDS_TO_END = 2
+BUSY_IN_COMPILER = "preprocessor_bomb"
+BUSY_IN_WORKER = "never_returns"
+
+
+def descendants():
+    """The names of all processes below this one."""
+    names, parents = [], [os.getpid()]
+    while parents:
+        below = Path(f"/proc/{parents.pop()}/task").glob("*/children")
+        for process in " ".join(file.read_text() for file in below).split():
+            try:
+                names.append(Path(f"/proc/{process}/comm").read_text().strip())
+                parents.append(process)
+            except OSError:
+                pass  # it has ended meanwhile
+    return names
+
+
+def all_have_ended():
+    """Whether no process is left, once those that lost their parent to us have been waited for."""
+    try:
+        while os.waitpid(-1, os.WNOHANG) != (0, 0):
+            pass
+    except ChildProcessError:
+        pass
+    return not children()
+
+
+def wait_until(condition, seconds):
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            return False
+        time.sleep(0.05)
+    return True
+
+
+def stages():
+    return {file for file in Path(tempfile.gettempdir()).glob("cs550_grade.*")}
+
+
+def faults(build, attack, busy, isolation, scratch):
+    """What is wrong after SIGTERM in the middle of a program called `busy`."""
+    make_submission(attack, scratch / "submission")
+    before = stages()
+    grader = subprocess.Popen(
+        [build / "bin/grade_lab", str(attack["lab"]), "--submission", scratch / "submission", "--work",
+         scratch / "work", "--results", scratch / "results.json", "--isolation", isolation],
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    if not wait_until(lambda: busy in descendants(), 60):
+        yield f"{busy} was never started"
+    time.sleep(0.3)
+    grader.send_signal(signal.SIGTERM)
+    try:
+        if grader.wait(SECONDS_TO_END) != 1:
+            yield f"exit code {grader.returncode}, not 1"
+    except subprocess.TimeoutExpired:
+        yield f"it still runs after {SECONDS_TO_END} s"
+        grader.kill()
+        grader.wait()
+    if not wait_until(all_have_ended, 1):
+        yield f"these processes are left: {descendants()}"
+    if (scratch / "results.json").exists():
+        yield "it wrote results"
+    if stages() - before:
+        yield f"these folders are left: {stages() - before}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", type=Path, default=ROOT / "build/test")
+    parser.add_argument("--isolation", default="auto", choices=["auto", "bubblewrap", "plain"])
+    options = parser.parse_args()
+    become_subreaper()
+    attacks = {attack["name"]: attack for attack in json.loads((HERE / "attacks.json").read_text())["attacks"]}
+    faulty = 0
+    for name, busy in ((BUSY_IN_COMPILER, "cc1plus"), (BUSY_IN_WORKER, "lab_worker")):
+        with tempfile.TemporaryDirectory() as scratch:
+            found = list(faults(options.build.resolve(), attacks[name], busy, options.isolation, Path(scratch)))
+        faulty += bool(found)
+        print(f"SIGTERM in {busy}: {'; '.join(found) or 'good'}")
+    return 1 if faulty else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
