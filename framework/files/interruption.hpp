@@ -1,14 +1,14 @@
 #pragma once
 /// @file interruption.hpp
-/// Signals that ask a program to end, as a flag and as exceptions, so that destructors remove what is
-/// unfinished.
+/// Signals that ask a program to end, as a flag and as exceptions, so that destructors remove what
+/// is unfinished.
 
 #include <atomic>
 
 namespace cs550::files {
 
-/// From now on SIGINT, SIGTERM and SIGHUP set a flag; a second one of the same kind ends the process at
-/// once.
+/// From now on SIGINT, SIGTERM and SIGHUP set a flag; a second one of the same kind ends the
+/// process at once.
 void watch_for_interruption();
 
 /// The flag.

@@ -10,6 +10,17 @@ if(NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
            COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/grade_test.py"
                    "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/grade_test")
   set_tests_properties(gradebook.verb PROPERTIES LABELS gradebook TIMEOUT 300)
+  add_test(NAME gradebook.slurm
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/slurm_test.sh" "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}"
+                   "${PROJECT_BINARY_DIR}/slurm_test")
+  set_tests_properties(gradebook.slurm PROPERTIES LABELS slurm SKIP_RETURN_CODE 77 TIMEOUT 300)
+  # Builds the project once more, with the judge of a lab.
+  if(TARGET lab3_judge)
+    add_test(NAME gradebook.gradescope
+             COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/gradescope_test.sh" "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}"
+                     "${PROJECT_BINARY_DIR}/gradescope_test" "${CMAKE_CXX_COMPILER_LAUNCHER}")
+    set_tests_properties(gradebook.gradescope PROPERTIES LABELS attack TIMEOUT 3600)
+  endif()
   find_program(CS550_CHROMEDRIVER chromedriver)
   execute_process(COMMAND "${CS550_SYSTEM_PYTHON}" -c "import selenium" RESULT_VARIABLE without_selenium
                   OUTPUT_QUIET ERROR_QUIET)

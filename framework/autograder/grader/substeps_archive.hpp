@@ -23,8 +23,8 @@ void archive_substeps_input(Archive& archive, World& world) {
           world.pairs.contacts, world.solve_order.place_of_point, world.step_count);
 }
 
-/// Of the bodies only the state: all else that a substep changes derives from it. Static bodies stay
-/// where they are.
+/// Of the bodies only the state: all else that a substep changes derives from it. Static bodies
+/// stay where they are.
 template <class Archive, class World>
 void archive_substeps_output(Archive& archive, World& world) {
   for (auto& body : world.bodies) {

@@ -73,8 +73,8 @@ void print_troubles(const std::vector<Record>& records) {
   }
 }
 
-/// A file that exceeds a size limit is an error of the write instead of a signal. This is a handler and
-/// not SIG_IGN, which programs that we start would inherit.
+/// A file that exceeds a size limit is an error of the write instead of a signal. This is a handler
+/// and not SIG_IGN, which programs that we start would inherit.
 void make_full_disk_an_error() {
   struct sigaction action {};
   action.sa_handler = [](int) {};
@@ -154,7 +154,8 @@ bool grade(const GradeRequest& request) {
                     project_version(request.root), request.isolation};
   std::optional<Temporary> work(judge.work);
   const auto start = std::chrono::steady_clock::now();
-  // Where the solutions have been removed (gradescope/setup.sh), the reference has been graded before.
+  // Where the solutions have been removed (gradescope/setup.sh), the reference has been graded
+  // before.
   if (!settings.course.secret.empty() && fs::exists(request.root / "solutions")) {
     std::cout << "Grading the reference with the seeds of this course's secret …\n";
     check_reference(request.root / "solutions", labs, request.jobs, settings.catalogue,

@@ -12,6 +12,7 @@
 #include "gradebook/command/compare.hpp"
 #include "gradebook/command/export_sources.hpp"
 #include "gradebook/command/grade.hpp"
+#include "gradebook/command/gradescope_zip.hpp"
 #include "gradebook/command/report.hpp"
 #include "gradebook/records/record_folder.hpp"
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 struct GradeOptions {
   gradebook::GradeRequest grading;
   std::vector<fs::path> report, compare;
-  fs::path export_folder;
+  fs::path export_folder, gradescope_zip;
   bool pseudonyms = false;
 };
 
@@ -64,6 +65,11 @@ int run_grade(const GradeOptions& options) {
     if (!options.report.empty()) return make_reports(options);
     if (options.pseudonyms) {
       throw std::invalid_argument("--pseudonyms needs --report DIR, a folder with records");
+    }
+    if (!options.gradescope_zip.empty()) {
+      gradebook::make_gradescope_zip(project_root(), options.grading.labs, options.grading.course,
+                                     options.gradescope_zip);
+      return Good;
     }
     if (options.grading.submissions.empty()) {
       throw std::invalid_argument("grade needs at least one submission");
@@ -118,6 +124,9 @@ void declare(CLI::App& app, GradeOptions& options) {
   app.add_option("--export-jplag", options.export_folder,
                  "write the submissions as JPlag and MOSS expect them, and grade nothing")
       ->option_text("FOLDER");
+  app.add_option("--gradescope-zip", options.gradescope_zip,
+                 "write the autograder of --labs, with --course, for an upload to Gradescope")
+      ->option_text("FILE");
 }
 
 }  // namespace

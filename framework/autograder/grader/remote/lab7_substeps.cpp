@@ -1,6 +1,6 @@
-/// The substeps of a world, run by the worker. A random sample of them is run again here, one call of a lab
-/// function at a time, and must give the same bits: the worker's process belongs to the submission, which
-/// could report any trajectory.
+/// The substeps of a world, run by the worker. A random sample of them is run again here, one call
+/// of a lab function at a time, and must give the same bits: the worker's process belongs to the
+/// submission, which could report any trajectory.
 #include <algorithm>
 #include <random>
 #include <string>
@@ -21,8 +21,8 @@ using serialisation::ByteWriter;
 
 constexpr std::string_view name = "run_substeps";
 
-/// Mostly the first steps of a world, then fewer and fewer: about k·ln(n/k) of n steps. A step of many
-/// constraints takes many calls, so that k is 4 for a tower of boxes and 0.1 for a large pyramid.
+/// Mostly the first steps of a world, then fewer and fewer: about k·ln(n/k) of n steps. A step of
+/// many constraints takes many calls, so that k is 4 for a tower and 0.1 for a large pyramid.
 bool is_checked(const WorldState& world) {
   constexpr double constraints = 160;
   static std::mt19937_64 random(std::random_device{}());
@@ -30,8 +30,8 @@ bool is_checked(const WorldState& world) {
   return std::bernoulli_distribution(k / (k + static_cast<double>(world.step_count)))(random);
 }
 
-/// Replaces what substeps change. The judge's own bodies keep their masses, and its constraints their
-/// bodies.
+/// Replaces what substeps change. The judge's own bodies keep their masses, and its constraints
+/// their bodies.
 void take_output(WorldState& world, ByteReader& answer) {
   WorldState changed;
   changed.bodies = world.bodies;

@@ -1,0 +1,75 @@
+#include "gradebook/command/gradescope_zip.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "cli/system/files.hpp"
+#include "cli/system/process.hpp"
+#include "files/output_file.hpp"
+#include "gradebook/command/grade.hpp"
+#include "gradebook/course/course_file.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that is removed at the end.
+class Stage {
+ public:
+  Stage() {
+    std::string name = (fs::temp_directory_path() / "gradescope.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder: " + name);
+    path_ = name;
+  }
+  ~Stage() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+void make_gradescope_zip(const fs::path& root, const std::string& labs, const fs::path& course,
+                         const fs::path& out) {
+  const Catalogue catalogue = read_catalogue(root);
+  std::vector<int> known;
+  for (const auto& [number, lab] : catalogue) known.push_back(number);
+  std::string numbers;
+  std::string targets = "grade_lab cs550_grade";
+  for (const int number : parse_labs(labs, known)) {
+    numbers += fmt::format("{}{}", numbers.empty() ? "" : ",", number);
+    targets += fmt::format(" lab{}_judge", number);
+  }
+
+  const Stage stage;
+  cli::output_of({"git", "checkout-index", "--all", "--prefix=" + stage.path().string() + '/'},
+                 root);
+  for (const char* name : {"setup.sh", "run_autograder", "grade.sh"}) {
+    fs::rename(stage.path() / "framework/gradebook/gradescope" / name, stage.path() / name);
+  }
+  files::write_file(stage.path() / "labs.txt", numbers + '\n');
+  files::write_file(stage.path() / "targets.txt", targets + '\n');
+  if (!course.empty()) {
+    const std::string text = cli::read_text(course);
+    parse_course(text, course.string(), catalogue);  // what is wrong with it is reported here
+    files::write_file(stage.path() / "course.toml", text);
+  }
+  fs::remove(out);
+  cli::output_of({"cmake", "-E", "tar", "cf", fs::absolute(out).string(), "--format=zip", "."},
+                 stage.path());
+  std::cout << fmt::format(
+      "{} is the autograder of lab {}. Upload it to Gradescope, with Ubuntu 24.04 as its base "
+      "image.\n"
+      "It has the solutions: give it to nobody else.\n",
+      out.string(), numbers);
+}
+
+}  // namespace cs550::gradebook

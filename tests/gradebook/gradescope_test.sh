@@ -1,0 +1,33 @@
+#!/bin/sh
+# gradescope_test.sh CS550_GRADE ROOT SCRATCH LAUNCHER: makes the autograder of lab 3 and runs it as Gradescope does,
+# in a folder laid out like its image.
+set -eu
+program=$1 root=$2 autograder=$3/autograder
+rm -rf "$3"
+mkdir -p "$autograder/source" "$autograder/submission" "$autograder/results"
+printf 'secret = "of this test"\n[visibility]\nhidden_tests = "hidden"\n' >"$3/course.toml"
+CS550_ROOT=$root "$program" --gradescope-zip "$3/lab3.zip" --labs 3 --course "$3/course.toml"
+(cd "$autograder/source" && cmake -E tar xf "$3/lab3.zip")
+wrong() { echo "gradescope_test: $1"; exit 1; }
+[ -x "$autograder/source/run_autograder" ] || wrong 'run_autograder is not executable'
+[ ! -e "$autograder/source/.git" ] || wrong 'the zip has the history'
+
+export CS550_AUTOGRADER="$autograder" CMAKE_CXX_COMPILER_LAUNCHER="$4"
+"$autograder/source/setup.sh"
+cd "$autograder/source"
+for path in solutions tests/mutants tests/lab3_hill_climbing/hidden reference; do
+  [ ! -e "$path" ] || wrong "$path is left on the image"
+done
+[ "$(stat -c %a .)" = 700 ] || wrong 'another user can enter the folder of the autograder'
+
+score() { sed -n 's/^ "score": \([0-9.]*\),$/\1/p' "$autograder/results/results.json"; }
+cp "$root"/solutions/lab3_hill_climbing/*.cpp "$autograder/submission"
+./run_autograder
+[ "$(score)" = 60.0 ] || wrong "the reference earns $(score) points"
+echo 'this is no C++' >"$autograder/submission/hill_climbing.cpp"
+./run_autograder
+[ "$(score)" = 0.0 ] || wrong "a file that does not compile earns $(score) points"
+grep -q 'does not compile' "$autograder/results/results.json" || wrong 'the compiler is not quoted'
+rm "$autograder/submission/hill_climbing.cpp"
+./run_autograder
+[ "$(score)" = 0.0 ] || wrong "an empty submission earns $(score) points"
