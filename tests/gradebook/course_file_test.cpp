@@ -61,7 +61,7 @@ TEST(CourseFile, AllExamplesTogetherAreAFile) {
   using namespace std::chrono;
   EXPECT_EQ(course.lab(3).due, sys_days(2026y / October / 12) + 21h + 59min);
   EXPECT_EQ(course.limits_of(3).wall, 60) << "the lab's own";
-  EXPECT_EQ(course.limits_of(4).wall, 1800) << "the course's";
+  EXPECT_EQ(course.limits_of(4).wall, 300) << "the course's";
   ASSERT_TRUE(course.late);
   EXPECT_EQ(course.late->clock, Clock::File);
   EXPECT_EQ(course.late->most_percent, 50);

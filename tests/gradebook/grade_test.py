@@ -26,10 +26,10 @@ def command(*arguments):
     return [str(a) for a in (PROGRAM, "--judge", FAKE, *arguments)]
 
 
-def grade(*arguments, code=0, **options):
+def grade(*arguments, code=0, root=ROOT, **options):
     """Runs the verb and checks its exit code. Returns what it printed."""
     run = subprocess.run(command(*arguments), capture_output=True, text=True, timeout=120, check=False,
-                         env={**os.environ, "CS550_ROOT": str(ROOT)}, **options)
+                         env={**os.environ, "CS550_ROOT": str(root)}, **options)
     printed = run.stdout + run.stderr
     assert run.returncode == code, f"{arguments}: exit code {run.returncode}, expected {code}\n{printed}"
     return printed
@@ -228,6 +228,38 @@ def test_reports_are_made_again_from_records(folder):
     assert (out / "course.toml").stat().st_mode & 0o077 == 0
 
 
+def test_a_secret_salts_the_seeds(folder):
+    small_class(folder / "class")
+    course = folder / "course.toml"
+
+    def seed_with(secret, out):
+        course.write_text(f"secret = '{secret}'\n")
+        grade(folder / "class", "--out", folder / out, "--labs", "3", "--course", course)
+        return lab(folder / out, "ada", 3)["seed"]
+
+    assert 1 <= int(seed_with("x", "first")) <= 2 ** 28
+    assert lab(folder / "first", "ada", 3)["seed"] == seed_with("x", "again") != seed_with("y", "other")
+    grade(folder / "class", "--out", folder / "published", "--labs", "3")
+    assert lab(folder / "published", "ada", 3)["seed"] == "published"
+
+
+def test_a_secret_with_which_the_reference_fails_is_refused(folder):
+    small_class(folder / "class")
+    root = folder / "root"
+    shutil.copytree(ROOT / "solutions", root / "solutions")
+    for name in ("labs", "tests"):
+        (root / name).symlink_to(ROOT / name)
+    (root / "solutions/lab3_hill_climbing/hill_climbing.cpp").write_text("// fake: fails FirstOfEqualVerticesWins")
+    (folder / "course.toml").write_text("secret = 'x'\n")
+    grading = [folder / "class", "--out", folder / "out", "--labs", "3,5"]
+    grade(*grading, root=root)
+    shutil.rmtree(folder / "out")
+    printed = grade(*grading, "--course", folder / "course.toml", code=1, root=root)
+    assert "Lab3.FirstOfEqualVerticesWins" in printed and "another secret" in printed, printed
+    assert not list((folder / "out").glob("records/*")), "nobody was graded"
+    no_work_is_left(folder / "out")
+
+
 def test_folders_are_merged(folder):
     small_class(folder / "class")
     grade(folder / "class", "--out", folder / "whole", "--labs", "3,5")
@@ -270,9 +302,12 @@ def test_the_documented_commands_work(folder):
     front_door = folder / "cs550"
     front_door.write_text(f'#!/bin/sh\nshift\nexec "{PROGRAM}" --judge "{FAKE}" "$@"\n')
     front_door.chmod(0o755)
-    commands = [line for block in re.findall(r"```sh\n(.*?)```", section, re.DOTALL) for line in block.splitlines()]
+    commands = [line for block in re.findall(r"```sh\n(.*?)```", section, re.DOTALL)
+                for line in block.replace("\\\n", " ").splitlines()]
     assert len(commands) >= 8, commands
     for line in commands:
+        if line.startswith("sbatch") or "ctest" in line:
+            continue  # slurm_test.sh, check_ctest_verdicts.py
         if line.startswith("parallel") and not shutil.which("parallel"):
             line = "for s in class/*; do ./cs550 grade $s --out parts/$(basename $s .zip) --course course.toml; done"
         run = subprocess.run(["sh", "-c", line], cwd=folder, capture_output=True, text=True, check=False,

@@ -239,6 +239,9 @@ TEST(Discovery, AFolderOfSubmissionsIsAllOfThem) {
   EXPECT_EQ(names, (std::vector<std::string>{"ada-lab3", "bob", "empty", "eve-lab1", "eve-lab2"}));
   EXPECT_EQ(students, (std::vector<std::string>{"ada", "bob", "empty", "eve", "eve"}));
   ASSERT_EQ(found.skipped.size(), 1U);
+  const Discovery alone = find_submissions({scratch / "class/empty"}, project_catalogue());
+  ASSERT_EQ(alone.submissions.size(), 1U) << "an empty folder that is named gets a record";
+  EXPECT_EQ(alone.submissions[0].student, "empty");
   EXPECT_THROW(find_submissions({scratch / "absent"}, project_catalogue()), std::runtime_error);
 }
 

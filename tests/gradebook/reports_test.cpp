@@ -17,6 +17,7 @@
 #include "gradebook/reports/numbers.hpp"
 #include "gradebook/reports/statistics.hpp"
 #include "gradebook/reports/write_reports.hpp"
+#include "gradebook/text/base64.hpp"
 #include "gradebook_test.hpp"
 
 namespace cs550::gradebook {
@@ -100,6 +101,32 @@ TEST(Feedback, ShowsHiddenTestsByNameAndPointsOnly) {
       EXPECT_NE(text.find("12"), std::string::npos) << "the points of hidden tests";
     }
   }
+}
+
+TEST(Feedback, ShowsThePictureOfAVisibleTestOnly) {
+  Record record = record_of("ada", lab_record(24, 0, 0));
+  for (TestResult& test : record.labs[0].tests) test.picture = "<svg>" + test.name + "</svg>";
+  const Course course = course_of("");
+  const std::string text = feedback_html(mark_of(record, course), course);
+  const auto image = [](const std::string& name) { return base64("<svg>Lab3." + name + "</svg>"); };
+  EXPECT_EQ(base64("foob"), "Zm9vYg==") << "RFC 4648, section 10";
+  EXPECT_NE(text.find("src=\"data:image/svg+xml;base64," + image("ClimbEndsOnAPlateau")),
+            std::string::npos);
+  EXPECT_EQ(text.find(image("Secret")), std::string::npos) << "a hidden test";
+  EXPECT_EQ(text.find(image("FirstOfEqualVerticesWins")), std::string::npos)
+      << "a test that passed";
+}
+
+TEST(Reports, ClassPageShowsNoMessageOfAHiddenTest) {
+  Record ada = hostile_record();
+  Record bob = hostile_record();
+  bob.name = bob.student = "bob";
+  const std::vector<Record> records{ada, bob};
+  const Course course = course_of("");
+  const std::string text = class_page(mark_class(assign({}, records), {3}, course), {3}, course);
+  EXPECT_NE(text.find("Lab3.Secret"), std::string::npos);
+  EXPECT_NE(text.find("(a hidden test)"), std::string::npos);
+  EXPECT_EQ(text.find("twin edge"), std::string::npos);
 }
 
 TEST(Reports, NoReportContainsWhatAStudentWroteAsMarkup) {

@@ -53,7 +53,8 @@ void prepare(WorldState& world, const ContactStep& step);
 /// Moves the bodies by one substep and solves their contacts.
 void substep(WorldState& world, const ContactStep& step);
 /// All substeps of a step. The grader's judge of lab 7 links another definition, which lets another
-/// process run this one: a round trip for each contact would take minutes.
+/// process run this one: a round trip for each contact would take minutes. What substeps read of
+/// the world is listed in autograder/grader/substeps_archive.hpp.
 void run_substeps(WorldState& world, const ContactStep& step, int count);
 
 /// Checks of what a stage promised. Broken promises are reported in problems(), and their effect is

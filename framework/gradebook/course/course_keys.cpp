@@ -47,8 +47,8 @@ leaderboard = ["points", "seconds"])"},
            Form::Single,
            {whole("wall", 1, hour), whole("cpu", 1, hour), whole("memory", 256, 1 << 20)},
            R"([limits]
-wall = 1800
-cpu = 1200
+wall = 300
+cpu = 300
 memory = 2048)"},
           {"visibility",
            Form::Single,

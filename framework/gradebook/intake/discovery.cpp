@@ -79,7 +79,8 @@ class Finder {
     const std::vector<fs::path> inside = children(folder);
     if (inside.empty() || folders.size() == deepest) {
       // An empty folder is what a student handed in, and gets a record.
-      if (!folders.empty()) add(folder, {folders.begin(), folders.end() - 1});
+      const std::size_t above = folders.empty() ? 0 : folders.size() - 1;
+      add(folder, {folders.begin(), folders.begin() + static_cast<std::ptrdiff_t>(above)});
       return;
     }
     for (const fs::path& child : inside) {

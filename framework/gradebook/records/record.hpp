@@ -19,6 +19,7 @@ struct TestResult {
   bool hidden = false;
   double seconds = 0;
   std::string message;
+  std::string picture;  ///< of the case that fails, as SVG; empty for most tests
 };
 
 struct LabRecord {

@@ -13,17 +13,21 @@ using Json = nlohmann::ordered_json;
 constexpr int format = 1;
 
 Json json_of(const TestResult& test) {
-  return {{"name", test.name},       {"step", test.step},      {"points", test.points},
-          {"earned", test.earned},   {"status", test.status},  {"hidden", test.hidden},
-          {"seconds", test.seconds}, {"message", test.message}};
+  Json json{{"name", test.name},       {"step", test.step},      {"points", test.points},
+            {"earned", test.earned},   {"status", test.status},  {"hidden", test.hidden},
+            {"seconds", test.seconds}, {"message", test.message}};
+  if (!test.picture.empty()) json["picture"] = test.picture;
+  return json;
 }
 
 TestResult test_of(const Json& json) {
   constexpr std::size_t longest_message = 16 * 1024;
-  return {json.at("name"),    json.at("step"),
-          json.at("points"),  json.at("earned"),
-          json.at("status"),  json.at("hidden"),
-          json.at("seconds"), shortened(json.at("message").get<std::string>(), longest_message)};
+  return {
+      json.at("name"),          json.at("step"),
+      json.at("points"),        json.at("earned"),
+      json.at("status"),        json.at("hidden"),
+      json.at("seconds"),       shortened(json.at("message").get<std::string>(), longest_message),
+      json.value("picture", "")};
 }
 
 std::vector<TestResult> tests_of(const Json& json) {

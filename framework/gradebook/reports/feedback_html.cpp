@@ -3,10 +3,18 @@
 #include "gradebook/reports/feedback.hpp"
 #include "gradebook/reports/page.hpp"
 #include "gradebook/reports/shown.hpp"
+#include "gradebook/text/base64.hpp"
 #include "gradebook/text/escape.hpp"
 
 namespace cs550::gradebook {
 namespace {
+
+/// As an image, in which no script runs.
+std::string picture(const TestResult& test) {
+  if (test.picture.empty()) return {};
+  return fmt::format("<img alt=\"the case that fails\" src=\"data:image/svg+xml;base64,{}\">",
+                     base64(test.picture));
+}
 
 std::string test_row(const TestResult& test) {
   const bool passed = test.status == "passed";
@@ -16,8 +24,8 @@ std::string test_row(const TestResult& test) {
       html(test.step), html(test.name), test.hidden ? " <small>hidden</small>" : "", test.earned,
       test.points, passed ? "good" : "bad", html(status_text(test)));
   if (!passed && !shown_message(test).empty()) {
-    text +=
-        fmt::format("<tr><td></td><td colspan=\"3\"><pre>{}</pre></td></tr>\n", html(test.message));
+    text += fmt::format("<tr><td></td><td colspan=\"3\"><pre>{}</pre>{}</td></tr>\n",
+                        html(test.message), picture(test));
   }
   return text;
 }

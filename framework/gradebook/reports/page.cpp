@@ -37,6 +37,7 @@ pre { margin: .2rem 0; padding: .6rem; background: var(--raised); border-radius:
 .card { background: var(--raised); border-radius: 8px; padding: .8rem; }
 .card p { margin: .2rem 0; }
 svg { display: block; width: 100%; height: auto; }
+img { display: block; max-width: 100%; background: #fff; border-radius: 6px; }
 svg rect { fill: var(--accent); }
 svg text { fill: var(--faint); font: 11px system-ui, sans-serif; text-anchor: middle; }
 details { margin: .5rem 0; }

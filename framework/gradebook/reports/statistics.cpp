@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "gradebook/reports/numbers.hpp"
@@ -92,19 +93,24 @@ std::string likeness(const std::string& message) {
 }
 
 std::vector<AlikeFailures> alike_failures(const std::vector<StudentMark>& marks) {
-  std::map<std::pair<std::string, std::string>, std::vector<const StudentMark*>> groups;
+  // Messages of hidden tests tell failures apart too, but are not shown: teachers show this page.
+  using Likeness = std::tuple<std::string, std::string, bool>;  // test, message, hidden
+  std::map<Likeness, std::vector<const StudentMark*>> groups;
   for (const StudentMark& mark : marks) {
     for (const LabMark& lab : mark.labs) {
       if (lab.lab_record() == nullptr) continue;
       for (const TestResult& test : lab.lab_record()->tests) {
         if (test.status == "passed" || test.message.empty()) continue;
-        groups[{test.name, likeness(test.message)}].push_back(&mark);
+        groups[{test.name, likeness(test.message), test.hidden}].push_back(&mark);
       }
     }
   }
   std::vector<AlikeFailures> failures;
   for (auto& [key, students] : groups) {
-    if (students.size() > 1) failures.push_back({key.first, key.second, std::move(students)});
+    const auto& [test, message, hidden] = key;
+    if (students.size() > 1) {
+      failures.push_back({test, hidden ? "(a hidden test)" : message, std::move(students)});
+    }
   }
   std::stable_sort(failures.begin(), failures.end(),
                    [](const AlikeFailures& a, const AlikeFailures& b) {

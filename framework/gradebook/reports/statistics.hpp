@@ -36,7 +36,7 @@ struct TestStatistics {
 /// Submissions that fail a test with the same message, numbers aside.
 struct AlikeFailures {
   std::string test;
-  std::string message;  ///< the first line, with numbers as #
+  std::string message;  ///< the first line, with numbers as #; not that of a hidden test
   std::vector<const StudentMark*> students;
 };
 

@@ -117,7 +117,7 @@ LabRecord without_result(const CatalogueLab& lab, const std::string& status) {
   LabRecord record;
   record.lab = lab.number;
   for (const CatalogueTest& test : lab.tests) {
-    record.tests.push_back({test.name, test.step, test.points, 0, status, test.hidden, 0, ""});
+    record.tests.push_back({test.name, test.step, test.points, 0, status, test.hidden, 0, "", ""});
   }
   return record;
 }

@@ -9,8 +9,8 @@
 
 namespace cs550::gradebook {
 
-/// Grades the reference of each lab, as a submission, with the secret of the course. A result is kept,
-/// so that a secret is checked once.
+/// Grades the reference of each lab, as a submission, with the secret of the course. A result is
+/// kept, so that a secret is checked once.
 /// @param solutions folder with the reference of each lab
 /// @throws std::runtime_error if it does not earn every point
 void check_reference(const std::filesystem::path& solutions, const std::vector<int>& labs, int jobs,
