@@ -50,7 +50,7 @@ std::string departure(const Quantity& mine, const std::vector<double>& recorded,
 }
 
 std::string agreement(const Worst& worst, double until) {
-  const std::string text = fmt::format("agrees with the record for all of its {:.2g} s", until);
+  std::string text = fmt::format("agrees with the record for all of its {:.2g} s", until);
   if (worst.name.empty()) return text;
   return fmt::format("{}\nlargest difference: {}, {} % of its tolerance", text, worst.name,
                      static_cast<int>(100 * worst.share));
