@@ -20,7 +20,7 @@ cs550_given_library(cs550_engine "engine;engine/*" nlohmann_json::nlohmann_json 
 set_target_properties(cs550_engine PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_options(cs550_engine PRIVATE -fno-semantic-interposition)
 # Object files of their own: a lab's fast kernels, or a judge of the grader, may replace them.
-set_source_files_properties("${PROJECT_SOURCE_DIR}/framework/engine/world/body_sweeps.cpp"
+set_source_files_properties("${PROJECT_SOURCE_DIR}/framework/engine/body_sweeps.cpp"
                             "${PROJECT_SOURCE_DIR}/framework/engine/world/substeps.cpp" PROPERTIES
                             SKIP_UNITY_BUILD_INCLUSION ON)
 # Headers of given code are included as "engine/world/stages.hpp", "drawing/palette.hpp".

@@ -1,6 +1,6 @@
 // The sweeps of a substep over all bodies: the engine's kernels must leave the bits that the
 // functions of lab 1 leave, body by body.
-#include "engine/world/body_sweeps.hpp"
+#include "engine/body_sweeps.hpp"
 
 #include <gtest/gtest.h>
 

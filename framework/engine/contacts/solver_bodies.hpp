@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "engine/world/body_sweeps.hpp"
+#include "engine/body_sweeps.hpp"
 #include "engine/world_state.hpp"
 
 namespace cs550 {

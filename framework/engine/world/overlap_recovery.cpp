@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/pairs/pair_list.hpp"
-#include "engine/world/body_sweeps.hpp"
 
 /// @file overlap_recovery.cpp
 /// A scene may put bodies into each other. The bias pushes them apart, and the relax passes should

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "cs550/naive_solver.hpp"
+#include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/contacts/solver_bodies.hpp"
-#include "engine/world/body_sweeps.hpp"
 #include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "engine/world/body_sweeps.hpp"
+#include "engine/body_sweeps.hpp"
 
 /// @file turn_guard.cpp
 /// The implicit midpoint is solved by fixed-point iteration, which contracts only while

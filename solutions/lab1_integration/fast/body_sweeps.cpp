@@ -6,7 +6,7 @@
 /// derive the same one again. Turns are the expensive part, and bodies turn independently of each
 /// other: four of them are turned at a time, one in each lane.
 
-#include "engine/world/body_sweeps.hpp"
+#include "engine/body_sweeps.hpp"
 
 #include "engine/wide_structs.hpp"
 

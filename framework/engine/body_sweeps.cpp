@@ -1,4 +1,4 @@
-#include "engine/world/body_sweeps.hpp"
+#include "engine/body_sweeps.hpp"
 
 namespace cs550 {
 
