@@ -42,6 +42,7 @@ struct Plot {
   std::string x_label;             ///< with its unit: "time (s)"
   std::string y_label;             ///< with its unit
   bool logarithmic = false;        ///< y in powers of ten; values ≤ 0 are left out
+  bool logarithmic_x = false;      ///< the same for x; not in the viewer's window
   std::vector<Series> series;      ///< at least one
   std::vector<PlotMark> marks;     ///< lines across
   std::vector<std::string> notes;  ///< sentences below the plot

@@ -27,23 +27,22 @@ struct Value {
   double x, y;
 };
 
-/// The values that can be drawn. On a logarithmic axis, y is replaced by its decimal logarithm.
-std::vector<Value> drawable(const Series& series, bool logarithmic) {
-  std::vector<Value> result;
-  for (const Vec2& value : series.values) {
-    const double x = static_cast<double>(value.x());
-    double y = static_cast<double>(value.y());
-    if (!std::isfinite(x) || !std::isfinite(y) || (logarithmic && y <= 0)) continue;
-    if (logarithmic) y = std::log10(y);
-    result.push_back({x, y});
-  }
-  return result;
+/// A coordinate on its axis: on a logarithmic one, its decimal logarithm. NaN if it cannot be drawn.
+double on_axis(Real value, bool logarithmic) {
+  const double number = static_cast<double>(value);
+  if (logarithmic) return number > 0 ? std::log10(number) : NAN;
+  return number;
 }
 
-std::string tick_text(double value, double step, bool logarithmic) {
-  if (logarithmic) return power_of_ten_text(static_cast<int>(std::lround(value)));
-  // Rounding may leave 1e-17 in place of zero.
-  return number_text(std::abs(value) < 1e-9 * step ? 0.0 : value, 6);
+/// The values that can be drawn.
+std::vector<Value> drawable(const Series& series, const Plot& plot) {
+  std::vector<Value> result;
+  for (const Vec2& value : series.values) {
+    const double x = on_axis(value.x(), plot.logarithmic_x);
+    const double y = on_axis(value.y(), plot.logarithmic);
+    if (std::isfinite(x) && std::isfinite(y)) result.push_back({x, y});
+  }
+  return result;
 }
 
 /// Maps values to the page.
@@ -51,7 +50,7 @@ class Axes {
  public:
   Axes(const Plot& plot, const Rectangle& area) : area_(area) {
     for (const Series& series : plot.series) {
-      for (const Value& value : drawable(series, plot.logarithmic)) {
+      for (const Value& value : drawable(series, plot)) {
         x_.include(value.x);
         y_.include(value.y);
       }
@@ -62,15 +61,10 @@ class Axes {
       }
     }
     for (const PlotMark& mark : plot.marks) {
-      const double at = static_cast<double>(mark.at);
-      if (!std::isfinite(at) || (plot.logarithmic && !mark.vertical && at <= 0)) continue;
-      if (mark.vertical) {
-        x_.include(at);
-      } else {
-        y_.include(plot.logarithmic ? std::log10(at) : at);
-      }
+      const double at = on_axis(mark.at, mark.vertical ? plot.logarithmic_x : plot.logarithmic);
+      if (std::isfinite(at)) (mark.vertical ? x_ : y_).include(at);
     }
-    widen(x_, 0);
+    widen(x_, plot.logarithmic_x ? 0.06 : 0);
     widen(y_, 0.06);
   }
 
@@ -98,12 +92,37 @@ class Axes {
   Range x_, y_;
 };
 
-std::vector<double> ticks(const Range& range, bool logarithmic) {
-  double step = tick_step(range.length(), most_ticks);
-  if (logarithmic) step = std::max(1.0, std::round(step));
-  std::vector<double> result;
+struct Tick {
+  double at;
+  std::string text;
+};
+
+/// Powers of ten. If there are only one or two of them, their double and fivefold too.
+std::vector<Tick> logarithmic_ticks(const Range& range) {
+  const bool is_short = range.length() < 2;
+  const int step =
+      std::max(1, static_cast<int>(std::lround(tick_step(range.length(), most_ticks))));
+  std::vector<Tick> result;
+  for (int i = static_cast<int>(std::floor(range.low / step)); i * step <= range.high; ++i) {
+    const int exponent = i * step;
+    for (const int multiple : {1, 2, 5}) {
+      const double at = exponent + std::log10(multiple);
+      if (at < range.low || at > range.high || (multiple > 1 && !is_short)) continue;
+      result.push_back({at, is_short ? number_text(multiple * std::pow(10.0, exponent))
+                                     : power_of_ten_text(exponent)});
+    }
+  }
+  return result;
+}
+
+std::vector<Tick> ticks(const Range& range, bool logarithmic) {
+  if (logarithmic) return logarithmic_ticks(range);
+  const double step = tick_step(range.length(), most_ticks);
+  std::vector<Tick> result;
   for (double i = std::ceil(range.low / step); i * step <= range.high; ++i) {
-    result.push_back(i * step);
+    // Rounding may leave 1e-17 in place of zero.
+    const double at = std::abs(i) < 0.5 ? 0.0 : i * step;
+    result.push_back({at, number_text(at, 6)});
   }
   return result;
 }
@@ -116,18 +135,16 @@ void draw_axes(SvgWriter& svg, const Plot& plot, const Axes& axes, const Rectang
   style.colour = ink;
   style.anchor = Anchor::Middle;
   const double bottom = area.top + area.height;
-  for (const double x : ticks(axes.x_range(), false)) {
+  for (const auto& [x, text] : ticks(axes.x_range(), plot.logarithmic_x)) {
     const double left = axes.place(x, 0).x;
     svg.line({left, area.top}, {left, bottom}, grid, 0.8);
-    svg.text({left, bottom + tick_length + 11},
-             tick_text(x, tick_step(axes.x_range().length(), most_ticks), false), style);
+    svg.text({left, bottom + tick_length + 11}, text, style);
   }
   style.anchor = Anchor::End;
-  for (const double y : ticks(axes.y_range(), plot.logarithmic)) {
+  for (const auto& [y, text] : ticks(axes.y_range(), plot.logarithmic)) {
     const double top = axes.place(0, y).y;
     svg.line({area.left, top}, {area.left + area.width, top}, grid, 0.8);
-    svg.text({area.left - tick_length - 2, top + 4},
-             tick_text(y, tick_step(axes.y_range().length(), most_ticks), plot.logarithmic), style);
+    svg.text({area.left - tick_length - 2, top + 4}, text, style);
   }
   svg.line({area.left, bottom}, {area.left + area.width, bottom}, ink, 1.2);
   svg.line({area.left, area.top}, {area.left, bottom}, ink, 1.2);
@@ -136,7 +153,7 @@ void draw_axes(SvgWriter& svg, const Plot& plot, const Axes& axes, const Rectang
 void draw_series(SvgWriter& svg, const Series& series, const Plot& plot, const Axes& axes) {
   const Colour ink = colour(series.role);
   std::vector<PagePoint> points;
-  for (const Value& value : drawable(series, plot.logarithmic)) {
+  for (const Value& value : drawable(series, plot)) {
     const PagePoint at = axes.place(value.x, value.y);
     if (series.style == SeriesStyle::Steps && !points.empty()) {
       points.push_back({at.x, points.back().y});
@@ -166,8 +183,7 @@ void draw_series(SvgWriter& svg, const Series& series, const Plot& plot, const A
 
 void draw_mark(SvgWriter& svg, const PlotMark& mark, const Plot& plot, const Axes& axes,
                const Rectangle& area) {
-  double at = static_cast<double>(mark.at);
-  if (plot.logarithmic && !mark.vertical) at = at > 0 ? std::log10(at) : NAN;
+  const double at = on_axis(mark.at, mark.vertical ? plot.logarithmic_x : plot.logarithmic);
   if (!std::isfinite(at)) return;
   const PagePoint place = mark.vertical ? axes.place(at, 0) : axes.place(0, at);
   const PagePoint from =

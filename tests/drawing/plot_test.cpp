@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "drawing/impulse_drawing.hpp"
 #include "drawing/svg.hpp"
 #include "drawing/text.hpp"
@@ -37,6 +39,33 @@ TEST(Plot, ALogarithmicAxisLeavesOutWhatHasNoLogarithm) {
   EXPECT_EQ(count(svg, "<circle"), 2 + 1);
   EXPECT_EQ(count(svg, "nan"), 0);
   EXPECT_EQ(count(svg, "inf"), 0);
+}
+
+TEST(Plot, APowerLawIsAStraightLineOnLogarithmicAxes) {
+  Plot plot;
+  plot.logarithmic = plot.logarithmic_x = true;
+  add_series(plot, "cost", {{1, 1}, {10, 100}, {0, 5}, {-1, 5}, {1000, Real(1e6)}},
+             SeriesStyle::Dots);
+  const std::string svg = write_svg(plot);
+  const auto centre = [&](int i) {
+    std::size_t at = 0;
+    for (int k = 0; k <= i; ++k) at = svg.find("<circle cx=\"", at + 1);
+    double x = 0, y = 0;
+    EXPECT_EQ(std::sscanf(svg.c_str() + at, "<circle cx=\"%lf\" cy=\"%lf\"", &x, &y), 2);
+    return Eigen::Vector2d(x, y);
+  };
+  EXPECT_EQ(count(svg, "<circle"), 3 + 1) << "0 and −1 have no logarithm";
+  const Eigen::Vector2d decade = centre(1) - centre(0);
+  EXPECT_LT((centre(2) - centre(1) - 2 * decade).norm(), 0.1);
+  EXPECT_GT(decade.x(), 10);
+}
+
+TEST(Plot, AShortLogarithmicAxisHasTicksBetweenPowersOfTen) {
+  Plot plot;
+  plot.logarithmic_x = true;
+  add_series(plot, "cost", {{Real(0.4), 0}, {6, 1}});
+  const std::string svg = write_svg(plot);
+  for (const char* tick : {">0.5<", ">1<", ">2<", ">5<"}) EXPECT_GE(count(svg, tick), 1) << tick;
 }
 
 TEST(Plot, AConstantHasAnAxis) {

@@ -74,8 +74,9 @@ void serialize(Archive& archive, PlotMark& mark) {
 
 template <class Archive>
 void serialize(Archive& archive, Plot& plot) {
-  auto& [title, alt_text, x_label, y_label, logarithmic, series, marks, notes] = plot;
-  archive(title, alt_text, x_label, y_label, logarithmic, series, marks, notes);
+  auto& [title, alt_text, x_label, y_label, logarithmic, logarithmic_x, series, marks, notes] =
+      plot;
+  archive(title, alt_text, x_label, y_label, logarithmic, logarithmic_x, series, marks, notes);
 }
 
 }  // namespace cs550::drawing
