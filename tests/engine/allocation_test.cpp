@@ -21,9 +21,12 @@ long allocations_of_a_step(World& world) {
 
 TEST(Allocation, TheCounterCounts) {
   const long before = allocation_count();
-  void* const something = ::operator new(1);  // an explicit call, which compilers may not remove
-  EXPECT_GT(allocation_count(), before);
+  const long bytes_before = allocated_bytes();
+  void* const something = ::operator new(100);  // an explicit call, which compilers may not remove
+  EXPECT_EQ(allocation_count(), before + 1);
+  EXPECT_EQ(allocated_bytes(), bytes_before + 100);
   ::operator delete(something);
+  EXPECT_EQ(allocated_bytes(), bytes_before);
 }
 
 TEST(Allocation, NoneInAStepWhileThePairsStayTheSame) {
