@@ -33,5 +33,3 @@ if(missing_packages)
   message(FATAL_ERROR "Missing packages. On Debian and Ubuntu:\n  sudo apt install ${missing_packages}\n"
                       "Other systems: see README.md.")
 endif()
-
-find_package(benchmark QUIET CONFIG)

@@ -41,18 +41,10 @@ cs550_add_own_tests(milestones cs550_milestones)
 cs550_add_own_tests(soak nlohmann_json::nlohmann_json fmt::fmt)
 
 # Further tests of each folder. Some of the files are not in the students' copy.
-foreach(folder drawing autograder gradebook install viewer mutants cli docs)
+foreach(folder drawing autograder gradebook install viewer mutants cli docs benchmarks)
   include("${PROJECT_SOURCE_DIR}/tests/${folder}/tests.cmake" OPTIONAL)
 endforeach()
 
 if(EXISTS "${PROJECT_SOURCE_DIR}/tests/fixtures/CMakeLists.txt")
   add_subdirectory("${PROJECT_SOURCE_DIR}/tests/fixtures" "${PROJECT_BINARY_DIR}/fixtures")
-endif()
-
-file(GLOB benchmark_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/benchmarks/*.cpp")
-if(benchmark_sources AND benchmark_FOUND)
-  add_executable(benchmarks EXCLUDE_FROM_ALL ${benchmark_sources})
-  target_link_libraries(benchmarks PRIVATE cs550_test_support cs550_warnings
-                        benchmark::benchmark_main)
-  cs550_link_labs(benchmarks fast reference stub)
 endif()

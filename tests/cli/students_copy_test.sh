@@ -52,7 +52,7 @@ for path in solutions .ci .gitattributes CONTRIBUTING.md docs/instructors.md doc
 done
 version=$(cat "$copy/.starters/version")
 [ "${version#* }" = "$(git -C "$root" rev-parse --short=12 HEAD)" ] || wrong "its version is $version"
-! "$copy/cs550" help | grep -qE '^ *(starter|grade) ' || wrong "its help lists a verb for instructors"
+! "$copy/cs550" help | grep -qE '^ *(starter|grade|bench) ' || wrong "its help lists a verb for instructors"
 
 echo "A history of its own:"
 history=$(git -C "$copy" log --all --format='%an %ae %s')

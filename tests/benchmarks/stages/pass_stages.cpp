@@ -1,13 +1,12 @@
 // Passes of lab 7 over the constraints of many cubes, in groups as the engine solves them and one
 // by one.
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <vector>
 
+#include "benchmarks/stages/stage.hpp"
 #include "cs550/constraint_solver.hpp"
 
-namespace cs550::test {
+namespace cs550::bench {
 namespace {
 
 struct Bricks {
@@ -53,18 +52,16 @@ void push_down(Bricks& bricks) {
   }
 }
 
-void pass_at_once(benchmark::State& state) {
-  Bricks bricks = cubes_on_the_ground(static_cast<int>(state.range(0)));
+void pass_at_once(benchmark::State& state, int cubes) {
+  Bricks bricks = cubes_on_the_ground(cubes);
   for ([[maybe_unused]] auto _ : state) {
     push_down(bricks);
     solve_contacts(bricks.constraints, bricks.bodies, bricks.step);
   }
-  state.SetItemsProcessed(state.iterations() *
-                          static_cast<std::int64_t>(bricks.constraints.size()));
 }
 
-void constraints_one_by_one(benchmark::State& state) {
-  Bricks bricks = cubes_on_the_ground(static_cast<int>(state.range(0)));
+void pass_one_by_one(benchmark::State& state, int cubes) {
+  Bricks bricks = cubes_on_the_ground(cubes);
   for ([[maybe_unused]] auto _ : state) {
     push_down(bricks);
     for (ContactConstraint& constraint : bricks.constraints) {
@@ -74,12 +71,22 @@ void constraints_one_by_one(benchmark::State& state) {
       solve_friction(constraint, a, b);
     }
   }
-  state.SetItemsProcessed(state.iterations() *
-                          static_cast<std::int64_t>(bricks.constraints.size()));
 }
 
-BENCHMARK(pass_at_once)->Arg(4)->Arg(64)->Arg(512);
-BENCHMARK(constraints_one_by_one)->Arg(4)->Arg(64)->Arg(512);
-
 }  // namespace
-}  // namespace cs550::test
+
+std::vector<Stage> pass_stages() {
+  constexpr int corners = 4;
+  std::vector<Stage> stages;
+  const std::pair<const char*, void (*)(benchmark::State&, int)> families[] = {
+      {"pass/at_once", pass_at_once}, {"pass/one_by_one", pass_one_by_one}};
+  for (const auto& [family, run] : families) {
+    for (const int cubes : {4, 64, 512}) {
+      stages.push_back({member(family, corners * cubes), 0, static_cast<double>(corners * cubes),
+                        [run = run, cubes](benchmark::State& state) { run(state, cubes); }});
+    }
+  }
+  return stages;
+}
+
+}  // namespace cs550::bench

@@ -1,0 +1,83 @@
+/// Axis and manifold of a pair of overlapping hulls, labs 4 and 5: without a hint, with the answer
+/// for the same pose as a hint, and with the answer for a pose that has since moved. Then a pair at
+/// rest, whose answer temporal coherence keeps.
+#include "benchmarks/stages/hull_pairs.hpp"
+#include "benchmarks/stages/stage.hpp"
+#include "cs550/clipping.hpp"
+#include "engine/pairs/temporal_coherence.hpp"
+
+namespace cs550::bench {
+namespace {
+
+enum class Recall { Cold, Warm, Moved };
+
+void build_manifolds(benchmark::State& state, int vertices, Recall recall) {
+  HullPairs hulls(vertices, Real(-0.1), 0);
+  if (recall == Recall::Moved) hulls.move();
+  std::size_t next = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const HullPair& pair = hulls.pairs[next++ % hulls.pairs.size()];
+    const SeparatingAxis axis = find_separating_axis(
+        pair.a, pair.b, recall == Recall::Cold ? SeparatingAxis{} : pair.hint, HullPairs::margin);
+    benchmark::DoNotOptimize(build_manifold(pair.a, pair.b, axis, HullPairs::margin));
+  }
+}
+
+/// A world that has just queried these pairs, and has two bodies for each of them.
+WorldState world_of(const HullPairs& hulls) {
+  WorldState world;
+  const auto add_body = [&](const PosedShape& posed) {
+    BodyDef definition;
+    definition.shape = ShapePtr(ShapePtr(), posed.shape);  // owned by the pairs
+    world.definitions.push_back(definition);
+    world.bodies.emplace_back().pose = posed.pose;
+    return static_cast<Index>(world.bodies.size() - 1);
+  };
+  world.pairs.memories.resize(hulls.pairs.size());
+  for (const HullPair& pair : hulls.pairs) {
+    Contact contact;
+    contact.body_a = add_body(pair.a);
+    contact.body_b = add_body(pair.b);
+    contact.manifold = build_manifold(pair.a, pair.b, pair.hint, HullPairs::margin);
+    world.pairs.contacts.push_back(contact);
+    world.pairs.axes.push_back(pair.hint);
+    remember_answer(world, world.pairs.contacts.size() - 1, HullPairs::margin);
+  }
+  return world;
+}
+
+void keep_manifolds(benchmark::State& state, int vertices) {
+  const HullPairs hulls(vertices, Real(-0.1), 0);
+  WorldState world = world_of(hulls);
+  std::size_t next = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const std::size_t pair = next++ % hulls.pairs.size();
+    benchmark::DoNotOptimize(answer_holds(world, pair, HullPairs::margin));
+    move_manifold(world, pair);
+    benchmark::DoNotOptimize(world.pairs.contacts[pair]);
+  }
+}
+
+}  // namespace
+
+std::vector<Stage> manifold_stages() {
+  std::vector<Stage> stages;
+  const std::pair<const char*, Recall> families[] = {{"manifold/cold", Recall::Cold},
+                                                     {"manifold/warm", Recall::Warm},
+                                                     {"manifold/moved", Recall::Moved}};
+  for (const auto& [family, recall] : families) {
+    const auto run = [recall = recall](int vertices) {
+      return [=](benchmark::State& state) { build_manifolds(state, vertices, recall); };
+    };
+    stages.push_back({std::string(family) + "/cubes", 0, 1, run(0)});
+    for (const int n : doubled(8, 256))
+      stages.push_back({member(family, n), static_cast<double>(n), 1, run(n)});
+  }
+  for (const int n : {8, 32, 128}) {
+    stages.push_back({member("manifold/kept", n), static_cast<double>(n), 1,
+                      [n](benchmark::State& state) { keep_manifolds(state, n); }});
+  }
+  return stages;
+}
+
+}  // namespace cs550::bench

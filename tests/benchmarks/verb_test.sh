@@ -1,0 +1,63 @@
+#!/bin/sh
+# verb_test.sh PROGRAM ROOT SCRATCH
+# ./cs550 bench refuses what it cannot do with exit code 2 and writes what it measured. No time is checked.
+set -eu
+program=$1 scratch=$3
+export CS550_ROOT=$2
+rm -rf "$scratch"
+mkdir -p "$scratch/out"
+cd "$scratch/out"
+
+wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
+runs() {
+  "$program" "$@" >"$scratch/printed" 2>&1 </dev/null || wrong "bench $* failed"
+  ! sed 's/µ/u/g' "$scratch/printed" | grep -qE '^.{81}' || wrong "bench $* printed a line of more than 80 columns"
+}
+refuses() {
+  code=0
+  "$program" "$@" >"$scratch/printed" 2>&1 </dev/null || code=$?
+  [ $code = 2 ] || wrong "bench $* exited with code $code, expected 2"
+  ! grep -qE '^.{81}' "$scratch/printed" || wrong "bench $* printed a line of more than 80 columns"
+  [ -z "$(ls -A .)" ] || wrong "bench $* left $(ls -A .)"
+}
+prints() { grep -qF -e "$1" "$scratch/printed" || wrong "expected in the output: $1"; }
+
+refuses --filter nothing_has_this_name
+prints "--filter 'nothing_has_this_name' matches no benchmark"
+prints "./cs550 bench --list"
+refuses --filter '('
+prints "'(' is not a regular expression"
+refuses --json . --filter memory
+prints "--json FILE needs a file that can be written"
+refuses --json /proc/absent/out.json --filter memory
+prints "/proc/absent"
+prints "--json FILE needs a file that can be written"
+refuses --rounds 0
+refuses --pears
+prints "./cs550 bench --help"
+
+runs --help
+for option in --peers --filter --json --plot; do prints "$option"; done
+runs --list --plot
+for name in support/climb/8192 gauss_map/arcs manifold/moved/cubes pass/at_once/2048 scene/S5b frontier/S1 step/cubes \
+  memory; do
+  prints "$name"
+done
+
+runs --brief --filter 'integration|support/.*/(8|16)$|^scene/S[12]$|memory' --json bench.json
+prints "support/climb"
+prints "p = "
+prints "S1: pyramid of 20 rows"
+prints "this engine"
+prints "allocations in a steady step"
+grep -q '"processor"' bench.json || wrong "bench.json names no processor"
+
+# The engines of the package group `peers`, or how to install them.
+if "$program" --brief --peers --filter '^scene/S1$' >"$scratch/printed" 2>&1; then
+  prints "Bullet, 10"
+else
+  prints "./cs550 doctor --install peers"
+fi
+echo "bench refuses what it cannot do and writes what it measured"
+cd /
+rm -rf "$scratch"
