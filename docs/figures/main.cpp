@@ -9,8 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 
+#include "benchmark_figures.hpp"
 #include "cloud_hulls.hpp"
 #include "cs550/not_implemented.hpp"
 #include "figure.hpp"
@@ -26,6 +28,13 @@ void add(std::vector<Item>& all, std::vector<Item> more) {
   for (Item& item : more) all.push_back(std::move(item));
 }
 
+/// What `./cs550 bench` measured when the book was written: measuring takes too long for each build.
+std::string recorded_benchmarks() {
+  std::ifstream file(CS550_RECORDED_BENCHMARKS);
+  if (!file) throw std::runtime_error("cannot read " CS550_RECORDED_BENCHMARKS);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 std::vector<Figure> all_figures() {
   std::vector<Figure> all;
   add(all, conventions_figures());
@@ -37,6 +46,7 @@ std::vector<Figure> all_figures() {
   add(all, contact_figures());
   add(all, solver_figures());
   add(all, mass_figures());
+  add(all, benchmark_figures(recorded_benchmarks()));
   return all;
 }
 

@@ -3,6 +3,8 @@ import json
 import re
 from pathlib import Path
 
+from measured import Measured
+
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 FIGURE = re.compile(r"!\[([^\]]*)\]\((?:figures/)?([\w-]+)\.(svg|png)(?:\s+\"(.*?)\")?\)", re.S)
@@ -44,6 +46,7 @@ class Book:
         self.sources = given_sources(self.tests)
         self.settings = members_of("WorldSettings")
         self.numbers = default_numbers(self.settings)
+        self.measured = Measured(DOCS / "figures" / "benchmarks.json")
         self.figure_number = {}
         self.citations = {}
         self.number_pages()

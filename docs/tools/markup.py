@@ -16,6 +16,8 @@ must exist: a figure, a test, a known mistake, a source file, a citation. What d
   {code:lab4 overlap}              a function of the reference as a listing, in a paragraph of its own; the
                                    declaration where the reference is absent. Given code is named by its file:
                                    {code:engine/contacts/softness.cpp soft_contact}
+  {measured:name}                  what ./cs550 bench has measured (measured.py): `processor`, `date`, the tables
+                                   `times` and `quality`, `exponent support/climb`, `time manifold/cold/128`
   [@Key], [@Key, §2]               a citation; {ref:Key|label} defines it in the bibliography
 """
 import math
@@ -29,6 +31,7 @@ from listing import find_function
 CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
 FENCE_OR_HEADING = re.compile(r"(^```.*?^```)|^(##+) ([^\n]*)$", re.M | re.S)
 BOLD = re.compile(r"\*\*(.+?)\*\*", re.S)
+MEASURED = re.compile(r"\{measured:([^}]+)\}")
 DEFAULT = re.compile(r"\{default:([^}|]+)(?:\|([^}]*))?\}")
 CODE = re.compile(r"^\{code:(\S+) (\w+)\}$", re.M)
 MATH = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.S)
@@ -53,6 +56,7 @@ class Markup:
     def convert_text(self, text):
         text = FIGURE.sub(lambda m: self.figure(*m.groups()), text)
         text = text.replace("{defaults}", self.defaults())
+        text = MEASURED.sub(lambda m: self.measured(m[1]), text)
         text = DEFAULT.sub(lambda m: self.default(*m.groups()), text)
         text = re.sub(r"^## (L(\d+)\.(\d+) .*)$", r"## \1 {#L\2_\3}", text, flags=re.M)
         text = FENCE_OR_HEADING.sub(lambda m: self.heading(*m.groups()), text)
@@ -179,6 +183,13 @@ class Markup:
             return expression
         text = format(number, form or "g")
         return re.sub(r"e([+-]\d+)", lambda m: rf"\cdot10^{{{int(m[1])}}}", text)
+
+    def measured(self, name):
+        try:
+            return self.book.measured.text(name)
+        except KeyError:
+            self.error(f"{{measured:{name}}} is not in docs/figures/benchmarks.json")
+            return name
 
     def defaults(self):
         rows = [f"| `{setting.name}` | {setting.default} | {setting.comment} |" for setting in self.book.settings]
