@@ -34,6 +34,11 @@ void expect_refused(const std::vector<Vec3>& points, const std::string& words) {
   EXPECT_NE(result.error.find(words), std::string::npos) << "'" << result.error << "'";
 }
 
+/// One face is a sliver. Without it three points are left, on which qhull ends the process.
+TEST(ConvexHull, OfATetrahedronThatIsASliverIsRefused) {
+  expect_refused({{0, 0, 0}, {1, 0, 0}, {0.5F, 5e-5F, 0}, {0.5F, 0, 1}}, "lie in one plane");
+}
+
 TEST(ConvexHull, OfACubeDropsWhatIsInsideAndKeepsTheOrder) {
   std::vector<Vec3> points = {Vec3::Zero(), {0.2F, 0.1F, 0}};
   const std::vector<Vec3> corners = box_soup(Vec3::Ones()).vertices;

@@ -180,13 +180,14 @@ bool drop_slivers(TriangleSoup& soup) {
 
 SoupResult convex_hull(std::span<const Vec3> points) {
   if (const std::string fault = first_fault(points); !fault.empty()) return {{}, fault};
-  if (are_coplanar(points)) {
-    return {
-        {},
-        "the points lie in one plane: a hull needs a point outside of it" + advice_if_far(points)};
-  }
   TriangleSoup soup{{points.begin(), points.end()}, {}};
   for (;;) {
+    // Without its slivers a thin hull may be flat. Fewer than four points would make qhull exit.
+    if (soup.vertices.size() < 4 || are_coplanar(soup.vertices)) {
+      return {{},
+              "the points lie in one plane: a hull needs a point outside of it" +
+                  advice_if_far(points)};
+    }
     const HullRun run(soup.vertices);
     if (run.exit_code() != 0) {
       return {{},
