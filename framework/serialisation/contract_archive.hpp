@@ -206,11 +206,11 @@ void serialize(Archive& archive, WorldSettings& settings) {
   auto& [gravity, length_unit, substeps, iterations, relax_iterations, solver, contact_model,
          rotation, warm_starting, temporal_coherence, contact_hertz, contact_damping_ratio,
          baumgarte, slop, max_push_speed, restitution_threshold, restitution_iterations,
-         check_stages, audit_momentum] = settings;
+         rolling_resistance, check_stages, audit_momentum] = settings;
   archive(gravity, length_unit, substeps, iterations, relax_iterations, solver, contact_model,
           rotation, warm_starting, temporal_coherence, contact_hertz, contact_damping_ratio,
           baumgarte, slop, max_push_speed, restitution_threshold, restitution_iterations,
-          check_stages, audit_momentum);
+          rolling_resistance, check_stages, audit_momentum);
 }
 
 template <class Archive, class T, int Capacity>

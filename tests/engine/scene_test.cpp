@@ -116,7 +116,8 @@ TEST(Scene, ReadsEveryWorldSetting) {
       "relax_iterations": 6, "solver": "naive", "contact_model": "baumgarte",
       "rotation": "explicit", "warm_starting": false, "temporal_coherence": true, "contact_hertz": 10,
       "contact_damping_ratio": 2, "baumgarte": 0.1, "slop": 0.002, "max_push_speed": 4,
-      "restitution_threshold": 1.5, "restitution_iterations": 9, "check_stages": true,
+      "restitution_threshold": 1.5, "restitution_iterations": 9, "rolling_resistance": 0.01,
+      "check_stages": true,
       "audit_momentum": true},
       "max_penetration": 0.5, "bodies": [{)" +
                                        std::string(box) + "}]}");
@@ -142,8 +143,25 @@ TEST(Scene, ReadsEveryWorldSetting) {
   EXPECT_EQ(settings.max_push_speed, 4);
   EXPECT_EQ(settings.restitution_threshold, Real(1.5));
   EXPECT_EQ(settings.restitution_iterations, 9);
+  EXPECT_EQ(settings.rolling_resistance, Real(0.01));
   EXPECT_TRUE(settings.check_stages);
   EXPECT_TRUE(settings.audit_momentum);
+}
+
+TEST(Scene, StartsFromTheSettingsOfItsQuality) {
+  const auto settings_of = [](const std::string& world) {
+    const SceneResult result =
+        load_text(R"({"schema": 1, "world": {)" + world + R"(}, "bodies": [{)" + box + "}]}");
+    EXPECT_TRUE(result) << result.error;
+    return result.scene.settings;
+  };
+  EXPECT_TRUE(has_quality(settings_of(""), Quality::Accurate));
+  EXPECT_TRUE(has_quality(settings_of(R"("quality": "accurate")"), Quality::Accurate));
+  EXPECT_TRUE(has_quality(settings_of(R"("quality": "game")"), Quality::Game));
+  const WorldSettings own = settings_of(R"("substeps": 7, "quality": "game", "slop": 0.003)");
+  EXPECT_EQ(own.substeps, 7);
+  EXPECT_EQ(own.slop, Real(0.003));
+  EXPECT_EQ(own.iterations, game_settings().iterations);
 }
 
 TEST(Scene, MakesEveryKindOfShape) {

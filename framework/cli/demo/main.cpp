@@ -22,9 +22,16 @@ using namespace cs550::cli;
 struct DemoOptions {
   std::string scene = "wall";
   std::filesystem::path csv;
-  int steps = 0;  ///< 0: the scene's own number
+  int steps = 0;                   ///< 0: the scene's own number
+  std::optional<Quality> quality;  ///< empty: the scene's own settings
   bool no_picture = false;
 };
+
+Quality parse_quality(const std::string& name) {
+  if (name == "accurate") return Quality::Accurate;
+  if (name == "game") return Quality::Game;
+  throw CLI::ValidationError("--quality", "'" + name + "' is neither accurate nor game");
+}
 
 double timed_step(World& world, Real h) {
   using Clock = std::chrono::steady_clock;
@@ -85,6 +92,7 @@ int run_demo(const DemoOptions& options) {
   }
   Scene& scene = found.scene;
   scene.settings.audit_momentum = true;
+  if (options.quality) set_quality(scene.settings, *options.quality);
 
   std::optional<TrajectoryCsv> trajectory;
   if (!options.csv.empty()) trajectory.emplace(options.csv);
@@ -105,6 +113,10 @@ void declare(CLI::App& app, DemoOptions& options) {
   app.add_option("--steps", options.steps, "number of steps; by default the scene's own")
       ->option_text("N")
       ->check(CLI::Range(1, 1000000));
+  app.add_option_function<std::string>(
+         "--quality", [&](const std::string& name) { options.quality = parse_quality(name); },
+         "accurate, or game: half the passes; by default the scene's own settings")
+      ->option_text("NAME");
   app.add_flag("--no-picture", options.no_picture, "print the summary only");
 }
 

@@ -37,6 +37,10 @@ void limit_carried_impulses(WorldState& world, const ContactStep& step);
 /// @param h substep (s)
 void guess_cold_impulses(WorldState& world, Real h);
 
+/// Lets every contact resist the rotation of its bodies relative to each other, as
+/// settings.rolling_resistance specifies.
+void resist_rolling(WorldState& world);
+
 /// Copies the accumulated impulses to the contact points, for the next step's warm start.
 void store_impulses(WorldState& world);
 

@@ -5,6 +5,10 @@ namespace cs550 {
 WorldSettings read_settings(SceneReader world) {
   constexpr int most_passes = 1000;
   WorldSettings settings;
+  Quality quality = Quality::Accurate;
+  world.read("quality", quality,
+             Names<Quality>{{"accurate", Quality::Accurate}, {"game", Quality::Game}});
+  set_quality(settings, quality);
   world.read("gravity", settings.gravity);
   world.read("length_unit", settings.length_unit, Range::Positive);
 
@@ -30,6 +34,7 @@ WorldSettings read_settings(SceneReader world) {
   world.read("max_push_speed", settings.max_push_speed, Range::NotNegative);
   world.read("restitution_threshold", settings.restitution_threshold, Range::NotNegative);
   world.read("restitution_iterations", settings.restitution_iterations, 0, most_passes);
+  world.read("rolling_resistance", settings.rolling_resistance, Range::NotNegative);
 
   world.read("check_stages", settings.check_stages);
   world.read("audit_momentum", settings.audit_momentum);

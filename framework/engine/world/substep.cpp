@@ -81,6 +81,7 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
     with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
       refresh_masses_of_thin_bodies(world, step);
       restart_after_push(world, bodies, step);
+      resist_rolling(world);
       relax(world, bodies, step);
       apply_restitution(world.constraints, bodies, step);
     });

@@ -45,10 +45,31 @@ struct WorldSettings {
   Real max_push_speed = 3;                 ///< length units per second
   Real restitution_threshold = Real(0.5);  ///< length units per second
   int restitution_iterations = 8;          ///< sweeps of apply_restitution()
+  /// Soft contacts resist rolling and spinning with a torque of at most this lever (length units)
+  /// times the normal force.
+  Real rolling_resistance = 0;
 
   bool check_stages = false;    ///< check the postconditions of each stage
   bool audit_momentum = false;  ///< record what momentum_error() needs
 };
+
+/// The named settings: how many passes a step takes, and how exact its result is.
+enum class Quality : std::uint8_t {
+  Accurate,  ///< the defaults of WorldSettings: the bounds of the tests hold
+  Game,      ///< half the passes; penetration and drift no worse than those of shipped engines
+};
+
+/// Default settings with the members that a quality determines: substeps, iterations,
+/// relax_iterations, temporal_coherence, contact_hertz, contact_damping_ratio, rolling_resistance.
+/// @{
+WorldSettings accurate_settings();
+WorldSettings game_settings();
+/// @}
+
+/// Sets the members that a quality determines. The others stay as they are.
+void set_quality(WorldSettings& settings, Quality quality);
+/// Whether these members have the values of a quality.
+bool has_quality(const WorldSettings& settings, Quality quality);
 
 /// Collision filtering: two bodies may touch if each body's mask contains a bit of the other's
 /// category.

@@ -12,6 +12,17 @@ void visit_enum(ControlVisitor& visit, const Control& control, Enum& value,
   value = static_cast<Enum>(place);
 }
 
+/// A choice of the named settings. The last name stands for all others.
+void visit_quality(WorldSettings& settings, ControlVisitor& visit) {
+  constexpr const char* names[] = {"accurate", "game", "custom"};
+  constexpr int custom = 2;
+  int place = 0;
+  while (place < custom && !has_quality(settings, static_cast<Quality>(place))) ++place;
+  const int before = place;
+  visit.choice({"quality", "quality", ""}, place, names);
+  if (place != before && place < custom) set_quality(settings, static_cast<Quality>(place));
+}
+
 }  // namespace
 
 void describe(WorldSettings& settings, ControlVisitor& visit) {
@@ -20,6 +31,7 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
   constexpr const char* rotations[] = {"explicit", "midpoint"};
 
   visit.section("Solver");
+  visit_quality(settings, visit);
   visit_enum(visit, {"solver", "solver", ""}, settings.solver, solvers);
   visit.whole({"substeps", "substeps", ""}, settings.substeps, 1, 16);
   visit.whole({"iterations", "iterations", ""}, settings.iterations, 1, 50);
@@ -31,7 +43,7 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
   visit_enum(visit, {"contact_model", "model", ""}, settings.contact_model, models);
   visit.number({"contact_hertz", "stiffness", "1/s"}, settings.contact_hertz, 1, 240);
   visit.number({"contact_damping_ratio", "damping ratio", ""}, settings.contact_damping_ratio, 0,
-               20);
+               50);
   visit.number({"baumgarte", "Baumgarte factor", ""}, settings.baumgarte, 0, 1);
   visit.number({"slop", "slop", "lengths"}, settings.slop, 0, Real(0.1));
   visit.number({"max_push_speed", "push-out speed", "lengths/s"}, settings.max_push_speed, 0, 20);
@@ -39,6 +51,8 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
                settings.restitution_threshold, 0, 10);
   visit.whole({"restitution_iterations", "restitution iterations", ""},
               settings.restitution_iterations, 1, 50);
+  visit.number({"rolling_resistance", "rolling resistance", "lengths"}, settings.rolling_resistance,
+               0, Real(0.1));
 
   visit.section("World");
   visit.vector({"gravity", "gravity", "m/s²"}, settings.gravity, 50);

@@ -1,0 +1,47 @@
+/// @file rolling_resistance.cpp
+/// Real contacts are small patches, which resist rolling and spinning. Contacts of ideal bodies are
+/// points. A hull that touches its neighbours with two corners swings about the line through them
+/// for minutes: the impulses at the two corners have no lever about that line.
+
+#include <algorithm>
+
+#include "engine/contacts/contact_constraints.hpp"
+
+namespace cs550 {
+
+namespace {
+
+Real load(const WorldState& world, std::span<const Index> places) {
+  Real sum = 0;
+  for (const Index place : places) sum += world.constraints[place].normal_impulse;
+  return sum;
+}
+
+/// Slows the rotation of two bodies relative to each other, like friction: the angular impulse
+/// opposes it, is at most `limit` (N·m·s), and never reverses it. So it only takes energy.
+void slow_rotation(SolverBody& a, SolverBody& b, Real limit) {
+  const Vec3 relative = b.w - a.w;
+  const Real speed = relative.norm();
+  if (speed == 0) return;
+  const Vec3 axis = relative / speed;
+  const Vec3 response_a = a.world_inverse_inertia * axis;
+  const Vec3 response_b = b.world_inverse_inertia * axis;
+  const Real response = axis.dot(response_a + response_b);
+  if (response <= 0) return;
+  const Real impulse = std::min(limit, speed / response);
+  a.w += impulse * response_a;
+  b.w -= impulse * response_b;
+}
+
+}  // namespace
+
+void resist_rolling(WorldState& world) {
+  const Real lever = world.settings.rolling_resistance * world.settings.length_unit;
+  if (lever == 0) return;
+  for_constraints_of_contacts(world, [&](const Contact& contact, std::span<const Index> places) {
+    slow_rotation(world.solver_bodies[contact.body_a], world.solver_bodies[contact.body_b],
+                  lever * load(world, places));
+  });
+}
+
+}  // namespace cs550

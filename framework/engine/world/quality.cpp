@@ -1,0 +1,47 @@
+#include <tuple>
+
+#include "cs550/world.hpp"
+
+namespace cs550 {
+
+namespace {
+
+/// The members that a quality determines.
+template <class Settings>
+auto determined(Settings& settings) {
+  return std::tie(settings.substeps, settings.iterations, settings.relax_iterations,
+                  settings.temporal_coherence, settings.contact_hertz,
+                  settings.contact_damping_ratio, settings.rolling_resistance);
+}
+
+WorldSettings settings_of(Quality quality) {
+  return quality == Quality::Game ? game_settings() : accurate_settings();
+}
+
+}  // namespace
+
+WorldSettings accurate_settings() { return {}; }
+
+WorldSettings game_settings() {
+  WorldSettings settings;
+  settings.substeps = 4;
+  settings.iterations = 2;
+  settings.relax_iterations = 1;
+  settings.temporal_coherence = true;
+  settings.contact_hertz = 32;
+  settings.contact_damping_ratio = 20;
+  settings.rolling_resistance = Real(3e-3);
+  return settings;
+}
+
+void set_quality(WorldSettings& settings, Quality quality) {
+  const WorldSettings named = settings_of(quality);
+  determined(settings) = determined(named);
+}
+
+bool has_quality(const WorldSettings& settings, Quality quality) {
+  const WorldSettings named = settings_of(quality);
+  return determined(settings) == determined(named);
+}
+
+}  // namespace cs550
