@@ -82,7 +82,7 @@ void run_in_window(const Options& options, const Observer& observe) {
     }
     std::optional<Canvas>& canvas = is_slow && !app.is_still() ? quick : fine;
     if (!canvas || !(canvas->size() == size)) {
-      canvas.emplace(size, &canvas == &quick ? Quality::Quick : Quality::Fine);
+      canvas.emplace(size, &canvas == &quick ? RenderQuality::Quick : RenderQuality::Fine);
     }
     app.draw(*canvas);
     canvas->show_in_window();

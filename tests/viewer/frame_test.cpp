@@ -155,7 +155,7 @@ TEST_F(Frames, AQuickOneLooksLikeAFineOne) {
   const Size size{640, 360};
   const Content content = boxes(4);
   std::vector<Picture> pictures;
-  for (const Quality quality : {Quality::Fine, Quality::Quick}) {
+  for (const RenderQuality quality : {RenderQuality::Fine, RenderQuality::Quick}) {
     Canvas canvas(size, quality);
     ContentRenderer().paint(content, view_of(content, size), canvas, 1);
     pictures.push_back(halved(halved(viewer::read_picture(canvas))));
@@ -168,7 +168,7 @@ TEST_F(Frames, AQuickOneLooksLikeAFineOne) {
 TEST_F(Frames, ReportsTheTimeOfAThousandBodies) {
   const Size size{1280, 720};
   const Content content = boxes(10);
-  for (const Quality quality : {Quality::Quick, Quality::Fine}) {
+  for (const RenderQuality quality : {RenderQuality::Quick, RenderQuality::Fine}) {
     Canvas canvas(size, quality);
     ContentRenderer renderer;
     const auto paint = [&](int frame) {
@@ -186,7 +186,7 @@ TEST_F(Frames, ReportsTheTimeOfAThousandBodies) {
           std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     }
     std::nth_element(milliseconds.begin(), milliseconds.begin() + 7, milliseconds.end());
-    const std::string name = quality == Quality::Quick ? "quick" : "fine";
+    const std::string name = quality == RenderQuality::Quick ? "quick" : "fine";
     std::cout << "1,000 boxes at 1280x720, " << name << ": " << milliseconds[7] << " ms a frame\n";
     RecordProperty("milliseconds_per_" + name + "_frame", std::to_string(milliseconds[7]));
   }

@@ -30,8 +30,8 @@ void copy(GLuint from, GLuint to, Size size) {
 
 }  // namespace
 
-Canvas::Canvas(Size size, Quality quality) : size_(size), quality_(quality) {
-  const bool is_fine = quality == Quality::Fine;
+Canvas::Canvas(Size size, RenderQuality quality) : size_(size), quality_(quality) {
+  const bool is_fine = quality == RenderQuality::Fine;
   const GLint samples = is_fine ? sample_count() : 0;
   glBindFramebuffer(GL_FRAMEBUFFER, result_.name());
   attach(GL_COLOR_ATTACHMENT0, result_colour_, 0, GL_RGBA8, size);
@@ -43,14 +43,14 @@ Canvas::Canvas(Size size, Quality quality) : size_(size), quality_(quality) {
 }
 
 void Canvas::begin_scene(int scene) {
-  const bool is_fine = quality_ == Quality::Fine;
+  const bool is_fine = quality_ == RenderQuality::Fine;
   held_ = is_fine ? scene : 0;
   glBindFramebuffer(GL_FRAMEBUFFER, is_fine ? samples_.name() : result_.name());
   glViewport(0, 0, size_.width, size_.height);
 }
 
 void Canvas::resolve() const {
-  if (quality_ == Quality::Fine) copy(samples_.name(), result_.name(), size_);
+  if (quality_ == RenderQuality::Fine) copy(samples_.name(), result_.name(), size_);
 }
 
 void Canvas::show_in_window() const { copy(result_.name(), 0, size_); }

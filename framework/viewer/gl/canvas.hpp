@@ -12,7 +12,7 @@ namespace cs550::viewer {
 using namespace pages;
 
 /// How a frame is sampled. Multisampling is slow without a GPU.
-enum class Quality : std::uint8_t {
+enum class RenderQuality : std::uint8_t {
   Fine,   ///< several samples per pixel: for pictures, and for windows with a GPU
   Quick,  ///< one sample: for windows without a GPU while anything moves
 };
@@ -20,10 +20,10 @@ enum class Quality : std::uint8_t {
 /// A frame: first the 3D scene, then the panels on top of it.
 class Canvas {
  public:
-  explicit Canvas(Size size, Quality quality = Quality::Fine);
+  explicit Canvas(Size size, RenderQuality quality = RenderQuality::Fine);
 
   Size size() const { return size_; }
-  Quality quality() const { return quality_; }
+  RenderQuality quality() const { return quality_; }
   /// Begins the 3D scene. @param scene its number, for holds()
   void begin_scene(int scene);
   /// Whether the canvas still holds that scene, without panels, so that it need not be drawn again.
@@ -37,7 +37,7 @@ class Canvas {
 
  private:
   Size size_;
-  Quality quality_;
+  RenderQuality quality_;
   int held_ = 0;         ///< number of the scene in samples_; 0: none
   Framebuffer samples_;  ///< of a fine canvas
   Renderbuffer sample_colour_;

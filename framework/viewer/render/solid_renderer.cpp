@@ -123,8 +123,8 @@ void main() {
 
 std::string joined(const char* first, const char* second) { return std::string(first) + second; }
 
-Shader solid_shader(Quality quality) {
-  const std::string is_quick = quality == Quality::Quick ? "true" : "false";
+Shader solid_shader(RenderQuality quality) {
+  const std::string is_quick = quality == RenderQuality::Quick ? "true" : "false";
   const std::string fragment =
       "const bool is_quick = " + is_quick + ";\n" + backdrop_source + fragment_source;
   return {"solid", joined(place_source, vertex_source).c_str(), fragment.c_str()};
@@ -143,8 +143,8 @@ void append(std::vector<float>& floats, const Solid& solid) {
 SolidRenderer::SolidRenderer()
     : shadow_shader_("shadow", joined(place_source, shadow_vertex_source).c_str(),
                      shadow_fragment_source),
-      fine_{solid_shader(Quality::Fine), ShadowMap(fine_shadow_side), false},
-      quick_{solid_shader(Quality::Quick), ShadowMap(quick_shadow_side), false} {}
+      fine_{solid_shader(RenderQuality::Fine), ShadowMap(fine_shadow_side), false},
+      quick_{solid_shader(RenderQuality::Quick), ShadowMap(quick_shadow_side), false} {}
 
 const SolidMesh& SolidRenderer::on_card(const MeshPtr& mesh) {
   auto found = meshes_.find(mesh.get());
@@ -230,11 +230,11 @@ bool SolidRenderer::set(std::span<const Solid> solids, const Focus& focus) {
   return true;
 }
 
-void SolidRenderer::begin(const Projection& projection, Quality quality) {
+void SolidRenderer::begin(const Projection& projection, RenderQuality quality) {
   for (auto& [address, cached] : meshes_) cached.is_used = false;
   fill(projection);
   std::erase_if(meshes_, [](const auto& entry) { return !entry.second.is_used; });
-  throw_shadows(quality == Quality::Fine ? fine_ : quick_);
+  throw_shadows(quality == RenderQuality::Fine ? fine_ : quick_);
 }
 
 void SolidRenderer::use(const Projection& projection, Size canvas) const {

@@ -25,7 +25,7 @@ class SolidRenderer {
   /// Sets the solids to draw. @return whether they have changed
   bool set(std::span<const Solid> solids, const Focus& focus);
   /// Prepares a frame: the order of drawing, and the shadows.
-  void begin(const Projection& projection, Quality quality);
+  void begin(const Projection& projection, RenderQuality quality);
   /// Draws opaque solids.
   void draw_opaque(const Projection& projection, Size canvas) const;
   /// Draws translucent solids from back to front; call it after everything opaque is drawn.
