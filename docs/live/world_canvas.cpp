@@ -40,21 +40,29 @@ pages::Projection project(const pages::Camera& camera, pages::Size canvas) {
       camera, canvas, {0, 0, static_cast<float>(canvas.width), static_cast<float>(canvas.height)}};
 }
 
-/// The part of a polygon in front of the camera.
-std::vector<Vec3> in_front(const std::vector<Vec3>& corners, const pages::Projection& seen) {
-  const auto depth = [&](const Vec3& point) {
-    return (point - seen.eye()).dot(seen.forward()) - seen.nearest();
+bool all_in_front(const std::vector<Vec3>& corners, const pages::Projection& seen) {
+  return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+    return (corner - seen.eye()).dot(seen.forward()) >= seen.nearest();
+  });
+}
+
+/// A quadrilateral as cells, which overlap a little so that no seams show.
+std::vector<std::vector<Vec3>> cells(const std::vector<Vec3>& corners) {
+  constexpr int count = 24;  // per side
+  const auto at = [&](Real s, Real t) -> Vec3 {
+    return (1 - t) * ((1 - s) * corners[0] + s * corners[1]) +
+           t * ((1 - s) * corners[3] + s * corners[2]);
   };
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec3& from = corners[i];
-    const Vec3& to = corners[(i + 1) % corners.size()];
-    if (depth(from) >= 0) kept.push_back(from);
-    if ((depth(from) < 0) != (depth(to) < 0)) {
-      kept.push_back(from + depth(from) / (depth(from) - depth(to)) * (to - from));
+  std::vector<std::vector<Vec3>> result;
+  result.reserve(std::size_t{count * count});
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
+      const Real s = Real(i) / count, s_end = (Real(i) + Real(1.02)) / count;
+      const Real t = Real(j) / count, t_end = (Real(j) + Real(1.02)) / count;
+      result.push_back({at(s, t), at(s_end, t), at(s_end, t_end), at(s, t_end)});
     }
   }
-  return kept;
+  return result;
 }
 
 }  // namespace
@@ -105,9 +113,18 @@ void WorldCanvas::add_face(const pages::Solid& solid, Index face, float outline)
   for (const Index e : face_edges(mesh, face)) {
     corners.push_back(solid.pose.to_world(mesh.vertex(mesh.origin(e))));
   }
-  corners = in_front(corners, seen_);
-  if (corners.empty()) return;
-  begin(Polygon, lit(solid.colour, solid.pose.rotate(plane.normal)), outline, corners.size());
+  const Rgba colour = lit(solid.colour, solid.pose.rotate(plane.normal));
+  if (all_in_front(corners, seen_)) {
+    add_polygon(colour, outline, corners);
+  } else if (corners.size() == 4) {  // a floor that reaches behind the camera
+    for (const std::vector<Vec3>& cell : cells(corners)) {
+      if (all_in_front(cell, seen_)) add_polygon(colour, 0, cell);
+    }
+  }
+}
+
+void WorldCanvas::add_polygon(const Rgba& colour, float outline, const std::vector<Vec3>& corners) {
+  begin(Polygon, colour, outline, corners.size());
   for (const Vec3& corner : corners) add(corner);
 }
 

@@ -39,6 +39,7 @@ class WorldCanvas {
  private:
   void add_solids();
   void add_face(const pages::Solid& solid, Index face, float outline);
+  void add_polygon(const pages::Rgba& colour, float outline, const std::vector<Vec3>& corners);
   void add_overlays();
   void add_line(const drawing::Line& line);
   void begin(float kind, const pages::Rgba& colour, float size, std::size_t points);

@@ -29,7 +29,7 @@ WorldSettings game_settings() {
   settings.relax_iterations = 1;
   settings.temporal_coherence = true;
   settings.contact_hertz = 32;
-  settings.contact_damping_ratio = 20;
+  settings.contact_damping_ratio = 40;
   settings.rolling_resistance = Real(3e-3);
   return settings;
 }

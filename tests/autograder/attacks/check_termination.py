@@ -51,18 +51,17 @@ def wait_until(condition, seconds):
     return True
 
 
-def stages():
-    return {file for file in Path(tempfile.gettempdir()).glob("cs550_grade.*")}
-
-
 def faults(build, attack, busy, isolation, scratch):
     """What is wrong after SIGTERM in the middle of a program called `busy`."""
     make_submission(attack, scratch / "submission")
-    before = stages()
+    # Its own, since other graders may run at the same time.
+    temporary = scratch / "temporary"
+    temporary.mkdir()
+    temporary.chmod(0o1777)
     grader = subprocess.Popen(
         [build / "bin/grade_lab", str(attack["lab"]), "--submission", scratch / "submission", "--work",
          scratch / "work", "--results", scratch / "results.json", "--isolation", isolation],
-        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={**os.environ, "TMPDIR": str(temporary)})
     if not wait_until(lambda: busy in descendants(), 60):
         yield f"{busy} was never started"
     time.sleep(0.3)
@@ -78,8 +77,8 @@ def faults(build, attack, busy, isolation, scratch):
         yield f"these processes are left: {descendants()}"
     if (scratch / "results.json").exists():
         yield "it wrote results"
-    if stages() - before:
-        yield f"these folders are left: {stages() - before}"
+    if left := sorted(file.name for file in temporary.iterdir()):
+        yield f"these are left in its temporary folder: {', '.join(left)}"
 
 
 def main():
