@@ -59,7 +59,7 @@ double momentum_per_mass(const World& world) {
   return static_cast<double>(momentum.norm() / mass);
 }
 
-TEST(Overlap, BoxesPartWithoutSpeedWhateverTheirFriction) {
+TEST(Overlap, BoxesPartWithoutSpeedWhateverTheirFrictionLong) {
   for (const Real friction : {Real(0), Real(0.6), Real(10), Real(1000)}) {
     SCOPED_TRACE(testing::Message() << "friction " << friction);
     World world = heap_of_boxes(60, friction, 1);
@@ -72,7 +72,7 @@ TEST(Overlap, BoxesPartWithoutSpeedWhateverTheirFriction) {
 }
 
 /// A push turns a spinning body, which may change the energy that belongs to its angular momentum.
-TEST(Overlap, SpinningBodiesGainNoEnergy) {
+TEST(Overlap, SpinningBodiesGainNoEnergyLong) {
   for (std::uint32_t seed = 1; seed <= 4; ++seed) {
     Random random(seed);
     World world;

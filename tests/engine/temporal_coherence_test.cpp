@@ -190,7 +190,7 @@ int follow(MovingPair& pair, int steps) {
 
 class TemporalCoherenceOnTrajectories : public testing::TestWithParam<Trajectory> {};
 
-TEST_P(TemporalCoherenceOnTrajectories, KeptContactsHaveTheStatedError) {
+TEST_P(TemporalCoherenceOnTrajectories, KeptContactsHaveTheStatedErrorLong) {
   const Trajectory& trajectory = GetParam();
   const std::vector<ShapePtr> shapes = shapes_of_all_kinds();
   Random random(72);
