@@ -49,6 +49,14 @@ void add_solid(drawing::Drawing& drawing, const pages::Solid& solid) {
   }
 }
 
+/// Whether a body is much larger than what the page focuses on, as a floor is.
+bool is_much_larger(const pages::Solid& solid, const pages::Focus& focus) {
+  const std::vector<Vec3>& vertices = solid.mesh->vertices;
+  return std::any_of(vertices.begin(), vertices.end(), [&](const Vec3& vertex) {
+    return (solid.pose.to_world(vertex) - focus.center).norm() > 3 * focus.radius;
+  });
+}
+
 struct Axes {
   Vec3 toward_eye, right, up;
 };
@@ -146,7 +154,8 @@ std::string LiveFigure::svg() {
   const pages::Content& content = page_->content();
   drawing::Scene scene{content.drawing, {}};
   for (const pages::Solid& solid : content.solids) {
-    if (solid.mesh) add_solid(scene.drawing, solid);
+    // The painter's order is one of whole faces, and a floor would hide what stands on it.
+    if (solid.mesh && !is_much_larger(solid, content.focus)) add_solid(scene.drawing, solid);
   }
   if (!content.problem.empty()) scene.drawing.notes = {content.problem};
   scene.view.toward_eye = axes_of(camera_).toward_eye;
