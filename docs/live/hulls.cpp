@@ -93,7 +93,7 @@ SoupResult convex_hull(std::span<const Vec3> points) {
   live::Hulls& hulls = live::hulls();
   if (hulls.is_asking) {
     hulls.asked[key] = live::coordinates(points);
-    return {box_soup(Vec3::Ones()), {}};  // stands in, so that the rest of the scene is read
+    return {box_soup(Vec3::Ones()), {}};  // a placeholder, so that the rest of the scene is read
   }
   const auto found = hulls.known.find(key);
   if (found == hulls.known.end()) {

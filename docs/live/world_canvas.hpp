@@ -16,7 +16,7 @@ class WorldCanvas {
   /// @param page, camera outlive the canvas
   WorldCanvas(pages::WorldPage& page, pages::Camera& camera);
 
-  /// Frames the scene anew before the next picture.
+  /// Frames the scene again before the next picture.
   void frame_again() { is_framed_ = false; }
 
   /// Shapes from back to front, one after the other: kind (0 polygon, 1 line, 2 dashed line, 3 arrow,

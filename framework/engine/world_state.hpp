@@ -22,7 +22,7 @@ struct BodySlot {
   Bounds swept_bounds;    ///< where its surface and contact margin may be during this step
 };
 
-/// What is kept of a pair's last full query to tell how long its answer holds. In the frame of the
+/// What is kept of a pair's last full query. It decides how long the answer holds. In the frame of the
 /// body that owns the manifold's reference feature: B for a face of B, otherwise A.
 struct PairMemory {
   Pose smaller_in_larger;    ///< the body of smaller radius, seen from the other

@@ -9,33 +9,11 @@
 #include "files/output_file.hpp"
 #include "gradebook/command/grade.hpp"
 #include "gradebook/course/course_file.hpp"
+#include "gradebook/run/work_folder.hpp"
 
 namespace cs550::gradebook {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is removed at the end.
-class Stage {
- public:
-  Stage() {
-    std::string name = (fs::temp_directory_path() / "gradescope.XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder: " + name);
-    path_ = name;
-  }
-  ~Stage() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Stage(const Stage&) = delete;
-  Stage& operator=(const Stage&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
 
 void make_gradescope_zip(const fs::path& root, const std::string& labs, const fs::path& course,
                          const fs::path& out) {
@@ -49,7 +27,7 @@ void make_gradescope_zip(const fs::path& root, const std::string& labs, const fs
     targets += fmt::format(" lab{}_judge", number);
   }
 
-  const Stage stage;
+  const WorkFolder stage(fs::temp_directory_path());
   cli::output_of({"git", "checkout-index", "--all", "--prefix=" + stage.path().string() + '/'},
                  root);
   for (const char* name : {"setup.sh", "run_autograder", "grade.sh"}) {

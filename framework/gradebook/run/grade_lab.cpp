@@ -12,6 +12,7 @@
 #include "cli/system/process.hpp"
 #include "files/output_file.hpp"
 #include "gradebook/records/record_json.hpp"
+#include "gradebook/run/work_folder.hpp"
 #include "gradebook/text/escape.hpp"
 #include "gradebook/text/sha256.hpp"
 
@@ -22,30 +23,6 @@ namespace fs = std::filesystem;
 
 /// Far beyond the judge's own limits: a judge that hangs must not stop the class.
 constexpr std::chrono::hours longest_run{2};
-
-/// A new folder that is removed at the end.
-class WorkFolder {
- public:
-  explicit WorkFolder(const fs::path& parent) {
-    fs::create_directories(parent);
-    std::string name = (parent / "XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error("cannot make a folder in " + parent.string());
-    }
-    path_ = name;
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 void add_limit(std::vector<std::string>& command, const char* option, std::optional<int> value) {
   if (value) command.insert(command.end(), {option, std::to_string(*value)});

@@ -10,7 +10,7 @@
 
 namespace cs550::bench {
 
-/// A hull in the world frame, with normals computed anew in double precision.
+/// A hull in the world frame, with normals recomputed in double precision.
 struct PlacedHull {
   struct Face {
     Eigen::Vector3d normal;  ///< unit, outward

@@ -63,7 +63,7 @@ struct Report {
   std::string date;       ///< 2026-11-23
   std::string processor;  ///< its model
   int steps = 0;          ///< of each scene
-  int rounds = 0;         ///< of which the smallest time counts
+  int rounds = 0;         ///< the smallest time of all rounds is kept
   std::vector<StageCost> stages;
   std::vector<SceneComparison> scenes;
   std::vector<Frontier> frontiers;

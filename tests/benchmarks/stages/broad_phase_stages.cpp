@@ -7,7 +7,7 @@
 namespace cs550::bench {
 namespace {
 
-/// @param across boxes along each axis, of which each overlaps its six neighbours
+/// @param across number of boxes along each axis; each box overlaps its six neighbours
 void move_and_query(benchmark::State& state, int across) {
   constexpr Real half = Real(0.51);
   AabbTree tree;
