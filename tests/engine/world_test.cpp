@@ -220,6 +220,47 @@ TEST(World, HashSeesTheLastBitOfEveryBody) {
   EXPECT_NE(world.state_hash(), before);
 }
 
+/// Two boxes on each other on a floor.
+World two_boxes() {
+  World world;
+  world.add_body(floor_body());
+  world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
+  world.add_body(body_at(unit_box(), {Real(0.2), 0, Real(1.5)}));
+  return world;
+}
+
+TEST(World, HashSeesWhatContactsKeep) {
+  World rested = two_boxes();
+  run(rested, 60);
+  World fresh = two_boxes();
+  for (Index i = 1; i <= 2; ++i) {
+    const RigidBody& from = rested.body(rested.id_at(i));
+    RigidBody& to = fresh.body(fresh.id_at(i));
+    to.pose = from.pose;
+    to.linear_momentum = from.linear_momentum;
+    to.angular_momentum = from.angular_momentum;
+  }
+  EXPECT_NE(rested.state_hash(), fresh.state_hash()) << "the fresh one has no impulses";
+  // And so it continues differently.
+  run(rested, 1);
+  run(fresh, 1);
+  EXPECT_NE(rested.body(rested.id_at(2)).linear_momentum,
+            fresh.body(fresh.id_at(2)).linear_momentum);
+}
+
+TEST(World, HashSeesWhatTheProgramHasSet) {
+  World world = two_boxes();
+  BodyDef lift = body_at(unit_box(), {4, 0, 3}, BodyKind::Kinematic);
+  const BodyId carrier = world.add_body(lift);
+  std::uint64_t before = world.state_hash();
+  EXPECT_EQ(before, World(world).state_hash());
+  add_force(world.body(world.id_at(1)), {1, 0, 0}, {0, 0, 0});
+  EXPECT_NE(world.state_hash(), before) << "a pending force";
+  before = world.state_hash();
+  set_velocity(world.body(carrier), {0, 0, 1}, {0, 0, 0});
+  EXPECT_NE(world.state_hash(), before) << "the velocity of a kinematic body";
+}
+
 TEST(World, ForcesActForOneStep) {
   WorldSettings weightless;
   weightless.gravity.setZero();

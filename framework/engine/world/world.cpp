@@ -1,7 +1,6 @@
 #include "cs550/world.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 #include "engine/pairs/pair_list.hpp"
@@ -50,21 +49,6 @@ std::size_t free_place(const WorldState& world) {
   while (world.slots[place].alive) ++place;
   return place;
 }
-
-/// Fowler–Noll–Vo hash, variant 1a, of the bytes of some numbers.
-class Fnv1a {
- public:
-  template <int Size>
-  void add(const Eigen::Matrix<Real, Size, 1, Eigen::DontAlign>& numbers) {
-    unsigned char bytes[sizeof numbers];
-    std::memcpy(bytes, numbers.data(), sizeof bytes);
-    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 0x100000001b3ULL;
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
-};
 
 }  // namespace
 
@@ -155,20 +139,6 @@ std::span<const ContactEvent> World::ended() const { return state_->ended; }
 const StepStats& World::stats() const { return state_->stats; }
 std::span<const StageProblem> World::problems() const { return state_->problems; }
 const AabbTree& World::broad_phase() const { return state_->tree; }
-
-std::uint64_t World::state_hash() const {
-  Fnv1a hash;
-  for (std::size_t i = 0; i < state_->slot_count(); ++i) {
-    if (!state_->slots[i].alive) continue;
-    const RigidBody& body = state_->bodies[i];
-    const Eigen::Matrix<Real, 4, 1, Eigen::DontAlign> orientation = body.pose.orientation.coeffs();
-    hash.add(body.pose.position);
-    hash.add(orientation);
-    hash.add(body.linear_momentum);
-    hash.add(body.angular_momentum);
-  }
-  return hash.value();
-}
 
 double World::momentum_error() const {
   const MomentumAudit& audit = state_->audit;

@@ -233,9 +233,10 @@ class World {
   /// The tree of the broad phase, for drawing.
   const AabbTree& broad_phase() const;
 
-  /// A hash of all poses and momenta, bit for bit (FNV-1a). Equal states have equal hashes. Impulses,
-  /// hints, kept contacts and settings are not hashed: worlds with equal hashes can continue
-  /// differently.
+  /// A hash of everything that one step leaves to the next, bit for bit (FNV-1a): poses, momenta,
+  /// velocities of kinematic bodies, pending forces; the pairs with their contact points, impulses,
+  /// hints and kept answers; the boxes in the tree. Worlds with equal settings, definitions of bodies
+  /// and hashes continue identically, up to a collision of 64-bit hashes.
   std::uint64_t state_hash() const;
 
   /// The momentum error |ΔP − J| over the run, relative to Σ|P| plus the weight that acts in one

@@ -1,0 +1,95 @@
+/// @file state_hash.cpp
+/// A hash of everything in a world that one step leaves to the next.
+
+#include <cstring>
+#include <type_traits>
+
+#include "cs550/world.hpp"
+#include "engine/world_state.hpp"
+
+namespace cs550 {
+
+namespace {
+
+/// Fowler–Noll–Vo hash, variant 1a. Members are added one by one, because the padding between them
+/// has no defined value.
+class Fnv1a {
+ public:
+  template <class Number>
+  requires(std::is_arithmetic_v<Number> || std::is_enum_v<Number>) void add(Number number) {
+    unsigned char bytes[sizeof number];
+    std::memcpy(bytes, &number, sizeof bytes);
+    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 0x100000001b3ULL;
+  }
+  template <int Rows, int Columns>
+  void add(const Eigen::Matrix<Real, Rows, Columns, Eigen::DontAlign>& numbers) {
+    for (const Real number : numbers.reshaped()) add(number);
+  }
+  void add(const Pose& pose) {
+    add(pose.position);
+    add(pose.orientation.coeffs());
+  }
+  void add(const Bounds& bounds) { add_all(bounds.lower, bounds.upper); }
+  void add(const Plane& plane) { add_all(plane.normal, plane.offset); }
+
+  template <class... Values>
+  void add_all(const Values&... values) {
+    (add(values), ...);
+  }
+
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+/// The velocities of a dynamic body are derived from its momenta. Those of a kinematic body are state.
+void add_state(Fnv1a& hash, const RigidBody& body) {
+  hash.add(body.pose);
+  hash.add_all(body.linear_momentum, body.angular_momentum, body.force, body.torque);
+  if (body.kind == BodyKind::Kinematic) hash.add_all(body.linear_velocity, body.angular_velocity);
+}
+
+void add_manifold(Fnv1a& hash, const Manifold& manifold) {
+  hash.add_all(manifold.normal, manifold.tangent, manifold.reference, manifold.points.size());
+  for (const ContactPoint& point : manifold.points) {
+    hash.add_all(point.anchor_a, point.anchor_b, point.separation, point.feature.bits,
+                 point.normal_impulse, point.tangent_impulse);
+  }
+}
+
+/// The hint of the next step.
+void add_axis(Fnv1a& hash, const SeparatingAxis& axis) {
+  hash.add_all(axis.feature, axis.axis, axis.separation);
+  for (const FaceQuery& query : {axis.face_a, axis.face_b}) {
+    hash.add_all(query.face, query.vertex, query.separation);
+  }
+  hash.add_all(axis.edges.edge_a, axis.edges.edge_b, axis.edges.axis, axis.edges.separation);
+}
+
+void add_pair(Fnv1a& hash, const PairList& pairs, std::size_t i) {
+  hash.add_all(pairs.contacts[i].body_a, pairs.contacts[i].body_b);
+  add_manifold(hash, pairs.contacts[i].manifold);
+  add_axis(hash, pairs.axes[i]);
+  const PairMemory& memory = pairs.memories[i];
+  hash.add_all(memory.smaller_in_larger, memory.margin, memory.plane, memory.tangent);
+  hash.add_all(pairs.touching[i], pairs.impulse_energy[i], pairs.misplaced[i]);
+}
+
+}  // namespace
+
+std::uint64_t World::state_hash() const {
+  Fnv1a hash;
+  for (std::size_t i = 0; i < state_->slot_count(); ++i) {
+    const BodySlot& slot = state_->slots[i];
+    hash.add_all(slot.generation, slot.alive);
+    if (!slot.alive) continue;
+    add_state(hash, state_->bodies[i]);
+    hash.add(state_->tree.bounds(slot.leaf));  // decides how long its pairs last
+  }
+  for (std::size_t i = 0; i < state_->pairs.size(); ++i) add_pair(hash, state_->pairs, i);
+  for (const Index body : state_->moved) hash.add(body);
+  return hash.value();
+}
+
+}  // namespace cs550
