@@ -7,6 +7,10 @@ target_include_directories(cs550_contract INTERFACE
 target_compile_features(cs550_contract INTERFACE cxx_std_20)
 target_link_libraries(cs550_contract INTERFACE Eigen3::Eigen)
 target_compile_definitions(cs550_contract INTERFACE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MPL2_ONLY)
+# Other vector code than SSE adds in another order. Without any, summation_order.hpp restores that of SSE.
+if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
+  target_compile_definitions(cs550_contract INTERFACE EIGEN_DONT_VECTORIZE)
+endif()
 # A compiler cache may call the compiler with relative paths.
 cmake_path(RELATIVE_PATH PROJECT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_BINARY_DIR}"
            OUTPUT_VARIABLE way_to_root)

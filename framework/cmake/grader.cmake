@@ -39,6 +39,9 @@ target_link_libraries(lab_worker PRIVATE cs550_given cs550_isolation cs550_warni
 # The same options as for a student's own build.
 set(lab_options -std=c++20 ${CMAKE_CXX_FLAGS_DEBUG} -fPIC -ffp-contract=off -DEIGEN_MAX_ALIGN_BYTES=16
     -DEIGEN_MPL2_ONLY -isystem ${EIGEN3_INCLUDE_DIRS} -Wall -Wextra -Werror=missing-declarations)
+if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
+  list(APPEND lab_options -DEIGEN_DONT_VECTORIZE)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND lab_options -fno-gnu-unique)
   set(compiler_name "g++ ${CMAKE_CXX_COMPILER_VERSION}")

@@ -45,13 +45,17 @@ Vec3 Bounds::center() const { return Real(0.5) * (lower + upper); }
 
 Vec3 Bounds::extent() const { return upper - lower; }
 
+Real sine(Real angle) { return static_cast<Real>(std::sin(static_cast<double>(angle))); }
+
+Real cosine(Real angle) { return static_cast<Real>(std::cos(static_cast<double>(angle))); }
+
 Quat rotation_exp(const Vec3& v) {
   const Real half_angle = Real(0.5) * v.norm();
   // sin(x)/x, by its series where the quotient would lose digits.
   const Real sinc =
-      half_angle > Real(1e-3) ? std::sin(half_angle) / half_angle : 1 - half_angle * half_angle / 6;
+      half_angle > Real(1e-3) ? sine(half_angle) / half_angle : 1 - half_angle * half_angle / 6;
   const Vec3 axis = (Real(0.5) * sinc) * v;
-  return {std::cos(half_angle), axis.x(), axis.y(), axis.z()};
+  return {cosine(half_angle), axis.x(), axis.y(), axis.z()};
 }
 
 Vec3 any_perpendicular(const Vec3& n) {

@@ -34,8 +34,7 @@ class SceneRandom {
     const Real second = real(0, 2 * pi);
     const Real a = std::sqrt(1 - split);
     const Real b = std::sqrt(split);
-    const Quat turn(b * std::cos(second), a * std::sin(first), a * std::cos(first),
-                    b * std::sin(second));
+    const Quat turn(b * cosine(second), a * sine(first), a * cosine(first), b * sine(second));
     return turn.normalized();
   }
 

@@ -58,13 +58,22 @@ void add_manifold(Fnv1a& hash, const Manifold& manifold) {
   }
 }
 
-/// The hint of the next step.
+/// The hint of the next step: only the features that define the axis are tested again.
 void add_axis(Fnv1a& hash, const SeparatingAxis& axis) {
-  hash.add_all(axis.feature, axis.axis, axis.separation);
-  for (const FaceQuery& query : {axis.face_a, axis.face_b}) {
-    hash.add_all(query.face, query.vertex, query.separation);
+  hash.add_all(axis.feature, axis.separation);
+  switch (axis.feature) {
+    case AxisFeature::FaceA:
+      hash.add_all(axis.face_a.face, axis.face_a.vertex);
+      break;
+    case AxisFeature::FaceB:
+      hash.add_all(axis.face_b.face, axis.face_b.vertex);
+      break;
+    case AxisFeature::Edges:
+      hash.add_all(axis.edges.edge_a, axis.edges.edge_b);
+      break;
+    case AxisFeature::None:
+      break;
   }
-  hash.add_all(axis.edges.edge_a, axis.edges.edge_b, axis.edges.axis, axis.edges.separation);
 }
 
 void add_pair(Fnv1a& hash, const PairList& pairs, std::size_t i) {

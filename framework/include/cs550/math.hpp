@@ -16,6 +16,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "cs550/summation_order.hpp"
+
 namespace cs550 {
 
 /// The scalar of the engine.
@@ -28,8 +30,8 @@ using Index = std::int32_t;
 inline constexpr Index no_index = -1;
 
 /// Column vectors, square matrices and quaternions. They have no alignment requirements, so they
-/// can be stored, copied and serialised as plain bytes, and results are bitwise equal on every
-/// instruction set.
+/// can be stored, copied and serialised as plain bytes. Their sums and products are bitwise equal on
+/// every instruction set (summation_order.hpp).
 /// @{
 using Vec2 = Eigen::Matrix<Real, 2, 1, Eigen::DontAlign>;
 using Vec3 = Eigen::Matrix<Real, 3, 1, Eigen::DontAlign>;
@@ -91,6 +93,13 @@ struct Bounds {
   /// The lengths of the sides (m).
   Vec3 extent() const;
 };
+
+/// Sine and cosine (rad), computed in double precision and rounded once. Those of float differ between
+/// C libraries, by a last bit in one of a hundred angles.
+/// @{
+Real sine(Real angle);
+Real cosine(Real angle);
+/// @}
 
 /// The unit quaternion of a rotation by |v| radians about v: exp(v/2) of the pure quaternion (0,
 /// v).

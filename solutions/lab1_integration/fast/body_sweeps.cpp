@@ -70,8 +70,8 @@ WideQuat rotation_exp(const WideVec3& v) {
   const WideMask large = half_angle > all_lanes(Real(1e-3));
   if (any(large)) {
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      if (large[lane] != 0) sinc[lane] = std::sin(half_angle[lane]) / half_angle[lane];
-      cosine[lane] = std::cos(half_angle[lane]);
+      if (large[lane] != 0) sinc[lane] = sine(half_angle[lane]) / half_angle[lane];
+      cosine[lane] = cs550::cosine(half_angle[lane]);
     }
   } else {
     cosine = cosine_of_small(half_angle);
