@@ -189,9 +189,11 @@ Page clipped_depth() {
   add_line(sketch, at(1, 0), at(2.9, 0), {Role::Axis, 1.2f, true}, "");
   sketch.labels.push_back({at(2.9, 0), "reference plane", Role::Axis});
   const Vec3 clipped = at(1, -0.08);
-  add_line(sketch, at(1.42, 0), deepest, {Role::BodyA, 2.5f}, "face query");
+  add_line(sketch, at(1.42, 0), deepest, {Role::BodyA, 2.5f});
+  sketch.labels.push_back({at(1.95, -0.55), "face query", Role::BodyA});
   add_dot(sketch, deepest, Role::BodyA, "", 6);
-  add_dot(sketch, clipped, Role::Got, "what clipping leaves", 6);
+  add_dot(sketch, clipped, Role::Got, "", 6);
+  sketch.labels.push_back({at(0, -0.35), "what clipping leaves", Role::Got});
   return page_of(sketch, drawing::view_from_above(), {600, 380});
 }
 

@@ -22,12 +22,16 @@ Drawing two_bodies() {
 Page blow() {
   Drawing sketch = two_bodies();
   const Vec3 contact = at(0, 0.2);
-  add_line(sketch, at(-1.7, -0.1), contact, {Role::BodyA, 1.5f, true}, "r_A");
-  add_line(sketch, at(1.6, 0.75), contact, {Role::BodyB, 1.5f, true}, "r_B");
-  add_line(sketch, contact, at(-1.2, 0.2), {Role::BodyA, 3.5f, false, true}, "−j n");
-  add_line(sketch, contact, at(1.2, 0.2), {Role::BodyB, 3.5f, false, true}, "+j n");
+  add_line(sketch, at(-1.7, -0.1), contact, {Role::BodyA, 1.5f, true});
+  add_line(sketch, at(1.6, 0.75), contact, {Role::BodyB, 1.5f, true});
+  add_line(sketch, contact, at(-1.2, 0.2), {Role::BodyA, 3.5f, false, true});
+  add_line(sketch, contact, at(1.2, 0.2), {Role::BodyB, 3.5f, false, true});
   add_line(sketch, at(-0.4, -1.35), at(0.5, -1.35), {Role::Axis, 2.5f, false, true}, "n");
   add_dot(sketch, contact, Role::Got, "", 5);
+  sketch.labels.insert(sketch.labels.end(), {{at(-0.9, -0.3), "r_A", Role::BodyA},
+                                             {at(0.75, 0.68), "r_B", Role::BodyB},
+                                             {at(-0.9, 0.45), "−j n", Role::BodyA},
+                                             {at(0.9, -0.1), "+j n", Role::BodyB}});
   return page_of(sketch, drawing::view_from_above(), {620, 300});
 }
 
@@ -100,11 +104,13 @@ Page friction_mass() {
               {Role::Axis, 1.5f});
   add_line(sketch, at(0, 0), point(slip), {Role::BodyB, 3, false, true}, "slip s");
   add_line(sketch, at(0, 0), point(-slip), {Role::Faint, 1, true});
-  add_line(sketch, at(0, 0), point(stopping), {Role::Got, 2, true, true}, "−m_t s");
+  add_line(sketch, at(0, 0), point(stopping), {Role::Got, 2, true, true});
   add_line(sketch, at(0, 0), point(limit * stopping.normalized()), {Role::Got, 3, false, true},
            "scaled back");
-  add_line(sketch, at(0, 0), point(against), {Role::BodyA, 3.5f, false, true}, "against the slip");
-  sketch.labels.push_back({at(0.4, -0.4), "μ λ_n", Role::Axis});
+  add_line(sketch, at(0, 0), point(against), {Role::BodyA, 3.5f, false, true});
+  sketch.labels.insert(sketch.labels.end(), {{at(0.5, -0.45), "μ λ_n", Role::Axis},
+                                             {at(-0.7, -1.1), "−m_t s", Role::Got},
+                                             {at(-1.05, 0.05), "against the slip", Role::BodyA}});
   return page_of(sketch, drawing::view_from_above(), {620, 360});
 }
 

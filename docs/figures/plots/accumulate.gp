@@ -1,6 +1,6 @@
 set xlabel "pass"
 set ylabel "impulse (N s)"
-set yrange [-0.02:1.1]
+set yrange [-0.02:1.3]
 set xrange [0:10]
 set key top right
 plot file using 1:3 with linespoints pointtype 7 pointsize 0.6 linewidth 2 linecolor rgb right title "inner support, sum clamped", \

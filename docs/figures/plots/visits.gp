@@ -1,4 +1,5 @@
 set logscale xy
+set yrange [1:3e6]
 set xlabel "vertices n"
 set ylabel "dot products of a query"
 plot file using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 2 linecolor rgb faint title "brute force", \
