@@ -32,7 +32,7 @@ Page minkowski() {
     if (foot.norm() < nearest.norm()) nearest = foot;
   }
   add_line(difference, at(0, 0), nearest, {Role::Got, 2.5f, false, true});
-  difference.labels.push_back({Real(0.5) * nearest + at(0.1, 0.25), "depth", Role::Got});
+  difference.labels.push_back({Real(0.5) * nearest + at(0.35, 0.3), "depth", Role::Got});
   add_dot(difference, at(0, 0), Role::Text, "origin", 5);
   difference.title = "B − A";
   return page_of({bodies, difference}, drawing::view_from_above(), {320, 300});

@@ -110,7 +110,7 @@ Page friction_mass() {
   add_line(sketch, at(0, 0), point(against), {Role::BodyA, 3.5f, false, true});
   sketch.labels.insert(sketch.labels.end(), {{at(0.5, -0.45), "μ λ_n", Role::Axis},
                                              {at(-0.7, -1.1), "−m_t s", Role::Got},
-                                             {at(-1.05, 0.05), "against the slip", Role::BodyA}});
+                                             {at(-0.9, 0.02), "against the slip", Role::BodyA}});
   return page_of(sketch, drawing::view_from_above(), {620, 360});
 }
 

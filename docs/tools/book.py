@@ -170,7 +170,9 @@ class Setting:
 def members_of(structure):
     header = (ROOT / "framework/include/cs550/world.hpp").read_text()
     members = re.search(rf"struct {structure} \{{(.*?)\n\}};", header, re.S).group(1)
-    return [Setting(*match) for match in re.findall(r"^  [\w:]+ (\w+) = (.*?);\s*///< (.*)$", members, re.M)]
+    declarations = re.findall(r"^((?:  /// .*\n)*)  [\w:]+ (\w+) = ([^;\n]*);(?:\s*///< (.*))?$", members, re.M)
+    return [Setting(name, default, behind or " ".join(re.findall(r"/// (.*)", before)))
+            for before, name, default, behind in declarations]
 
 
 def default_numbers(settings):
@@ -179,7 +181,15 @@ def default_numbers(settings):
     for header in sorted((ROOT / "framework/include/cs550").glob("*.hpp")):
         constants = re.findall(r"^inline constexpr Real (\w+) = Real\((-?[\d.]+(?:e-?\d+)?)\);", header.read_text(), re.M)
         numbers |= {name: float(number) for name, number in constants}
-    return numbers
+    return numbers | game_numbers()
+
+
+def game_numbers():
+    """game_NAME → number: what game_settings() changes."""
+    source = (ROOT / "framework/engine/world/quality.cpp").read_text()
+    changes = re.search(r"WorldSettings game_settings\(\) \{(.*?)\n\}", source, re.S)[1]
+    members = [Setting(*match, "") for match in re.findall(r"settings\.(\w+) = ([^;]*);", changes)]
+    return {f"game_{member.name}": member.number for member in members if member.number is not None}
 
 
 def listing_name(name):

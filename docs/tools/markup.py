@@ -11,7 +11,8 @@ must exist: a figure, a test, a known mistake, a source file, a citation. What d
   {mutant:name}                    a known mistake of tests/mutants
   {default:substeps}               the default of a member of WorldSettings or BodyDef, or a constant of the
                                    contract, read from its header; an expression of them and a format work too:
-                                   {default:1/(60*substeps)|.1e}
+                                   {default:1/(60*substeps)|.1e}. What game_settings() changes is named
+                                   {default:game_substeps}
   {defaults}                       a table of all of them
   {code:lab4 overlap}              a function of the reference as a listing, in a paragraph of its own; the
                                    declaration where the reference is absent. Given code is named by its file:
