@@ -43,6 +43,7 @@ std::vector<Stage> all_stages() {
   append(all, support_stages());
   append(all, gauss_map_stages());
   append(all, axis_stages());
+  append(all, gjk_stages());
   append(all, manifold_stages());
   append(all, pass_stages());
   return all;

@@ -26,6 +26,7 @@ struct Stage {
 std::vector<Stage> support_stages();
 std::vector<Stage> gauss_map_stages();
 std::vector<Stage> axis_stages();
+std::vector<Stage> gjk_stages();
 std::vector<Stage> manifold_stages();
 std::vector<Stage> pass_stages();
 std::vector<Stage> broad_phase_stages();
