@@ -80,8 +80,12 @@ EMSCRIPTEN_KEEPALIVE const char* live_set(const char* assignment) {
 EMSCRIPTEN_KEEPALIVE const char* live_describe() {
   return answer([] { return figure()->describe(); });
 }
-EMSCRIPTEN_KEEPALIVE const char* live_svg() {
-  return answer([] { return figure()->svg(); });
+/// @param width, height pixels; 0 for the size of the book's still picture
+EMSCRIPTEN_KEEPALIVE const char* live_svg(int width, int height) {
+  return answer([&] {
+    if (width <= 0 || height <= 0) return figure()->svg();
+    return figure()->svg({static_cast<double>(width), static_cast<double>(height)});
+  });
 }
 EMSCRIPTEN_KEEPALIVE const char* live_plot(int plot) {
   return answer([&] { return figure()->plot_svg(static_cast<std::size_t>(plot)); });

@@ -4,7 +4,9 @@ const TURN = 0.008; // rad per pixel
 const KEY_TURN = 0.12; // rad per key
 const ZOOM = 1.1; // per key or notch of the wheel
 const FRAME = 1000 / 30; // ms between steps of a walk that plays
+const NARROW = 520; // pixels
 const MOST_STEPS = 3; // of a world between two pictures; a slower machine plays in slow motion
+const NUMBERS_EVERY = 100; // ms, while a world runs
 const PLOTS_EVERY = 300; // ms, while a world runs
 
 function element(name, properties = {}, ...children) {
@@ -29,6 +31,7 @@ class LiveFigure {
     this.figure = figure;
     this.name = figure.id.replace(/^fig_/, '');
     this.changed = new Map();
+    this.pictures = 0;
   }
 
   /** In a new worker, with the settings. */
@@ -130,22 +133,44 @@ class LiveFigure {
     this.numbers.setAttribute('aria-live', 'polite');
   }
 
-  /** A walk takes a step per frame, a world as many as time has passed. */
   async play() {
     if (this.isPlaying) return this.stopPlaying();
     this.playing.textContent = 'stop';
     this.numbers.setAttribute('aria-live', 'off');
-    let last = performance.now();
+    await (this.canvas ? this.playWorld() : this.playWalk());
+  }
+
+  /** A step per frame. */
+  async playWalk() {
     while (this.isPlaying) {
-      const due = this.facts.h > 0 ? Math.round((performance.now() - last) / (1000 * this.facts.h)) : 1;
-      const steps = Math.min(due, MOST_STEPS);
-      if (steps > 0) {
-        last = performance.now();
-        await this.advance(steps);
-        await this.drawSoon();
-      }
-      await (this.facts.h > 0 ? nextFrame() : sleep(FRAME));
+      await this.advance();
+      await this.drawSoon();
+      await sleep(FRAME);
     }
+  }
+
+  /** As many steps as time has passed. The engine makes the next picture while this one is painted. */
+  async playWorld() {
+    let last = performance.now();
+    let next = null;
+    const askForNext = () => {
+      const due = Math.round((performance.now() - last) / (1000 * this.facts.h));
+      if (due < 1) return null;
+      last = performance.now();
+      return this.engine.ask('frame', Math.min(due, MOST_STEPS), ...this.fitCanvas());
+    };
+    try {
+      while (this.isPlaying) {
+        const picture = await next;
+        next = askForNext();
+        if (picture) this.showPicture(picture);
+        await nextFrame();
+      }
+      await next;
+    } catch (reason) {
+      this.fail(reason);
+    }
+    this.drawSoon();
   }
 
   async set(name, value) {
@@ -199,10 +224,11 @@ class LiveFigure {
     } else {
       const values = control.kind === 'vector' ? control.value : [control.value];
       const ranges = values.map(value => this.range(control, value));
-      const output = element('output', {textContent: values.map(short).join(', ')});
+      const shown = each => (control.name === 'step' && Number(each) === -1 ? 'last' : short(each));
+      const output = element('output', {textContent: values.map(shown).join(', ')});
       for (const range of ranges) {
         range.oninput = () => {
-          output.textContent = ranges.map(each => short(each.value)).join(', ');
+          output.textContent = ranges.map(each => shown(each.value)).join(', ');
           change(ranges.map(each => each.value).join(','));
         };
       }
@@ -219,6 +245,7 @@ class LiveFigure {
 
   /** Draws once for all changes of a frame. @return a promise of the picture */
   drawSoon() {
+    if (this.canvas && this.isPlaying) return Promise.resolve();  // the next picture is on its way
     this.isOld = true;
     this.drawing ??= this.drawUntilNew().catch(reason => this.fail(reason)).finally(() => { this.drawing = null; });
     return this.drawing;
@@ -235,25 +262,46 @@ class LiveFigure {
   }
 
   async draw() {
-    Object.assign(this, await this.engine.ask('draw'));
+    Object.assign(this, await this.engine.ask('draw', ...this.pictureSize()));
     this.stage.innerHTML = this.unique(this.svg, 'picture');
   }
 
-  async paint() {
+  /** Drawn for the width of the page where that is narrow, so that labels stay readable. */
+  pictureSize() {
+    const width = this.stage.clientWidth;
+    return width > 0 && width < NARROW ? [width, Math.round(0.85 * width)] : [];
+  }
+
+  /** Width and height of the canvas in pixels of the page. */
+  fitCanvas() {
     this.width = this.stage.clientWidth;
     this.height = Math.round(Math.min(0.66 * this.width + 60, 560));
-    Object.assign(this, await this.engine.ask('paint', this.width, this.height));
-    const {labels, legend, notes} = this.words;
-    paintShapes(this.canvas, this.width, this.height, this.shapes, labels);
     this.canvas.style.height = `${this.height}px`;
-    const mark = colour => Object.assign(element('span', {textContent: '■ '}), {style: `color: ${colour}`});
-    this.legend.replaceChildren(...legend.map(({text, colour}) => element('li', {}, mark(colour), text)),
-                                ...notes.map(note => element('li', {textContent: note})));
+    return [this.width, this.height];
+  }
+
+  async paint() {
+    this.paintPicture(await this.engine.ask('paint', ...this.fitCanvas()));
+  }
+
+  paintPicture(picture) {
+    Object.assign(this, picture);
+    paintShapes(this.canvas, this.width, this.height, this.shapes, this.words.labels);
+    ++this.pictures;
+  }
+
+  /** Of a world that runs: numbers and plots change less often. */
+  showPicture(picture) {
+    this.paintPicture(picture);
+    if (performance.now() - (this.shown ?? 0) > NUMBERS_EVERY) this.show();
+    this.drawPlots().catch(reason => this.fail(reason));
   }
 
   /** Everything but the picture and the plots. */
   show() {
     const {facts} = this;
+    this.shown = performance.now();
+    if (this.canvas) this.showLegend();
     this.stage.setAttribute('aria-label', `${facts.title}. Arrow keys turn the view; space goes a step further.` +
         (this.canvas ? ' Plus and minus zoom; P plays; N selects the next body; T throws a box.' : ''));
     this.canvas?.setAttribute('aria-label', facts.story);
@@ -263,6 +311,13 @@ class LiveFigure {
         ([name, value]) => element('div', {}, element('dt', {textContent: name}), element('dd', {textContent: value}))));
     const state = [...this.changed].map(([name, value]) => `${name}=${value}`).join(';');
     this.link.href = `?live=${this.name}&set=${encodeURIComponent(state)}#fig_${this.name}`;
+  }
+
+  showLegend() {
+    const {legend, notes} = this.words;
+    const mark = colour => Object.assign(element('span', {textContent: '■ '}), {style: `color: ${colour}`});
+    this.legend.replaceChildren(...legend.map(({text, colour}) => element('li', {}, mark(colour), text)),
+                                ...notes.map(note => element('li', {textContent: note})));
   }
 
   async drawPlots() {
@@ -308,6 +363,11 @@ class LiveFigure {
   }
 }
 
+// A page that was left stays in the browser's memory. Its workers end, and begin again when the reader returns.
+const liveFigures = new Set();
+addEventListener('pagehide', () => liveFigures.forEach(live => live.engine.stop('The page was left.')));
+addEventListener('pageshow', event => event.persisted && liveFigures.forEach(live => live.restart()));
+
 async function start(figure, settings = []) {
   if (figure.live || figure.classList.contains('live-loading')) return;
   figure.classList.add('live-loading');
@@ -315,6 +375,7 @@ async function start(figure, settings = []) {
   const begin = performance.now();
   try {
     figure.live = await LiveFigure.open(figure, settings);
+    liveFigures.add(figure.live);
     figure.live.loaded = performance.now() - begin;
   } catch (reason) {
     figure.querySelector('.live-start')?.replaceChildren(`This figure stays as it is: ${reason.message}`);

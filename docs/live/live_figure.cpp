@@ -16,7 +16,6 @@ namespace cs550::live {
 
 namespace {
 
-constexpr drawing::Size picture_size = {640, 420};
 constexpr drawing::Size plot_size = {420, 240};
 
 /// The role of the most similar colour: SVG knows roles only.
@@ -105,6 +104,7 @@ void LiveFigure::set(const std::string& assignment) {
     return;
   }
   pages::ControlSetter setter(assignment);
+  if (canvas_) canvas_->describe(setter);
   page_->describe(setter);
   setter.expect_found();
 }
@@ -128,6 +128,7 @@ std::string LiveFigure::describe() {
     for (const std::string& name : names) words.push_back(name.c_str());
     int place = static_cast<int>(std::find(names.begin(), names.end(), scene_) - names.begin());
     lister.choice({"scene", "scene", ""}, place, words);
+    canvas_->describe(lister);
   }
   page_->describe(lister);
   return lister.text();
@@ -149,7 +150,7 @@ void LiveFigure::drag(Real right, Real up) {
   page_->move_handle(*handle + radius * (right * axes.right + up * axes.up));
 }
 
-std::string LiveFigure::svg() {
+std::string LiveFigure::svg(const drawing::Size& size) {
   page_->refresh();
   const pages::Content& content = page_->content();
   drawing::Scene scene{content.drawing, {}};
@@ -163,7 +164,7 @@ std::string LiveFigure::svg() {
   scene.view.frame.include(content.focus.center - half);
   scene.view.frame.include(content.focus.center + half);
   scene.view.frames_ball = true;
-  return write_svg(scene.drawing, scene.view, picture_size);
+  return write_svg(scene.drawing, scene.view, size);
 }
 
 std::string LiveFigure::plot_svg(std::size_t plot) {

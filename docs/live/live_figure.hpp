@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "drawing/view.hpp"
 #include "pages/base/page.hpp"
 #include "world_canvas.hpp"
 
@@ -40,8 +41,8 @@ class LiveFigure {
   void orbit(Real yaw, Real pitch) { camera_.orbit(yaw, pitch); }
   /// Multiplies the camera's distance, on a canvas.
   void zoom(Real factor) { camera_.zoom(factor); }
-  /// The picture.
-  std::string svg();
+  /// The picture. @param size pixels
+  std::string svg(const drawing::Size& size = {640, 420});
   /// A plot beside it; empty if there is none of that number.
   std::string plot_svg(std::size_t plot);
   /// What is said beside the picture, as JSON: title, story, walks, canvas, h,

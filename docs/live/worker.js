@@ -17,11 +17,16 @@ function tasks(engine) {
     const first = engine.ccall('live_shapes', 'number') / Float32Array.BYTES_PER_ELEMENT;
     return engine.HEAPF32.slice(first, first + engine.ccall('live_shapes_size', 'number'));
   };
+  const paint = (width, height) => timed(() => ({words: JSON.parse(call('paint', width, height)), shapes: shapes()}));
   return {
     call,
     open: description => call('hulls', hulls) + call('open', description),
-    draw: () => timed(() => ({svg: call('svg')})),
-    paint: (width, height) => timed(() => ({words: JSON.parse(call('paint', width, height)), shapes: shapes()})),
+    draw: (width = 0, height = 0) => timed(() => ({svg: call('svg', width, height)})),
+    paint,
+    frame: (steps, width, height) => {
+      call('advance', steps);
+      return paint(width, height);
+    },
     plots: count => Array.from({length: count}, (_, plot) => call('plot', plot)),
   };
 }

@@ -15,10 +15,11 @@ namespace {
 
 using pages::Rgba;
 
-enum Kind { Polygon, Line, DashedLine, Arrow, DashedArrow, Dot };
+enum Kind { Polygon, Line, DashedLine, Arrow, DashedArrow, Dot, Segments };
 
 constexpr std::size_t most_outlined =
-    5000;  ///< faces; with more, outlines would take longer than faces
+    5000;                           ///< faces; with more, outlines would take longer than faces
+constexpr Real least_outlined = 8;  ///< pixels; smaller bodies would be all outline
 
 /// The colour under a fixed light from above.
 Rgba lit(const Rgba& colour, const Vec3& normal) {
@@ -40,10 +41,13 @@ pages::Projection project(const pages::Camera& camera, pages::Size canvas) {
       camera, canvas, {0, 0, static_cast<float>(canvas.width), static_cast<float>(canvas.height)}};
 }
 
+bool is_far_enough(const Vec3& point, const pages::Projection& seen) {
+  return (point - seen.eye()).dot(seen.forward()) >= seen.nearest();
+}
+
 bool all_in_front(const std::vector<Vec3>& corners, const pages::Projection& seen) {
-  return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
-    return (corner - seen.eye()).dot(seen.forward()) >= seen.nearest();
-  });
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const Vec3& corner) { return is_far_enough(corner, seen); });
 }
 
 /// A quadrilateral as cells, which overlap a little so that no seams show.
@@ -73,8 +77,10 @@ WorldCanvas::WorldCanvas(pages::WorldPage& page, pages::Camera& camera)
 const std::vector<float>& WorldCanvas::paint(pages::Size canvas) {
   page_.refresh();
   const pages::Focus& focus = page_.content().focus;
+  follow();
   if (!is_framed_) camera_ = pages::fitted(camera_, focus.center, focus.radius);
   is_framed_ = true;
+  canvas_ = canvas;
   seen_ = project(camera_, canvas);
   shapes_.clear();
   add_solids();
@@ -82,14 +88,39 @@ const std::vector<float>& WorldCanvas::paint(pages::Size canvas) {
   return shapes_;
 }
 
-void WorldCanvas::begin(float kind, const Rgba& colour, float size, std::size_t points) {
-  shapes_.insert(shapes_.end(),
-                 {kind, packed(colour), colour.w(), size, static_cast<float>(points)});
+void WorldCanvas::describe(pages::ControlVisitor& visit) {
+  visit.toggle({"follow", "camera follows", ""}, follows_);
 }
 
-void WorldCanvas::add(const Vec3& point) {
-  const Vec2 pixel = seen_.pixel(point);
-  shapes_.insert(shapes_.end(), {pixel.x(), pixel.y()});
+void WorldCanvas::follow() {
+  const std::optional<Index> selected = page_.selected();
+  const auto& bodies = page_.frame().bodies;
+  Vec3 subject = Vec3::Zero();
+  Real count = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const bool counts = selected ? static_cast<Index>(i) == *selected
+                                 : bodies[i].kind == BodyKind::Dynamic && page_.frame().is_alive[i];
+    if (!counts) continue;
+    subject += bodies[i].pose.position;
+    ++count;
+  }
+  if (count > 0) subject /= count;
+  const bool is_same = selected == followed_ && count == followed_count_;
+  if (follows_ && is_framed_ && is_same) camera_.target += subject - subject_;
+  subject_ = subject;
+  followed_ = selected;
+  followed_count_ = count;
+}
+
+std::size_t WorldCanvas::begin(float kind, const Rgba& colour, float size) {
+  shapes_.insert(shapes_.end(), {kind, packed(colour), colour.w(), size, 0});
+  return shapes_.size();
+}
+
+void WorldCanvas::add(const Vec2& pixel) { shapes_.insert(shapes_.end(), {pixel.x(), pixel.y()}); }
+
+void WorldCanvas::end(std::size_t start) {
+  shapes_[start - 1] = static_cast<float>((shapes_.size() - start) / 2);
 }
 
 void WorldCanvas::add_solids() {
@@ -97,44 +128,98 @@ void WorldCanvas::add_solids() {
   pages::open_view(solids, camera_.eye());
   std::size_t faces = 0;
   for (const pages::Solid& solid : solids) faces += solid.mesh->faces.size() / 2;
-  const float outline = faces > most_outlined ? 0.0F : 1.0F;
   for (const std::size_t i : back_to_front(solids, seen_)) {
-    for (Index face = 0; face < solids[i].mesh->face_count(); ++face) {
-      add_face(solids[i], face, outline);
-    }
+    add_solid(solids[i], faces <= most_outlined);
   }
 }
 
-void WorldCanvas::add_face(const pages::Solid& solid, Index face, float outline) {
+void WorldCanvas::add_solid(const pages::Solid& solid, bool is_outlined) {
   const HalfEdgeMesh& mesh = *solid.mesh;
-  const Plane& plane = mesh.face(face).plane;
-  if (plane.distance(solid.pose.to_body(camera_.eye())) <= 0) return;
+  const Vec3 eye = solid.pose.to_body(camera_.eye());
+  faces_.clear();
+  for (const Face& face : mesh.faces) faces_.push_back(face.plane.distance(eye) > 0);
+  const bool is_in_front = project_vertices(solid);
+  if (is_in_front && !is_on_canvas()) return;
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    if (!faces_[face]) continue;
+    if (is_in_front) {
+      add_face(solid, face);
+    } else {
+      add_near_face(solid, face);
+    }
+  }
+  const bool is_large = (most_ - least_).maxCoeff() > least_outlined;
+  if (is_outlined && is_in_front && is_large) add_outline(mesh, solid.colour.w());
+}
+
+bool WorldCanvas::project_vertices(const pages::Solid& solid) {
+  pixels_.clear();
+  least_.setConstant(HUGE_VALF);
+  most_.setConstant(-HUGE_VALF);
+  for (const Vec3& vertex : solid.mesh->vertices) {
+    const Vec3 point = solid.pose.to_world(vertex);
+    if (!is_far_enough(point, seen_)) return false;
+    pixels_.push_back(seen_.pixel(point));
+    least_ = least_.cwiseMin(pixels_.back());
+    most_ = most_.cwiseMax(pixels_.back());
+  }
+  return true;
+}
+
+bool WorldCanvas::is_on_canvas() const {
+  return most_.x() > 0 && most_.y() > 0 && least_.x() < static_cast<Real>(canvas_.width) &&
+         least_.y() < static_cast<Real>(canvas_.height);
+}
+
+void WorldCanvas::add_face(const pages::Solid& solid, Index face) {
+  const HalfEdgeMesh& mesh = *solid.mesh;
+  const Rgba colour = lit(solid.colour, solid.pose.rotate(mesh.face(face).plane.normal));
+  const std::size_t start = begin(Polygon, colour, 0);
+  for (const Index e : face_edges(mesh, face)) add(pixels_[mesh.origin(e)]);
+  end(start);
+}
+
+void WorldCanvas::add_near_face(const pages::Solid& solid, Index face) {
+  const HalfEdgeMesh& mesh = *solid.mesh;
   std::vector<Vec3> corners;
   for (const Index e : face_edges(mesh, face)) {
     corners.push_back(solid.pose.to_world(mesh.vertex(mesh.origin(e))));
   }
-  const Rgba colour = lit(solid.colour, solid.pose.rotate(plane.normal));
+  const Rgba colour = lit(solid.colour, solid.pose.rotate(mesh.face(face).plane.normal));
   if (all_in_front(corners, seen_)) {
-    add_polygon(colour, outline, corners);
+    add_polygon(colour, corners);
   } else if (corners.size() == 4) {  // a floor that reaches behind the camera
     for (const std::vector<Vec3>& cell : cells(corners)) {
-      if (all_in_front(cell, seen_)) add_polygon(colour, 0, cell);
+      if (all_in_front(cell, seen_)) add_polygon(colour, cell);
     }
   }
 }
 
-void WorldCanvas::add_polygon(const Rgba& colour, float outline, const std::vector<Vec3>& corners) {
-  begin(Polygon, colour, outline, corners.size());
-  for (const Vec3& corner : corners) add(corner);
+void WorldCanvas::add_outline(const HalfEdgeMesh& mesh, float opacity) {
+  const std::size_t start = begin(Segments, Rgba(0, 0, 0, 0.35F * opacity), 1);
+  for (Index e = 0; e < mesh.edge_count(); e += 2) {
+    const HalfEdge& edge = mesh.edge(e);
+    if (!faces_[edge.face] && !faces_[mesh.edge(edge.twin).face]) continue;
+    add(pixels_[mesh.origin(e)]);
+    add(pixels_[edge.vertex]);
+  }
+  end(start);
+}
+
+void WorldCanvas::add_polygon(const Rgba& colour, const std::vector<Vec3>& corners) {
+  const std::size_t start = begin(Polygon, colour, 0);
+  for (const Vec3& corner : corners) add(seen_.pixel(corner));
+  end(start);
 }
 
 void WorldCanvas::add_line(const drawing::Line& line) {
   if (!seen_.is_in_front(line.from) || !seen_.is_in_front(line.to)) return;
   const auto& [role, width, dashed, arrow] = line.stroke;
   const Kind kind = arrow ? (dashed ? DashedArrow : Arrow) : (dashed ? DashedLine : Line);
-  begin(static_cast<float>(kind), pages::role_rgba(role), width, 2);
-  add(line.from);
-  add(line.to);
+  const std::size_t start = begin(static_cast<float>(kind), pages::role_rgba(role), width);
+  add(seen_.pixel(line.from));
+  add(seen_.pixel(line.to));
+  end(start);
 }
 
 void WorldCanvas::add_overlays() {
@@ -142,8 +227,9 @@ void WorldCanvas::add_overlays() {
   for (const drawing::Line& line : drawing.lines) add_line(line);
   for (const drawing::Point& point : drawing.points) {
     if (!seen_.is_in_front(point.position)) continue;
-    begin(Dot, pages::role_rgba(point.role), point.radius, 1);
-    add(point.position);
+    const std::size_t start = begin(Dot, pages::role_rgba(point.role), point.radius);
+    add(seen_.pixel(point.position));
+    end(start);
   }
 }
 
