@@ -4,7 +4,7 @@ namespace cs550 {
 
 [[gnu::weak]] void integrate_momenta(std::span<RigidBody> bodies, Real h) {
   for (RigidBody& body : bodies) {
-    if (body.kind != BodyKind::Dynamic) continue;
+    if (body.kind != BodyKind::Dynamic || body.asleep) continue;
     integrate_momentum(body, h);
     refresh_velocity(body);
   }
@@ -14,7 +14,7 @@ namespace cs550 {
                                         std::span<const SolverBody> solver_bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     RigidBody& body = bodies[i];
-    if (body.kind != BodyKind::Dynamic) continue;
+    if (body.kind != BodyKind::Dynamic || body.asleep) continue;
     const Vec3 dv = solver_bodies[i].v - body.linear_velocity;
     const Vec3 dw = solver_bodies[i].w - body.angular_velocity;
     if (dv.isZero(0) && dw.isZero(0)) continue;
@@ -30,7 +30,7 @@ namespace cs550 {
                                    Real h, RotationMethod method) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     RigidBody& body = bodies[i];
-    if (body.kind == BodyKind::Static) continue;
+    if (body.kind == BodyKind::Static || body.asleep) continue;
     solver_bodies[i].delta_position += h * body.linear_velocity;
     solver_bodies[i].delta_rotation += h * body.angular_velocity;
     turn_and_move(body, h, method);

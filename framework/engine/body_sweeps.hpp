@@ -5,7 +5,7 @@
 /// the same bits.
 ///
 /// Precondition of all three: velocities and world_inverse_inertia are those that refresh_velocity()
-/// derives from the state. They leave them so.
+/// derives from the state. They leave them so. Sleeping bodies are skipped.
 
 #include <span>
 

@@ -50,6 +50,29 @@ struct PairList {
   void append(const PairList& other, std::size_t i);
 };
 
+/// What decides whether a body is at rest. A window of time begins with each larger displacement.
+struct BodyRest {
+  Pose start;            ///< when the window began; of an immovable body, one step ago
+  Pose middle;           ///< half a window later
+  Real first_half = 0;   ///< displacement between the two (m)
+  Real time = 0;         ///< since the window began (s)
+  bool settled = false;  ///< whether the last whole window was quiet, and all since
+  Index island = no_index;  ///< while asleep: the smallest index of the bodies in its island
+};
+
+/// What is kept of sleeping bodies, and the working storage that finds them.
+struct Sleeping {
+  std::vector<BodyRest> bodies;
+  PairList pairs;          ///< of sleeping bodies, among themselves and with immovable ones at rest
+  WorldSettings settings;  ///< with which they fell asleep
+  std::vector<char> wakes;        ///< of each island, by its smallest index
+  std::vector<char> moved_pairs;  ///< of one list to the other
+  std::vector<Index> island_of;   ///< see find_resting_islands()
+  std::vector<Index> parent;      ///< of each body, in the forest of union-find
+  std::vector<char> stays_awake;  ///< of each root
+  std::vector<char> supported;    ///< of each root: touches an immovable body
+};
+
 /// Linear momentum that no outer impulse explains, summed over the audited steps.
 struct MomentumAudit {
   Eigen::Vector3d unexplained = Eigen::Vector3d::Zero();
@@ -61,6 +84,7 @@ struct MomentumAudit {
 class UnwrittenStages {
  public:
   bool contains(Stage stage) const { return stages_[static_cast<std::size_t>(stage)]; }
+  bool any() const { return stages_.any(); }
   void add(Stage stage) { stages_.set(static_cast<std::size_t>(stage)); }
   void clear() { stages_.reset(); }
 
@@ -111,6 +135,7 @@ struct WorldState {
 
   AabbTree tree;
   PairList pairs;
+  Sleeping sleeping;
 
   std::vector<ContactEvent> began;
   std::vector<ContactEvent> ended;
@@ -141,6 +166,14 @@ struct WorldState {
   }
   Real slop() const { return settings.slop * settings.length_unit; }
 };
+
+/// Visits the dynamic bodies that are awake.
+template <class State, class Visit>
+void for_moving_bodies(State& world, const Visit& visit) {
+  for (auto& body : world.bodies) {
+    if (body.kind == BodyKind::Dynamic && !body.asleep) visit(body);
+  }
+}
 
 template <class State, class Visit>
 void for_dynamic_bodies(State& world, const Visit& visit) {

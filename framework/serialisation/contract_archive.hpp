@@ -51,10 +51,10 @@ void serialize(Archive& archive, Bounds& bounds) {
 
 template <class Archive>
 void serialize(Archive& archive, RigidBody& body) {
-  auto& [kind, mass, inverse_mass, inertia, inverse_inertia, pose, p, l, force, torque, v, w,
-         world_inverse_inertia] = body;
-  archive(kind, mass, inverse_mass, inertia, inverse_inertia, pose, p, l, force, torque, v, w,
-          world_inverse_inertia);
+  auto& [kind, asleep, mass, inverse_mass, inertia, inverse_inertia, pose, p, l, force, torque, v,
+         w, world_inverse_inertia] = body;
+  archive(kind, asleep, mass, inverse_mass, inertia, inverse_inertia, pose, p, l, force, torque, v,
+          w, world_inverse_inertia);
 }
 
 template <class Archive>
@@ -204,13 +204,13 @@ void serialize(Archive& archive, ContactBias& bias) {
 template <class Archive>
 void serialize(Archive& archive, WorldSettings& settings) {
   auto& [gravity, length_unit, substeps, iterations, relax_iterations, solver, contact_model,
-         rotation, warm_starting, temporal_coherence, contact_hertz, contact_damping_ratio,
-         baumgarte, slop, max_push_speed, restitution_threshold, restitution_iterations,
-         rolling_resistance, check_stages, audit_momentum] = settings;
+         rotation, warm_starting, temporal_coherence, sleeping, contact_hertz,
+         contact_damping_ratio, baumgarte, slop, max_push_speed, restitution_threshold,
+         restitution_iterations, rolling_resistance, check_stages, audit_momentum] = settings;
   archive(gravity, length_unit, substeps, iterations, relax_iterations, solver, contact_model,
-          rotation, warm_starting, temporal_coherence, contact_hertz, contact_damping_ratio,
-          baumgarte, slop, max_push_speed, restitution_threshold, restitution_iterations,
-          rolling_resistance, check_stages, audit_momentum);
+          rotation, warm_starting, temporal_coherence, sleeping, contact_hertz,
+          contact_damping_ratio, baumgarte, slop, max_push_speed, restitution_threshold,
+          restitution_iterations, rolling_resistance, check_stages, audit_momentum);
 }
 
 template <class Archive, class T, int Capacity>

@@ -34,6 +34,9 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
   add_test(NAME cli.output
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/output_test.sh" "$<TARGET_FILE:cs550_demo>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/output")
+  add_test(NAME cli.demo
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/demo_test.sh" "$<TARGET_FILE:cs550_demo>"
+                   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/demo_options")
   add_test(NAME cli.submit
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/submit_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_BINARY_DIR}/submit")
@@ -41,5 +44,5 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
            COMMAND bash "${CMAKE_CURRENT_LIST_DIR}/rough_test.sh" "${PROJECT_SOURCE_DIR}"
                    "${PROJECT_BINARY_DIR}/rough")
   set_tests_properties(cli.rough PROPERTIES LABELS rough TIMEOUT 3600)
-  set_tests_properties(cli.usage cli.launcher cli.output cli.submit PROPERTIES LABELS cli TIMEOUT 60)
+  set_tests_properties(cli.usage cli.launcher cli.output cli.demo cli.submit PROPERTIES LABELS cli TIMEOUT 60)
 endif()

@@ -24,6 +24,7 @@ struct DemoOptions {
   std::filesystem::path csv;
   int steps = 0;                   ///< 0: the scene's own number
   std::optional<Quality> quality;  ///< empty: the scene's own settings
+  bool sleeping = true;
   bool no_picture = false;
 };
 
@@ -31,6 +32,12 @@ Quality parse_quality(const std::string& name) {
   if (name == "accurate") return Quality::Accurate;
   if (name == "game") return Quality::Game;
   throw CLI::ValidationError("--quality", "'" + name + "' is neither accurate nor game");
+}
+
+bool parse_switch(const std::string& option, const std::string& value) {
+  if (value == "on") return true;
+  if (value == "off") return false;
+  throw CLI::ValidationError(option, "'" + value + "' is neither on nor off");
 }
 
 double timed_step(World& world, Real h) {
@@ -93,6 +100,7 @@ int run_demo(const DemoOptions& options) {
   Scene& scene = found.scene;
   scene.settings.audit_momentum = true;
   if (options.quality) set_quality(scene.settings, *options.quality);
+  scene.settings.sleeping = options.sleeping;
 
   std::optional<TrajectoryCsv> trajectory;
   if (!options.csv.empty()) trajectory.emplace(options.csv);
@@ -117,6 +125,11 @@ void declare(CLI::App& app, DemoOptions& options) {
          "--quality", [&](const std::string& name) { options.quality = parse_quality(name); },
          "accurate, or game: half the passes; by default the scene's own settings")
       ->option_text("NAME");
+  app.add_option_function<std::string>(
+         "--sleeping",
+         [&](const std::string& value) { options.sleeping = parse_switch("--sleeping", value); },
+         "on: bodies at rest are skipped until something disturbs them, the default; or off")
+      ->option_text("SWITCH");
   app.add_flag("--no-picture", options.no_picture, "print the summary only");
 }
 

@@ -82,6 +82,9 @@ void RunRecord::print(std::ostream& out) const {
   line(out, "bodies", fmt::format("{}, {} of them dynamic", world_.body_count(), dynamic));
   line(out, "contacts", fmt::format("{} at the end, {} at most", last.contacts, most_contacts_));
   line(out, "points", fmt::format("{} at the end, {} at most", last.points, most_points_));
+  if (scene_.settings.sleeping) {
+    line(out, "asleep", fmt::format("{} at the end; their contacts are not counted", last.asleep));
+  }
   line(out, "steps",
        fmt::format("{} of {:.4g} ms, {:.4g} s simulated", steps_,
                    1000 * static_cast<double>(scene_.h), world_.time()));

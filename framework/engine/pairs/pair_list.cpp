@@ -49,7 +49,7 @@ void refit_leaves(WorldState& world, Real h) {
   const Real gravity = world.settings.gravity.norm();
   for (std::size_t i = 0; i < world.slot_count(); ++i) {
     BodySlot& slot = world.slots[i];
-    if (!slot.alive) continue;
+    if (!slot.alive || world.bodies[i].asleep) continue;
     const RigidBody& body = world.bodies[i];
     const auto index = static_cast<Index>(i);
     const Real margin =
@@ -189,13 +189,36 @@ void insert_leaf(WorldState& world, Index body) {
 
 void enclose_bodies(WorldState& world) {
   for (std::size_t i = 0; i < world.slot_count(); ++i) {
-    if (!world.slots[i].alive || world.bodies[i].kind == BodyKind::Static) continue;
+    const RigidBody& body = world.bodies[i];
+    if (!world.slots[i].alive || body.kind == BodyKind::Static || body.asleep) continue;
     const auto index = static_cast<Index>(i);
     const Bounds bounds = world_bounds(world.posed_shape(index));
     if (!world.tree.bounds(world.slots[i].leaf).contains(bounds)) {
       move_leaf(world, index, bounds.expanded(leaf_room(world)));
     }
   }
+}
+
+void move_pairs(PairList& from, PairList& to, PairList& scratch, const std::vector<char>& moves) {
+  scratch.clear();
+  scratch.make_room(from.size() + to.size());
+  std::size_t in_to = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (!moves[i]) continue;
+    const std::uint64_t key = pair_key(from.contacts[i]);
+    for (; in_to < to.size() && pair_key(to.contacts[in_to]) < key; ++in_to) {
+      scratch.append(to, in_to);
+    }
+    scratch.append(from, i);
+  }
+  for (; in_to < to.size(); ++in_to) scratch.append(to, in_to);
+  std::swap(to, scratch);
+
+  scratch.clear();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (!moves[i]) scratch.append(from, i);
+  }
+  std::swap(from, scratch);
 }
 
 void remove_pairs_of(WorldState& world, Index body) {

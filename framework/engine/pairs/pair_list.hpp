@@ -19,6 +19,10 @@ void insert_leaf(WorldState& world, Index body);
 void enclose_bodies(WorldState& world);
 /// Brings the tree and the pairs up to date with poses and speeds. @param h step (s)
 void update_pairs(WorldState& world, Real h);
+/// Moves some pairs from one list to another. Both are sorted, and stay so.
+/// @param moves of each pair of `from`
+/// @param scratch working storage
+void move_pairs(PairList& from, PairList& to, PairList& scratch, const std::vector<char>& moves);
 /// Drops the pairs of a body that is being removed; those that touched go to ended_by_removal.
 void remove_pairs_of(WorldState& world, Index body);
 

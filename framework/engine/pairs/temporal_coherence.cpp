@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/pairs/displacement.hpp"
 #include "engine/pairs/pair_list.hpp"
 
 namespace cs550 {
@@ -25,16 +26,6 @@ PairOfShapes sorted_by_radius(const WorldState& world, const Contact& contact) {
   const PosedShape b = world.posed_shape(contact.body_b);
   if (b.shape->radius < a.shape->radius) return {b, a};
   return {a, b};
-}
-
-/// An upper bound on the distance that any point within `radius` of a body's origin has moved (m).
-Real largest_displacement(const Pose& before, const Pose& now, Real radius) {
-  // Unit quaternions that are an angle θ apart differ by 2 sin(θ/4), with the nearer of their two signs. A
-  // point at distance r moves by 2r·sin(θ/2) ≤ 4r·sin(θ/4).
-  const auto p = before.orientation.coeffs();
-  const auto q = now.orientation.coeffs();
-  const Real turn = std::sqrt(std::min((q - p).squaredNorm(), (q + p).squaredNorm()));
-  return (now.position - before.position).norm() + 2 * radius * turn;
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ WorldSettings read_settings(SceneReader world) {
                                    {"explicit", RotationMethod::Explicit}});
   world.read("warm_starting", settings.warm_starting);
   world.read("temporal_coherence", settings.temporal_coherence);
+  world.read("sleeping", settings.sleeping);
 
   world.read("contact_hertz", settings.contact_hertz, Range::Positive);
   world.read("contact_damping_ratio", settings.contact_damping_ratio, Range::NotNegative);

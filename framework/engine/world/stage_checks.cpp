@@ -111,7 +111,10 @@ void check_bodies(WorldState& world, Stage stage, int lab) {
 
 void restore_broken_bodies(WorldState& world) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (broken_promise(world.bodies[i]) != nullptr) world.bodies[i] = world.bodies_before[i];
+    RigidBody& body = world.bodies[i];
+    if (broken_promise(body) == nullptr) continue;
+    body = world.bodies_before[i];
+    body.asleep = false;  // a body that sleeps keeps its promises
   }
 }
 

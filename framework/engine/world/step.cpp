@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/contacts/contact_constraints.hpp"
+#include "engine/islands/sleeping.hpp"
 #include "engine/pairs/pair_list.hpp"
 #include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
@@ -23,13 +24,13 @@ void begin_step(WorldState& world) {
 
 void refresh_velocities(WorldState& world) {
   for (RigidBody& body : world.bodies) {
-    if (body.kind != BodyKind::Static) refresh_velocity(body);
+    if (body.kind != BodyKind::Static && !body.asleep) refresh_velocity(body);
   }
 }
 
 void apply_gravity(WorldState& world) {
-  for_dynamic_bodies(world,
-                     [&](RigidBody& body) { body.force += body.mass * world.settings.gravity; });
+  for_moving_bodies(world,
+                    [&](RigidBody& body) { body.force += body.mass * world.settings.gravity; });
 }
 
 /// The naive solver sees separations only as they are when the step begins, so it gets one substep.
@@ -61,8 +62,10 @@ void skip_stage(WorldState& world, Stage stage, const NotImplemented& missing) {
 
 void advance(WorldState& world, Real h) {
   begin_step(world);
+  wake_disturbed_bodies(world);
   run_stage(world, Stage::Integrate, refresh_velocities);
   detect_collisions(world, h);
+  update_sleep(world);
   find_misplaced_bodies(world, h);
 
   const int substeps = substep_count(world.settings);
@@ -77,6 +80,7 @@ void advance(WorldState& world, Real h) {
   note_touching(world);
   clear_forces(world);
   if (world.settings.check_stages) restore_broken_bodies(world);
+  watch_rest(world, h);
   run_stage(world, Stage::BroadPhase, enclose_bodies);
   ++world.step_count;
   world.time += static_cast<double>(h);

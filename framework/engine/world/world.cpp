@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/islands/sleeping.hpp"
 #include "engine/pairs/pair_list.hpp"
 #include "engine/world/stages.hpp"
 
@@ -106,6 +107,7 @@ BodyId World::add_body(const BodyDef& def) {
 void World::remove_body(BodyId id) {
   if (!is_alive(id)) return;
   const Index i = id.index;
+  wake_around(*state_, i);
   remove_pairs_of(*state_, i);
   state_->tree.remove(state_->slots[i].leaf);
   state_->slots[i] = {state_->slots[i].generation + 1, false, no_index, {}};
@@ -133,6 +135,9 @@ std::int64_t World::step_count() const { return state_->step_count; }
 double World::time() const { return state_->time; }
 
 std::span<const Contact> World::contacts() const { return state_->pairs.contacts; }
+std::span<const Contact> World::sleeping_contacts() const {
+  return state_->sleeping.pairs.contacts;
+}
 std::span<const SeparatingAxis> World::axes() const { return state_->pairs.axes; }
 std::span<const ContactEvent> World::began() const { return state_->began; }
 std::span<const ContactEvent> World::ended() const { return state_->ended; }

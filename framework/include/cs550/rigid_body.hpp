@@ -21,6 +21,7 @@ enum class BodyKind : std::uint8_t {
 /// velocities.
 struct RigidBody {
   BodyKind kind = BodyKind::Dynamic;  ///< how it moves
+  bool asleep = false;  ///< set by the world: at rest, and skipped until something disturbs it
 
   Real mass = 1;                            ///< kg; 0 means infinite
   Real inverse_mass = 1;                    ///< 1/kg; 0 unless dynamic

@@ -37,6 +37,8 @@ struct WorldSettings {
   bool warm_starting = true;  ///< start from the accumulated impulses of the last step
   /// Query a pair again only once its bodies have moved relative to each other.
   bool temporal_coherence = false;
+  /// Skip groups of touching bodies that are at rest, until something disturbs them.
+  bool sleeping = false;
 
   Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
   Real contact_damping_ratio = 4;          ///< ζ of soft contacts; 1 is critical
@@ -51,6 +53,9 @@ struct WorldSettings {
 
   bool check_stages = false;    ///< check the postconditions of each stage
   bool audit_momentum = false;  ///< record what momentum_error() needs
+
+  /// Whether all members are equal.
+  bool operator==(const WorldSettings& other) const = default;
 };
 
 /// The named settings: how many passes a step takes, and how exact its result is.
@@ -133,6 +138,7 @@ struct StepStats {
   int kept = 0;                               ///< pairs whose last answer still holds
   int contacts = 0;                           ///< pairs with a non-empty manifold
   int points = 0;                             ///< of all manifolds
+  int asleep = 0;                             ///< bodies; their pairs are not counted
   Real deepest_separation = 0;                ///< most negative separation, 0 if none (m)
 };
 
@@ -214,6 +220,9 @@ class World {
   /// The pairs that the broad phase found, sorted by body. A pair with an empty manifold is not
   /// touching.
   std::span<const Contact> contacts() const;
+  /// The pairs of bodies that are asleep, with each other and with bodies that do not move. They are
+  /// not in contacts().
+  std::span<const Contact> sleeping_contacts() const;
   /// The axis of each pair of contacts(), in the same order, as the last query found it. With
   /// temporal_coherence that may have been in an earlier step.
   std::span<const SeparatingAxis> axes() const;

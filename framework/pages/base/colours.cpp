@@ -39,4 +39,9 @@ Rgba body_colour(Index mesh, Index body) {
   return colour;
 }
 
+Rgba asleep_colour(const Rgba& colour) {
+  const Rgba grey(0.62F, 0.62F, 0.62F, colour.w());
+  return 0.45F * colour + 0.55F * grey;
+}
+
 }  // namespace cs550::pages

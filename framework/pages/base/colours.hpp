@@ -21,4 +21,7 @@ Rgba ground_colour();
 /// The colour of a body: one hue per mesh, one shade per body, the same in every run.
 Rgba body_colour(Index mesh, Index body);
 
+/// A body's colour while it is asleep: dimmer.
+Rgba asleep_colour(const Rgba& colour);
+
 }  // namespace cs550::pages

@@ -62,7 +62,8 @@ void Simulation::step() {
 void Simulation::build(const std::string& name, WorldFrame& frame) {
   const SceneResult found = find_scene(name);
   if (!found) throw std::runtime_error(found.error);
-  const Scene& scene = found.scene;
+  Scene scene = found.scene;
+  scene.settings.sleeping = true;
   world_.emplace(make_world(scene));
   h_ = scene.h;
   lost_.clear();
@@ -128,6 +129,8 @@ Index Simulation::mesh_number(const ShapePtr& shape, WorldFrame& frame) {
 void Simulation::describe(WorldFrame& frame) {
   frame.bodies.assign(world_->bodies().begin(), world_->bodies().end());
   frame.contacts.assign(world_->contacts().begin(), world_->contacts().end());
+  const std::span<const Contact> asleep = world_->sleeping_contacts();
+  frame.contacts.insert(frame.contacts.end(), asleep.begin(), asleep.end());
   for (Index i = 0; i < static_cast<Index>(frame.bodies.size()); ++i) {
     const BodyId id = world_->id_at(i);
     const bool alive = world_->is_alive(id);

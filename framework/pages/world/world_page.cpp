@@ -150,6 +150,7 @@ std::vector<Solid> WorldPage::solids() const {
     solid.pose = frame_.bodies[i].pose;
     solid.is_ground = frame_.bodies[i].kind == BodyKind::Static;
     solid.colour = solid.is_ground ? ground_colour() : body_colour(mesh, static_cast<Index>(i));
+    if (frame_.bodies[i].asleep) solid.colour = asleep_colour(solid.colour);
     if (!solid.is_ground && overlays_.are_inside()) solid.colour.w() = 0.4F;
     if (!solid.is_ground && overlays_.wireframe) solid.colour.w() = 0.25F;
     solids.push_back(solid);
@@ -168,6 +169,9 @@ std::vector<Fact> WorldPage::facts() const {
     facts.push_back({"kinetic energy", quantity(now.kinetic, "J")});
     facts.push_back({"penetration", quantity(static_cast<double>(now.penetration), "m")});
   }
+  const auto asleep = std::count_if(frame_.bodies.begin(), frame_.bodies.end(),
+                                    [](const RigidBody& body) { return body.asleep; });
+  if (asleep > 0) facts.push_back({"asleep", std::to_string(asleep) + " bodies"});
   if (!selected_) return facts;
   const auto place = static_cast<std::size_t>(*selected_);
   const RigidBody& body = frame_.bodies[place];
@@ -177,6 +181,7 @@ std::vector<Fact> WorldPage::facts() const {
   if (body.kind == BodyKind::Dynamic) {
     facts.push_back({"mass", quantity(static_cast<double>(body.mass), "kg")});
   }
+  if (body.asleep) facts.push_back({"asleep", "until something disturbs it"});
   facts.push_back({"x", quantity(body.pose.position, "m")});
   facts.push_back({"v", quantity(body.linear_velocity, "m/s")});
   facts.push_back({"ω", quantity(body.angular_velocity, "rad/s")});

@@ -154,7 +154,7 @@ void count_displacement(const RigidBody& body, SolverBody& solver_body, Real h) 
 
 void integrate_momenta(std::span<RigidBody> bodies, Real h) {
   for (RigidBody& body : bodies) {
-    if (body.kind != BodyKind::Dynamic) continue;
+    if (body.kind != BodyKind::Dynamic || body.asleep) continue;
     body.linear_momentum += h * body.force;
     body.angular_momentum += h * body.torque;
     refresh_unturned(body);
@@ -164,7 +164,7 @@ void integrate_momenta(std::span<RigidBody> bodies, Real h) {
 void add_momentum_changes(std::span<RigidBody> bodies, std::span<const SolverBody> solver_bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     RigidBody& body = bodies[i];
-    if (body.kind != BodyKind::Dynamic) continue;
+    if (body.kind != BodyKind::Dynamic || body.asleep) continue;
     const Vec3 dv = solver_bodies[i].v - body.linear_velocity;
     const Vec3 dw = solver_bodies[i].w - body.angular_velocity;
     if (dv.isZero(0) && dw.isZero(0)) continue;
@@ -187,7 +187,7 @@ void integrate_poses(std::span<RigidBody> bodies, std::span<SolverBody> solver_b
   };
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     RigidBody& body = bodies[i];
-    if (body.kind == BodyKind::Static) continue;
+    if (body.kind == BodyKind::Static || body.asleep) continue;
     count_displacement(body, solver_bodies[i], h);
     if (body.kind == BodyKind::Dynamic && method == RotationMethod::ImplicitMidpoint) {
       lanes[count++] = &body;

@@ -1,0 +1,194 @@
+#include "engine/islands/sleeping.hpp"
+
+#include <algorithm>
+
+#include "engine/islands/islands.hpp"
+#include "engine/pairs/pair_list.hpp"
+
+namespace cs550 {
+
+namespace {
+
+bool is_same(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+bool touches(const Contact& contact) { return !contact.manifold.points.empty(); }
+
+bool was_put_to_sleep(const BodyRest& rest) { return rest.island != no_index; }
+
+/// Whether the owner of the world has changed a sleeping body.
+bool is_disturbed(const RigidBody& body, const BodyRest& rest) {
+  const bool still = body.asleep && body.linear_momentum.isZero(0) &&
+                     body.angular_momentum.isZero(0) && body.force.isZero(0) &&
+                     body.torque.isZero(0);
+  return !still || !is_same(body.pose, rest.start);
+}
+
+/// Whether an immovable body moves, or was moved since the last step.
+bool moves(const RigidBody& body, const BodyRest& rest) {
+  return !is_same(body.pose, rest.start) || !body.linear_velocity.isZero(0) ||
+         !body.angular_velocity.isZero(0);
+}
+
+/// Sleeping, or immovable and still.
+bool is_at_rest(const WorldState& world, Index body) {
+  if (world.bodies[body].kind == BodyKind::Dynamic) return world.bodies[body].asleep;
+  return world.sleeping.bodies[body].settled;
+}
+
+/// Marks the island of a sleeping body.
+void mark(WorldState& world, Index body) {
+  const BodyRest& rest = world.sleeping.bodies[body];
+  if (was_put_to_sleep(rest)) world.sleeping.wakes[rest.island] = 1;
+}
+
+void mark_both(WorldState& world, const Contact& contact) {
+  mark(world, contact.body_a);
+  mark(world, contact.body_b);
+}
+
+void begin_marking(WorldState& world) { world.sleeping.wakes.assign(world.slot_count(), 0); }
+
+/// Returns the sleeping pairs to the world that have a body which is no longer at rest.
+void return_pairs(WorldState& world) {
+  PairList& pairs = world.sleeping.pairs;
+  std::vector<char>& moved = world.sleeping.moved_pairs;
+  moved.clear();
+  for (const Contact& contact : pairs.contacts) {
+    moved.push_back(!is_at_rest(world, contact.body_a) || !is_at_rest(world, contact.body_b));
+  }
+  if (std::find(moved.begin(), moved.end(), char{1}) == moved.end()) return;
+  move_pairs(pairs, world.pairs, world.next_pairs, moved);
+}
+
+/// Wakes all bodies of the marked islands.
+void wake_marked(WorldState& world) {
+  for (std::size_t i = 0; i < world.slot_count(); ++i) {
+    RigidBody& body = world.bodies[i];
+    BodyRest& rest = world.sleeping.bodies[i];
+    if (!was_put_to_sleep(rest) || !world.sleeping.wakes[rest.island]) continue;
+    body.asleep = false;
+    rest.island = no_index;
+    restart_window(body, rest);
+  }
+  return_pairs(world);
+}
+
+void wake_all(WorldState& world) {
+  world.sleeping.wakes.assign(world.slot_count(), 1);
+  wake_marked(world);
+}
+
+/// Marks the islands of bodies that were changed, and finds the immovable bodies that move.
+/// @returns whether there are any of either
+bool find_disturbances(WorldState& world) {
+  bool any = false;
+  for (std::size_t i = 0; i < world.slot_count(); ++i) {
+    RigidBody& body = world.bodies[i];
+    BodyRest& rest = world.sleeping.bodies[i];
+    if (!world.slots[i].alive) continue;
+    if (!was_put_to_sleep(rest)) body.asleep = false;  // only the world puts a body to sleep
+    if (body.kind != BodyKind::Dynamic) {
+      rest.settled = !moves(body, rest);
+      rest.start = body.pose;
+      any = any || !rest.settled;
+    } else if (was_put_to_sleep(rest) && is_disturbed(body, rest)) {
+      mark(world, static_cast<Index>(i));
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// Marks the islands that immovable bodies in motion carry.
+void mark_carried(WorldState& world) {
+  for (const Contact& contact : world.sleeping.pairs.contacts) {
+    if (!touches(contact)) continue;
+    for (const Index body : {contact.body_a, contact.body_b}) {
+      const bool immovable = world.bodies[body].kind != BodyKind::Dynamic;
+      if (immovable && !is_at_rest(world, body)) mark_both(world, contact);
+    }
+  }
+}
+
+/// Wakes the sleeping bodies of the world's pairs that have contact points.
+void wake_touched(WorldState& world) {
+  bool any = false;
+  for (const Contact& contact : world.pairs.contacts) {
+    const bool sleeps = world.bodies[contact.body_a].asleep || world.bodies[contact.body_b].asleep;
+    if (!sleeps || !touches(contact)) continue;
+    if (!any) begin_marking(world);
+    any = true;
+    mark_both(world, contact);
+  }
+  if (any) wake_marked(world);
+}
+
+void put_to_sleep(RigidBody& body, BodyRest& rest, Index island) {
+  body.asleep = true;
+  body.linear_momentum.setZero();
+  body.angular_momentum.setZero();
+  body.linear_velocity.setZero();
+  body.angular_velocity.setZero();
+  rest.start = body.pose;
+  rest.island = island;
+}
+
+/// Puts the islands at rest to sleep, with their pairs.
+void put_islands_to_sleep(WorldState& world) {
+  if (!find_resting_islands(world)) return;
+  for (std::size_t i = 0; i < world.slot_count(); ++i) {
+    const Index island = world.sleeping.island_of[i];
+    if (island != no_index) put_to_sleep(world.bodies[i], world.sleeping.bodies[i], island);
+  }
+  std::vector<char>& moved = world.sleeping.moved_pairs;
+  moved.clear();
+  for (const Contact& contact : world.pairs.contacts) {
+    moved.push_back(is_at_rest(world, contact.body_a) && is_at_rest(world, contact.body_b));
+  }
+  move_pairs(world.pairs, world.sleeping.pairs, world.next_pairs, moved);
+}
+
+}  // namespace
+
+void wake_disturbed_bodies(WorldState& world) {
+  Sleeping& sleeping = world.sleeping;
+  sleeping.bodies.resize(world.slot_count());
+  if (!world.settings.sleeping) {
+    wake_all(world);
+    for (RigidBody& body : world.bodies) body.asleep = false;
+    return;
+  }
+  if (!(sleeping.settings == world.settings)) {
+    sleeping.settings = world.settings;
+    wake_all(world);
+  }
+  begin_marking(world);
+  if (!find_disturbances(world)) return;
+  mark_carried(world);
+  wake_marked(world);
+}
+
+void update_sleep(WorldState& world) {
+  if (!world.settings.sleeping) return;
+  wake_touched(world);
+  put_islands_to_sleep(world);
+  world.stats.asleep = static_cast<int>(std::count_if(
+      world.bodies.begin(), world.bodies.end(), [](const RigidBody& body) { return body.asleep; }));
+}
+
+void wake_around(WorldState& world, Index body) {
+  world.sleeping.bodies.resize(world.slot_count());
+  begin_marking(world);
+  mark(world, body);
+  for (const Contact& contact : world.sleeping.pairs.contacts) {
+    const bool is_its = contact.body_a == body || contact.body_b == body;
+    if (is_its && touches(contact)) mark_both(world, contact);
+  }
+  world.sleeping.bodies[body].settled = false;  // so that its pairs return to the world
+  wake_marked(world);
+  world.sleeping.bodies[body] = {};
+}
+
+}  // namespace cs550

@@ -1,0 +1,36 @@
+#!/bin/sh
+# demo_test.sh PROGRAM ROOT SCRATCH
+# The options of demo that change the settings of a scene.
+set -eu
+program=$1 scratch=$3
+export CS550_ROOT=$2
+rm -rf "$scratch"
+mkdir -p "$scratch"
+cd "$scratch"
+
+wrong() { echo "WRONG: $1" >&2; cat printed >&2; exit 1; }
+cat >scene.json <<'END'
+{ "schema": 1, "title": "A cube at rest", "steps": 60,
+  "bodies": [
+    { "name": "floor", "kind": "static", "position": [0, 0, -0.5],
+      "shape": { "kind": "box", "half_extents": [4, 4, 0.5] } },
+    { "name": "cube", "position": [0, 0, 0.5],
+      "shape": { "kind": "box", "half_extents": [0.5, 0.5, 0.5] } } ] }
+END
+demo() { "$program" scene.json --no-picture "$@" >printed 2>&1; }
+
+for switch in "" "--sleeping on"; do
+  demo $switch || wrong "demo $switch failed"
+  grep -q "^asleep *1 at the end" printed || wrong "demo $switch: the cube should sleep"
+done
+demo --sleeping off || wrong "demo --sleeping off failed"
+if grep -q "^asleep" printed; then wrong "nothing sleeps with --sleeping off"; fi
+
+misused() {
+  code=0
+  demo "$1" "$2" || code=$?
+  [ $code = 2 ] || wrong "demo $1 $2 exited with code $code, expected 2"
+  grep -qF "$3" printed || wrong "expected in the message: $3"
+}
+misused --sleeping maybe "'maybe' is neither on nor off"
+misused --quality best "'best' is neither accurate nor game"
