@@ -52,11 +52,11 @@ struct PairList {
 
 /// What decides whether a body is at rest. A window of time begins with each larger displacement.
 struct BodyRest {
-  Pose start;            ///< when the window began; of an immovable body, one step ago
-  Pose middle;           ///< half a window later
-  Real first_half = 0;   ///< displacement between the two (m)
-  Real time = 0;         ///< since the window began (s)
-  bool settled = false;  ///< whether the last whole window was quiet, and all since
+  Pose start;               ///< when the window began; of an immovable body, one step ago
+  Pose middle;              ///< half a window later
+  Real first_half = 0;      ///< displacement between the two (m)
+  Real time = 0;            ///< since the window began (s)
+  bool settled = false;     ///< whether the last whole window was quiet, and all since
   Index island = no_index;  ///< while asleep: the smallest index of the bodies in its island
 };
 
