@@ -20,6 +20,8 @@ struct BodySlot {
   bool alive = false;
   Index leaf = no_index;  ///< in the tree
   Bounds swept_bounds;    ///< where its surface and contact margin may be during this step
+  Real radius = 0;        ///< of its shape (m)
+  Real spin_speed = 0;    ///< of its surface by rotation, at most, when the step begins (m/s)
 };
 
 /// What is kept of a pair's last full query. It decides how long the answer holds. In the frame of the

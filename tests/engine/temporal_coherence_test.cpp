@@ -287,6 +287,7 @@ TEST(TemporalCoherence, ChecksReportAnAnswerThatNoLongerHolds) {
   state.pairs.kept.push_back(1);
   for (int i = 0; i < 2; ++i) {
     state.bodies.emplace_back();
+    state.slots.emplace_back();
     state.definitions.push_back(body_at(box_shape(Vec3::Ones()), Vec3::Zero()));
   }
   check_kept_answers(state, step_length);

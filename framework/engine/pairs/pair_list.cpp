@@ -15,9 +15,9 @@ std::uint64_t pair_key(Index a, Index b) {
 std::uint64_t pair_key(const Contact& contact) { return pair_key(contact.body_a, contact.body_b); }
 
 /// The farthest that a point of a body's surface may travel in a step (m).
-Real travel(const RigidBody& body, Real radius, Real gravity, Real h) {
+Real travel(const RigidBody& body, Real spin_speed, Real gravity, Real h) {
   const Real fall = body.kind == BodyKind::Dynamic ? gravity * h : 0;
-  return h * (body.linear_velocity.norm() + radius * body.angular_velocity.norm() + fall);
+  return h * (body.linear_velocity.norm() + spin_speed + fall);
 }
 
 bool may_touch(const WorldState& world, Index a, Index b) {
@@ -52,8 +52,9 @@ void refit_leaves(WorldState& world, Real h) {
     if (!slot.alive || world.bodies[i].asleep) continue;
     const RigidBody& body = world.bodies[i];
     const auto index = static_cast<Index>(i);
-    const Real margin =
-        2 * world.slop() + travel(body, world.definitions[i].shape->radius, gravity, h);
+    slot.radius = world.definitions[i].shape->radius;
+    slot.spin_speed = body.angular_velocity.norm() * slot.radius;
+    const Real margin = 2 * world.slop() + travel(body, slot.spin_speed, gravity, h);
     const Real room = leaf_room(world) + margin;
     slot.swept_bounds = world_bounds(world.posed_shape(index)).expanded(margin);
     if (leaf_is_stale(world.tree.bounds(slot.leaf), slot.swept_bounds, room)) {
@@ -168,8 +169,7 @@ Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h)
   const RigidBody& a = world.bodies[body_a];
   const RigidBody& b = world.bodies[body_b];
   const Real closing = (b.linear_velocity - a.linear_velocity).norm() +
-                       a.angular_velocity.norm() * world.definitions[body_a].shape->radius +
-                       b.angular_velocity.norm() * world.definitions[body_b].shape->radius;
+                       world.slots[body_a].spin_speed + world.slots[body_b].spin_speed;
   return spare_margin(world) + h * (closing + h * world.settings.gravity.norm());
 }
 

@@ -8,6 +8,7 @@ namespace cs550 {
 
 /// The margin within which two surfaces get contact points during a step of length h (m): the
 /// distance that they may close at their current speeds and in free fall, and a few slops.
+/// @pre update_pairs() has measured the speeds of this step
 Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h);
 
 /// The part of the margin that no motion of this step explains (m).

@@ -15,17 +15,20 @@ Pose seen_from(const Pose& observer, const Pose& body) {
   return {observer.to_body(body.position), observer.orientation.conjugate() * body.orientation};
 }
 
-struct PairOfShapes {
-  PosedShape smaller;
-  PosedShape larger;
+/// The pose of the body of smaller radius, seen from the other, and that radius. A body that turns moves
+/// the points of a smaller one near it less than the other way round.
+struct RelativePose {
+  Pose smaller_in_larger;
+  Real radius;
 };
 
-/// A body that turns moves the points of a smaller one near it less than the other way round.
-PairOfShapes sorted_by_radius(const WorldState& world, const Contact& contact) {
-  const PosedShape a = world.posed_shape(contact.body_a);
-  const PosedShape b = world.posed_shape(contact.body_b);
-  if (b.shape->radius < a.shape->radius) return {b, a};
-  return {a, b};
+RelativePose relative_pose(const WorldState& world, const Contact& contact) {
+  const Pose& a = world.bodies[contact.body_a].pose;
+  const Pose& b = world.bodies[contact.body_b].pose;
+  const Real radius_a = world.slots[contact.body_a].radius;
+  const Real radius_b = world.slots[contact.body_b].radius;
+  if (radius_b < radius_a) return {seen_from(a, b), radius_b};
+  return {seen_from(b, a), radius_a};
 }
 
 }  // namespace
@@ -36,10 +39,8 @@ bool answer_holds(const WorldState& world, std::size_t pair, Real margin) {
 
   const Contact& contact = world.pairs.contacts[pair];
   const PairMemory& memory = world.pairs.memories[pair];
-  const auto [smaller, larger] = sorted_by_radius(world, contact);
-  const Real radius = smaller.shape->radius;
-  const Real motion =
-      largest_displacement(memory.smaller_in_larger, seen_from(larger.pose, smaller.pose), radius);
+  const auto [now, radius] = relative_pose(world, contact);
+  const Real motion = largest_displacement(memory.smaller_in_larger, now, radius);
   if (contact.manifold.points.empty()) return axis.separation - motion > margin;
 
   const Real reach = margin - spare_margin(world);
@@ -48,10 +49,9 @@ bool answer_holds(const WorldState& world, std::size_t pair, Real margin) {
 
 void remember_answer(WorldState& world, std::size_t pair, Real margin) {
   const Contact& contact = world.pairs.contacts[pair];
-  const auto [smaller, larger] = sorted_by_radius(world, contact);
   PairMemory& memory = world.pairs.memories[pair];
   memory.margin = margin;
-  memory.smaller_in_larger = seen_from(larger.pose, smaller.pose);
+  memory.smaller_in_larger = relative_pose(world, contact).smaller_in_larger;
 
   const Manifold& manifold = contact.manifold;
   if (manifold.points.empty()) return;

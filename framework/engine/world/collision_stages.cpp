@@ -32,7 +32,7 @@ void find_axes(WorldState& world, Real h) {
 
 void rebuild_manifold(WorldState& world, Contact& contact, const SeparatingAxis& axis,
                       Real margin) {
-  if (axis.feature == AxisFeature::None || axis.separation > margin) {
+  if (axis.separation > margin) {
     contact.manifold.points.clear();
     return;
   }
@@ -50,6 +50,10 @@ void build_manifolds(WorldState& world, Real h) {
       continue;
     }
     Contact& contact = pairs.contacts[i];
+    if (pairs.axes[i].feature == AxisFeature::None) {  // the swept bounds are apart
+      contact.manifold.points.clear();
+      continue;
+    }
     const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
     rebuild_manifold(world, contact, pairs.axes[i], margin);
     if (world.settings.temporal_coherence) remember_answer(world, i, margin);

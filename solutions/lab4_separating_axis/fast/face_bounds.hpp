@@ -6,6 +6,7 @@
 #include <array>
 
 #include "cs550/convex_shape.hpp"
+#include "wide_mesh.hpp"
 
 namespace cs550 {
 
@@ -19,35 +20,28 @@ class FaceBounds {
   /// Starts with one point of B.
   /// @param point in A's frame
   void start(const HalfEdgeMesh& a, const Vec3& point) {
-    count_ = 1;
-    scan(a, [&](const Plane& plane, Bound& bound) {
-      bound.distance[0] = plane.distance(point);
-      bound.smallest = bound.distance[0];
-    });
+    count_ = 0;
+    scan(a, point);
   }
 
   /// Adds another point. Precondition: not full.
-  void add(const HalfEdgeMesh& a, const Vec3& point) {
-    const std::size_t place = count_++;
-    scan(a, [&](const Plane& plane, Bound& bound) {
-      bound.distance[place] = plane.distance(point);
-      bound.smallest = std::min(bound.smallest, bound.distance[place]);
-    });
-  }
+  void add(const HalfEdgeMesh& a, const Vec3& point) { scan(a, point); }
 
   bool full() const { return count_ == capacity; }
 
   /// The first of the faces with the largest bound.
   Index largest() const { return largest_; }
-  Real of(Index face) const { return bounds_[face].smallest; }
+  Real of(Index face) const { return block_of(face).smallest[lane_of(face)]; }
 
   /// Whether some witness is less than `limit` outside both faces. It then bounds s on the whole
   /// chord between their normals, along which its distance is linear.
   bool any_below(Index left, Index right, Real limit) const {
-    const Bound& l = bounds_[left];
-    const Bound& r = bounds_[right];
+    const FourFaces& l = block_of(left);
+    const FourFaces& r = block_of(right);
+    const std::size_t lane_l = lane_of(left);
+    const std::size_t lane_r = lane_of(right);
     for (std::size_t i = 0; i < count_; ++i) {
-      if (std::max(l.distance[i], r.distance[i]) < limit) return true;
+      if (std::max(l.distance[i][lane_l], r.distance[i][lane_r]) < limit) return true;
     }
     return false;
   }
@@ -55,27 +49,62 @@ class FaceBounds {
  private:
   static constexpr std::size_t capacity = 4;
 
-  struct Bound {
-    std::array<Real, capacity> distance;
-    Real smallest;
+  /// Four faces, one in each lane.
+  struct FourFaces {
+    std::array<WideReal, capacity> distance;
+    WideReal smallest;
   };
 
-  template <class Update>
-  void scan(const HalfEdgeMesh& a, const Update& update) {
+  static std::size_t lane_of(Index face) { return static_cast<std::size_t>(face) % lane_count; }
+  const FourFaces& block_of(Index face) const {
+    return blocks_[static_cast<std::size_t>(face) / lane_count];
+  }
+  FourFaces& block_of(Index face) { return blocks_[static_cast<std::size_t>(face) / lane_count]; }
+
+  void scan(const HalfEdgeMesh& a, const Vec3& point) {
+    constexpr Index few = 12;  // the search among four lanes takes longer than so few faces
+    const std::size_t witness = count_++;
+    if (a.face_count() <= few) {
+      scan_one_by_one(a, point, witness);
+    } else {
+      scan_by_fours(a, point, witness);
+    }
+  }
+
+  void scan_one_by_one(const HalfEdgeMesh& a, const Vec3& point, std::size_t witness) {
     Real largest = -HUGE_VALF;
     for (Index f = 0; f < a.face_count(); ++f) {
-      Bound& bound = bounds_[f];
-      update(a.face(f).plane, bound);
-      if (bound.smallest > largest) {
-        largest = bound.smallest;
+      FourFaces& block = block_of(f);
+      const std::size_t lane = lane_of(f);
+      const Real distance = a.face(f).plane.distance(point);
+      const Real bound = witness == 0 ? distance : std::min<Real>(block.smallest[lane], distance);
+      block.distance[witness][lane] = distance;
+      block.smallest[lane] = bound;
+      if (bound > largest) {
+        largest = bound;
         largest_ = f;
       }
     }
   }
 
+  void scan_by_fours(const HalfEdgeMesh& a, const Vec3& point, std::size_t witness) {
+    constexpr auto four = static_cast<Index>(lane_count);
+    const WideVec3 wide_point = {all_lanes(point.x()), all_lanes(point.y()), all_lanes(point.z())};
+    WideSearch search;
+    for (Index f = 0; f < a.face_count(); f += four) {
+      FourFaces& block = block_of(f);
+      const WideReal distance = four_distances(a, f, wide_point);
+      block.distance[witness] = distance;
+      block.smallest = witness == 0 ? distance : smaller(block.smallest, distance);
+      search.offer(block.smallest, f);
+    }
+    // Lanes past the last face repeat it. It was offered first, so it wins under its own number.
+    largest_ = search.first_largest();
+  }
+
   std::size_t count_ = 0;
   Index largest_ = 0;
-  std::array<Bound, max_shape_faces> bounds_;
+  std::array<FourFaces, max_shape_faces / lane_count + 1> blocks_;
 };
 
 }  // namespace cs550

@@ -3,6 +3,7 @@
 /// Lab 3 for the engine: the same support vertex, or one equally far, without path and count.
 
 #include "cs550/half_edge_mesh.hpp"
+#include "wide_mesh.hpp"
 
 namespace cs550 {
 
@@ -10,10 +11,22 @@ namespace cs550 {
 /// this takes a single load.
 inline Index next_around_vertex(const HalfEdgeMesh& mesh, Index e) { return mesh.edge(e ^ 1).next; }
 
-/// The vertex with the smallest dot(vertex, direction). Small meshes are searched vertex by vertex,
-/// which the processor predicts well. Larger ones are climbed from `start`.
+/// The first vertex with the smallest dot(vertex, direction), of all vertices.
+inline Index lowest_of_all(const HalfEdgeMesh& mesh, const Vec3& direction) {
+  const WideVec3 wide_direction = {all_lanes(direction.x()), all_lanes(direction.y()),
+                                   all_lanes(direction.z())};
+  WideSearch search;
+  for_all_fours(mesh.vertex_count(),
+                [&](Index v) { search.offer(-four_vertices(mesh, v).dot(wide_direction), v); });
+  return search.first_largest();
+}
+
+/// The vertex with the smallest dot(vertex, direction); `start` if there is no smaller one. A box is
+/// searched vertex by vertex. Meshes with few vertices are searched four at a time, without a branch
+/// that depends on them. Larger ones are climbed.
 inline Index lowest_vertex(const HalfEdgeMesh& mesh, const Vec3& direction, Index start) {
-  constexpr Index few = 24;
+  constexpr Index very_few = 12;
+  constexpr Index few = 48;
   Index lowest = start;
   Real height = mesh.vertex(start).dot(direction);
   const auto offer = [&](Index v) {
@@ -21,8 +34,12 @@ inline Index lowest_vertex(const HalfEdgeMesh& mesh, const Vec3& direction, Inde
     lowest = candidate < height ? v : lowest;
     height = candidate < height ? candidate : height;
   };
-  if (mesh.vertex_count() <= few) {
+  if (mesh.vertex_count() <= very_few) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) offer(v);
+    return lowest;
+  }
+  if (mesh.vertex_count() <= few) {
+    offer(lowest_of_all(mesh, direction));
     return lowest;
   }
   Index here;
