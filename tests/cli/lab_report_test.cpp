@@ -36,7 +36,7 @@ TEST(LabReport, LaterStepsAreOneLineEachUntilTheFirstFailingStepPasses) {
             "      wrong sign\n"
             "  FAILED    0/4  L3.10 C\n"
             "\n4 of 12 points, 1 of 3 tests passed\n"
-            "Fix L3.2 first. Reasons in later steps are left out; --all prints them.\n");
+            "Fix L3.2 first. Other reports are left out or shortened; --all prints them.\n");
   EXPECT_NE(printed(verdicts, true).find("      wrong order\n"), std::string::npos);
 }
 
@@ -47,14 +47,43 @@ TEST(LabReport, ARepeatedReasonNamesTheTestThatHasIt) {
   EXPECT_NE(report.find("C\n      the same as A\n"), std::string::npos) << report;
 }
 
-TEST(LabReport, ACauseIsPrintedOnce) {
-  const std::string report =
-      printed({verdict("A", "L3.1", Kind::Failed, "up\n  likely    sign\n            order"),
-               verdict("B", "L3.1", Kind::Failed,
-                       "down\n  likely    sign\n            scale\n  picture   b.svg")});
-  EXPECT_NE(report.find("      down\n        likely    scale\n        picture   b.svg\n"),
+TEST(LabReport, TheCausesOfAStepArePrintedOnceWithItsFirstFailingTest) {
+  const std::vector<Verdict> verdicts = {
+      verdict("A", "L3.1", Kind::Failed, "up\n  likely    sign\n            order"),
+      verdict("B", "L3.1", Kind::Failed,
+              "down\n  likely    sign\n            scale\n            frame\n  picture   b.svg")};
+  const std::string report = printed(verdicts, false, {{"scale", {"A", "B"}}});
+  EXPECT_NE(report.find("      up\n"
+                        "        likely    scale\n"
+                        "                  sign\n"
+                        "                  order\n"),
+            std::string::npos)
+      << "the cause that explains both tests comes first, of the others there are a few\n"
+      << report;
+  EXPECT_NE(report.find("      down\n        picture   b.svg\n"), std::string::npos) << report;
+  EXPECT_NE(printed(verdicts, true).find("frame\n"), std::string::npos);
+}
+
+TEST(LabReport, OnlyTheFirstFailingTestOfAStepIsReportedInFull) {
+  const std::string check =
+      "  given     seed = 1\n            size = 2 m\n  when      one pass\n  then      v\n"
+      "  expected  1 m/s\n  got       2 m/s\n  also      w\n  +3 similar cases\n";
+  const std::string crash = "crashed\n  given     a cube\ntry  ./cs550 lab 3 --asan";
+  const std::vector<Verdict> verdicts = {verdict("A", "L3.1", Kind::Failed, "up\n" + check),
+                                         verdict("B", "L3.1", Kind::Failed, "down\n" + check),
+                                         verdict("C", "L3.1", Kind::Failed, crash)};
+  const std::string report = printed(verdicts);
+  EXPECT_NE(report.find("      up\n        given     seed = 1\n"), std::string::npos) << report;
+  EXPECT_NE(report.find("        +3 similar cases\n"), std::string::npos) << report;
+  EXPECT_NE(report.find("      down\n        then      v\n        expected  1 m/s\n"
+                        "        got       2 m/s\n  FAILED"),
             std::string::npos)
       << report;
+  EXPECT_NE(report.find("      crashed\n        given     a cube\n      try  ./cs550"),
+            std::string::npos)
+      << report;
+  EXPECT_NE(printed(verdicts, true).find("      down\n        given     seed = 1\n"),
+            std::string::npos);
 }
 
 TEST(LabReport, ACauseThatAPassingTestExcludesIsNotPrinted) {
@@ -72,6 +101,10 @@ TEST(LabReport, ACauseThatAPassingTestExcludesIsNotPrinted) {
                 .find("the sign is wrong\n"),
             std::string::npos)
       << "if none is left, the mistake is another one: all are printed";
+  EXPECT_NE(
+      printed(verdicts, false, {{"the", {"B"}}, {"the order", {"A"}}}).find("the order is wrong\n"),
+      std::string::npos)
+      << "of two records that name a cause, the one with more words is meant";
 }
 
 TEST(LabReport, ABlockedTestDoesNotHideTheReasonsOfLaterSteps) {

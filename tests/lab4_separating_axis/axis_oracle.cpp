@@ -38,11 +38,9 @@ TestPair random_pair(Random& random, const std::vector<ShapePtr>& shapes, const 
 Story about(Story story, const TestPair& pair) {
   const auto describe = [&](const std::string& name, const PosedShape& body) {
     const Quat& q = body.pose.orientation;
-    story.given(name + " has " + std::to_string(body.mesh().vertex_count()) + " vertices")
-        .given("radius of " + name, body.shape->radius, "m")
-        .given("position of " + name, body.pose.position, "m")
-        .given("orientation of " + name + ", (x, y, z)", Vec3(q.vec()))
-        .given("orientation of " + name + ", w", q.w());
+    story.given(name + " has " + std::to_string(body.mesh().vertex_count()) + " vertices, radius",
+                body.shape->radius, "m");
+    story.given("x_" + name, body.pose.position, "m").given("q_" + name, q);
   };
   story.given("pair: " + pair.names);
   describe("A", pair.a);

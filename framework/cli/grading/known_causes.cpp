@@ -20,10 +20,12 @@ std::size_t common(const std::set<std::string>& a, const std::set<std::string>& 
 /// The failing tests that a cause explains; none if a passing test excludes it.
 std::optional<std::size_t> explained(const std::string& cause, const std::vector<KnownCause>& known,
                                      const Outcomes& outcomes) {
-  const auto found = std::find_if(known.begin(), known.end(), [&](const KnownCause& one) {
-    return cause.find(one.words) != std::string::npos;
-  });
-  if (found == known.end()) return 1;  // the test that names it
+  const KnownCause* found = nullptr;  // with the most words, as they may contain those of another
+  for (const KnownCause& one : known) {
+    const bool names_it = cause.find(one.words) != std::string::npos;
+    if (names_it && (found == nullptr || one.words.size() > found->words.size())) found = &one;
+  }
+  if (found == nullptr) return 1;  // the test that names it
   if (common(found->tests, outcomes.passed) > 0) return std::nullopt;
   return common(found->tests, outcomes.failed);
 }

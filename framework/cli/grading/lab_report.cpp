@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
@@ -11,6 +12,61 @@
 
 namespace cs550::cli {
 namespace {
+
+/// The message of a failed test, with its likely causes apart.
+struct Message {
+  std::string before;
+  std::vector<std::string> causes;
+  std::string after;
+};
+
+constexpr const char* likely = "  likely    ";
+
+Message split(const std::string& text) {
+  const std::string label = likely;
+  const std::string blank(label.size(), ' ');
+  std::istringstream lines(text);
+  Message message;
+  bool in_causes = false;
+  for (std::string line; std::getline(lines, line);) {
+    in_causes = line.rfind(label, 0) == 0 || (in_causes && line.rfind(blank, 0) == 0);
+    if (in_causes) {
+      message.causes.push_back(line.substr(label.size()));
+    } else {
+      (message.causes.empty() ? message.before : message.after) += line + '\n';
+    }
+  }
+  return message;
+}
+
+std::string joined(const Message& message) {
+  std::string label = likely;
+  std::string text = message.before;
+  for (const std::string& cause : message.causes) {
+    text += label + cause + '\n';
+    label.assign(label.size(), ' ');
+  }
+  return text + message.after;
+}
+
+/// The property and what was expected and got, of a report of a failed check; every other report as it
+/// is.
+std::string shortened(const std::string& report) {
+  std::istringstream lines(report);
+  std::string kept;
+  bool has_check = false;
+  bool is_kept = true;
+  for (std::string line; std::getline(lines, line);) {
+    const bool continues = line.rfind(std::string(std::string(likely).size(), ' '), 0) == 0;
+    if (line.rfind("  ", 0) == 0 && !continues) {
+      const std::string label = line.substr(2, line.find(' ', 2) - 2);
+      has_check = has_check || label == "expected";
+      is_kept = label == "then" || label == "expected" || label == "got";
+    }
+    if (is_kept) kept += line + '\n';
+  }
+  return has_check ? kept : report;
+}
 
 std::string verdict_word(const Verdict& verdict) {
   switch (verdict.kind) {
@@ -33,6 +89,10 @@ void LabReport::print(const std::vector<Verdict>& verdicts) {
     const bool is_first =
         first_failing_step_.empty() || is_earlier_step(verdict.test.step, first_failing_step_);
     if (verdict.kind == Verdict::Kind::Failed && is_first) first_failing_step_ = verdict.test.step;
+    std::vector<std::string>& known = causes_[verdict.test.step];
+    for (const std::string& cause : split(verdict.message).causes) {
+      if (std::find(known.begin(), known.end(), cause) == known.end()) known.push_back(cause);
+    }
   }
   for (const Verdict& verdict : verdicts) {
     std::cout << fmt::format("  {} {:>5}  {:<6}{}\n", verdict_word(verdict),
@@ -52,32 +112,31 @@ void LabReport::print_reason(const Verdict& verdict) {
     return;
   }
   const auto [known, is_new] = reported_.emplace(verdict.message, verdict.test.name);
-  std::cout << indented(is_new ? with_new_causes(verdict.message) : "the same as " + known->second,
-                        indent);
+  if (!is_new) {
+    std::cout << indented("the same as " + known->second, indent);
+    return;
+  }
+  Message message = split(verdict.message);
+  message.causes = take_causes(verdict.test.step);
+  const bool is_first = explained_steps_.insert(verdict.test.step).second;
+  if (!is_first && !everything_) {
+    const std::string short_form = shortened(message.before + message.after);
+    shortened_ = shortened_ || short_form != message.before + message.after;
+    message = {short_form, message.causes, ""};
+  }
+  std::cout << indented(joined(message), indent);
 }
 
-/// Leaves out the likely causes that a passing test excludes, and those that an earlier report has.
-std::string LabReport::with_new_causes(const std::string& message) {
-  const std::string label = "  likely    ";
-  const std::string blank(label.size(), ' ');
-  std::istringstream lines(message);
-  std::string before;
-  std::string after;
+/// The first ones explain most failing tests, so a few are enough.
+std::vector<std::string> LabReport::take_causes(const std::string& step) {
+  constexpr std::size_t most = 3;
   std::vector<std::string> causes;
-  bool in_causes = false;
-  for (std::string line; std::getline(lines, line);) {
-    in_causes = line.rfind(label, 0) == 0 || (in_causes && line.rfind(blank, 0) == 0);
-    if (in_causes) {
-      causes.push_back(line.substr(label.size()));
-    } else {
-      (causes.empty() ? before : after) += line + '\n';
-    }
+  for (const std::string& cause : plausible(causes_[step], known_causes_, outcomes_)) {
+    const bool has_room = everything_ || causes.size() < most;
+    if (has_room && printed_causes_.insert(cause).second) causes.push_back(cause);
   }
-  std::string text;
-  for (const std::string& cause : plausible(causes, known_causes_, outcomes_)) {
-    if (causes_.insert(cause).second) text += (text.empty() ? label : blank) + cause + '\n';
-  }
-  return before + text + after;
+  causes_[step].clear();
+  return causes;
 }
 
 bool LabReport::is_after_first_failure(const Verdict& verdict) const {
@@ -101,7 +160,7 @@ void LabReport::print_total(int elsewhere) const {
             << '\n';
   if (shortened_) {
     std::cout << "Fix " << first_failing_step_
-              << " first. Reasons in later steps are left out; --all prints them.\n";
+              << " first. Other reports are left out or shortened; --all prints them.\n";
   }
   if (elsewhere > 0) std::cout << elsewhere << " more points are graded by your instructor.\n";
 }

@@ -14,10 +14,12 @@
 namespace cs550::cli {
 
 /// Prints one line for each test. A failed test also prints its report, unless its step comes after
-/// the first step that fails: a mistake in one step often fails all later ones.
+/// the first step that fails: a mistake in one step often fails all later ones. Of that step, the
+/// first failing test prints its whole report, with the likely causes of all of them, the most
+/// likely ones first. The others print what they expected and got.
 class LabReport {
  public:
-  /// @param everything print the reports of later steps too
+  /// @param everything print the reports of later steps too, and every cause
   LabReport(bool everything, std::vector<KnownCause> known_causes)
       : everything_(everything), known_causes_(std::move(known_causes)) {}
 
@@ -28,16 +30,19 @@ class LabReport {
 
  private:
   void print_reason(const Verdict& verdict);
-  std::string with_new_causes(const std::string& message);
+  /// The likely causes of all failing tests of a step, once.
+  std::vector<std::string> take_causes(const std::string& step);
   bool is_after_first_failure(const Verdict& verdict) const;
 
   bool everything_;
   std::vector<KnownCause> known_causes_;
-  Outcomes outcomes_;                            ///< of the tests printed so far
-  std::vector<Verdict> verdicts_;                ///< printed so far
-  std::string first_failing_step_;               ///< empty while none fails
-  std::map<std::string, std::string> reported_;  ///< the test that first had a message
-  std::set<std::string> causes_;                 ///< printed so far
+  Outcomes outcomes_;                                       ///< of the tests printed so far
+  std::vector<Verdict> verdicts_;                           ///< printed so far
+  std::string first_failing_step_;                          ///< empty while none fails
+  std::map<std::string, std::string> reported_;             ///< the test that first had a message
+  std::map<std::string, std::vector<std::string>> causes_;  ///< of the failing tests of a step
+  std::set<std::string> printed_causes_;
+  std::set<std::string> explained_steps_;  ///< steps with a whole report
   bool shortened_ = false;
 };
 

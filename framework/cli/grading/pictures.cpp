@@ -55,11 +55,18 @@ void remove_picture(int lab, const GradedTest& test) {
 }
 
 void finish_pictures(int lab, const std::vector<Verdict>& verdicts) {
+  std::string first_step;
+  for (const Verdict& verdict : verdicts) {
+    const std::string& step = verdict.test.step;
+    const bool is_first = first_step.empty() || is_earlier_step(step, first_step);
+    if (verdict.kind == Verdict::Kind::Failed && is_first) first_step = step;
+  }
   std::vector<std::string> tests;
   for (const Verdict& verdict : verdicts) {
     const std::string test = full_name(lab, verdict.test);
-    const bool failed = verdict.kind == Verdict::Kind::Failed;
-    if (failed && fs::exists(picture_of(test))) tests.push_back(test);
+    const bool is_reported =
+        verdict.kind == Verdict::Kind::Failed && verdict.test.step == first_step;
+    if (is_reported && fs::exists(picture_of(test))) tests.push_back(test);
   }
   if (tests.empty()) return;
   std::cout << "See the failing case from all sides:\n  ./cs550 view --failure " << tests.front()

@@ -20,7 +20,7 @@ std::vector<std::string> tests_with_pictures();
 /// Removes the picture of a test that passes: it shows an earlier failure.
 void remove_picture(int lab, const GradedTest& test);
 
-/// Writes PNG files beside the pictures of the tests that failed, for programs that show no SVG.
+/// Writes PNG files beside the pictures of the first failing step, for programs that show no SVG.
 /// Does nothing if rsvg-convert is not installed. Prints how to see the first one from all sides.
 void finish_pictures(int lab, const std::vector<Verdict>& verdicts);
 
