@@ -43,7 +43,11 @@ TEST_F(GradedRun, GivesEveryTestItsVerdictInTheOrderOfTheTests) {
       {"Fails", "L5.1", 5, false},   {"ReachesAnEarlierLab", "L5.2", 3, false},
       {"Throws", "L5.3", 2, true},   {"Leaves", "L5.3", 1, false},
       {"PassesToo", "L5.3", 1, true}};
-  const std::vector<Verdict> verdicts = run_graded_tests(CS550_FAKE_LAB, 5, tests, patience);
+  std::size_t arrived = 0;
+  const std::vector<Verdict> verdicts =
+      run_graded_tests(CS550_FAKE_LAB, 5, tests, patience,
+                       [&](const std::vector<Verdict>& some) { arrived += some.size(); });
+  EXPECT_EQ(arrived, tests.size());
 
   const std::vector<Kind> expected = {Kind::Failed, Kind::Passed, Kind::Failed, Kind::Blocked,
                                       Kind::Failed, Kind::Failed, Kind::Passed};

@@ -52,7 +52,7 @@ TEST(LabReport, TheCausesOfAStepArePrintedOnceWithItsFirstFailingTest) {
       verdict("A", "L3.1", Kind::Failed, "up\n  likely    sign\n            order"),
       verdict("B", "L3.1", Kind::Failed,
               "down\n  likely    sign\n            scale\n            frame\n  picture   b.svg")};
-  const std::string report = printed(verdicts, false, {{"scale", {"A", "B"}}});
+  const std::string report = printed(verdicts, false, {{"scale", {"A", "B"}, {}}});
   EXPECT_NE(report.find("      up\n"
                         "        likely    scale\n"
                         "                  sign\n"
@@ -92,19 +92,38 @@ TEST(LabReport, ACauseThatAPassingTestExcludesIsNotPrinted) {
               "up\n  likely    the sign is wrong\n            the scale is wrong\n"
               "            the order is wrong\n  picture   a.svg"),
       verdict("B", "L3.1", Kind::Passed), verdict("C", "L3.2", Kind::Failed)};
-  EXPECT_NE(printed(verdicts, false, {{"the sign", {"A", "B"}}, {"the order", {"A", "C"}}})
+  EXPECT_NE(printed(verdicts, false, {{"the sign", {"A", "B"}, {}}, {"the order", {"A"}, {"C"}}})
                 .find("      up\n        likely    the order is wrong\n"
                       "                  the scale is wrong\n        picture   a.svg\n"),
             std::string::npos)
       << "the cause that explains most failures comes first";
-  EXPECT_NE(printed(verdicts, false, {{"the sign", {"B"}}, {"the scale", {"B"}}, {"order", {"B"}}})
+  EXPECT_NE(printed(verdicts, false,
+                    {{"the sign", {"B"}, {}}, {"the scale", {"B"}, {}}, {"order", {"B"}, {}}})
                 .find("the sign is wrong\n"),
             std::string::npos)
       << "if none is left, the mistake is another one: all are printed";
-  EXPECT_NE(
-      printed(verdicts, false, {{"the", {"B"}}, {"the order", {"A"}}}).find("the order is wrong\n"),
-      std::string::npos)
+  EXPECT_NE(printed(verdicts, false, {{"the", {"B"}, {}}, {"the order", {"A"}, {}}})
+                .find("the order is wrong\n"),
+            std::string::npos)
       << "of two records that name a cause, the one with more words is meant";
+}
+
+TEST(LabReport, TestsOfOtherStepsDecideBetweenCausesThatExplainAsMuch) {
+  const std::string two = "up\n  likely    sign\n            order\n";
+  const std::vector<cs550::cli::KnownCause> known = {{"sign", {"A"}, {"B"}},
+                                                     {"order", {"A"}, {"C"}}};
+  const auto first_cause = [&](const Verdict& b, const Verdict& c) {
+    const std::string report =
+        printed({verdict("A", "L3.1", Kind::Failed, two), b, c}, false, known);
+    return report.find("likely    sign") != std::string::npos ? "sign" : "order";
+  };
+  const Verdict b = verdict("B", "L3.2", Kind::Failed, "down");
+  const Verdict c = verdict("C", "L3.3", Kind::Failed, "down");
+  EXPECT_STREQ(first_cause(b, verdict("C", "L3.3", Kind::Passed)), "sign");
+  EXPECT_STREQ(first_cause(verdict("B", "L3.2", Kind::Passed), c), "order");
+  EXPECT_STREQ(first_cause(verdict("B", "L3.2", Kind::Failed, "not implemented: L3.2 f"), c),
+               "order")
+      << "an unwritten step is no mistake";
 }
 
 TEST(LabReport, ABlockedTestDoesNotHideTheReasonsOfLaterSteps) {

@@ -8,8 +8,9 @@ a test that fails for it must name the cause.
 A vacuous answer replaces a function of the reference by one that does nothing, or nearly nothing: it
 returns a constant, or what it was given. It must not earn a single point in its step.
 
-tests/labN_topic/causes.json records which visible tests of its step fail for a named cause, so that
-./cs550 lab leaves out causes that a passing test excludes. --record-causes writes it, every other run checks it.
+tests/labN_topic/causes.json records which visible tests fail for a named cause: those of its step, so that
+./cs550 lab leaves out causes that a passing test excludes, and those elsewhere, so that it lists the most
+likely cause first. --record-causes writes it, every other run checks the tests of the step.
 """
 
 import argparse
@@ -176,7 +177,7 @@ def run_edited(reference, name, sources, step=None):
 
 
 class Causes:
-    """For each cause the visible tests of its step that fail for all mutants that name it."""
+    """For each cause the visible tests, of its step and elsewhere, that fail for all mutants that name it."""
 
     def __init__(self, lab):
         folder, = (ROOT / "tests").glob(f"lab{lab}_*")
@@ -186,15 +187,20 @@ class Causes:
 
     def see(self, mutant, failed):
         """Notes the tests that fail for a mutant. Returns those recorded for its cause that do not."""
-        tests = [row["test"].split(".")[-1] for row in failed
-                 if row["step"] == mutant["step"] and not row["hidden"]]
+        visible = [row for row in failed if not row["hidden"]]
+        is_own = {row["test"].split(".")[-1]: row["step"] == mutant["step"] for row in visible}
+        tests = {"step": [test for test in is_own if is_own[test]],
+                 "elsewhere": [test for test in is_own if not is_own[test]]}
         cause = mutant["names_cause"]
-        self.seen[cause] = [test for test in self.seen.get(cause, tests) if test in tests]
-        return [test for test in self.recorded.get(cause, []) if test not in tests]
+        known = self.seen.get(cause, tests)
+        self.seen[cause] = {where: [test for test in known[where] if test in tests[where]]
+                            for where in tests}
+        recorded = self.recorded.get(cause, {"step": []})["step"]
+        return [test for test in recorded if test not in tests["step"]]
 
     def record(self):
         lines = [f"  {json.dumps(cause, ensure_ascii=False)}: {json.dumps(tests)}"
-                 for cause, tests in sorted(self.seen.items()) if tests]
+                 for cause, tests in sorted(self.seen.items()) if tests["step"]]
         self.file.write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 

@@ -177,7 +177,7 @@ std::vector<Verdict> run_share(const fs::path& program, int lab,
 
 std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
                                       const std::vector<GradedTest>& tests,
-                                      std::chrono::seconds patience) {
+                                      std::chrono::seconds patience, const Arrived& arrived) {
   const fs::path folder = project_root() / "build/results";
   fs::create_directories(folder);
   const std::string draft = "lab" + std::to_string(lab) + '.' + std::to_string(getpid()) + '.';
@@ -192,6 +192,7 @@ std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
   std::vector<Verdict> verdicts;
   for (std::future<std::vector<Verdict>>& run : runs) {
     const std::vector<Verdict> share = run.get();
+    if (arrived) arrived(share);
     verdicts.insert(verdicts.end(), share.begin(), share.end());
   }
   return in_order_of(tests, verdicts);

@@ -4,18 +4,22 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "cli/grading/graded_tests.hpp"
 
 namespace cs550::cli {
 
+using Arrived = std::function<void(const std::vector<Verdict>&)>;
+
 /// Runs tests of lab `lab` in a graded program, as many at a time as there are processors. A test
 /// that crashes or hangs is a failure; the others still run.
 /// @param patience longest time for one test
+/// @param arrived called with the verdicts of some tests as soon as they are known
 /// @return the verdicts in the order of the tests
 std::vector<Verdict> run_graded_tests(const std::filesystem::path& program, int lab,
                                       const std::vector<GradedTest>& tests,
-                                      std::chrono::seconds patience);
+                                      std::chrono::seconds patience, const Arrived& arrived = {});
 
 }  // namespace cs550::cli

@@ -10,8 +10,9 @@ namespace cs550::cli {
 
 /// A mistake that was tried on the reference (tests/mutants/).
 struct KnownCause {
-  std::string words;            ///< part of the cause as tests name it
-  std::set<std::string> tests;  ///< visible tests that fail for it
+  std::string words;                ///< part of the cause as tests name it
+  std::set<std::string> tests;      ///< visible tests of its step that fail for it
+  std::set<std::string> elsewhere;  ///< those of other steps
 };
 
 /// From tests/labN_topic/causes.json; none where that file is absent.
@@ -23,8 +24,10 @@ struct Outcomes {
   std::set<std::string> failed;
 };
 
-/// The causes that no passing test excludes, those that explain the most failing tests first. If every
-/// cause is excluded, the mistake is not one that was tried: all are returned.
+/// The causes that no passing test of their step excludes, those that explain the most failing tests of
+/// it first. Among equal ones, the tests of other steps decide: a similar mistake may pass one of them,
+/// so they exclude nothing. If every cause is excluded, the mistake is not one that was tried: all are
+/// returned.
 std::vector<std::string> plausible(const std::vector<std::string>& causes,
                                    const std::vector<KnownCause>& known, const Outcomes& outcomes);
 

@@ -149,15 +149,16 @@ std::string graded_target(int lab, Grading grading) {
   return "lab" + std::to_string(lab) + '_' + variants[static_cast<int>(grading)];
 }
 
-std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests) {
+std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests,
+                           const Arrived& arrived) {
   const bool sanitized = grading == Grading::Sanitized;
   if (sanitized) ask_sanitizers_for_places();
   const int slowdown = sanitized ? 5 : 1;
   const fs::path program = built_program("student", graded_target(lab, grading));
   std::vector<Verdict> verdicts =
-      run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5});
+      run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5}, arrived);
   const std::vector<Verdict> slow =
-      run_graded_tests(program, lab, only(tests, true), slowdown * seconds{60});
+      run_graded_tests(program, lab, only(tests, true), slowdown * seconds{60}, arrived);
   verdicts.insert(verdicts.end(), slow.begin(), slow.end());
   for (const Verdict& verdict : verdicts) {
     if (verdict.kind == Verdict::Kind::Passed) remove_picture(lab, verdict.test);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/grading/graded_run.hpp"
 #include "cli/grading/graded_tests.hpp"
 
 namespace cs550::cli {
@@ -55,7 +56,8 @@ enum class Grading { Plain, Sanitized, Debugged };
 std::string graded_target(int lab, Grading grading);
 
 /// Runs tests in that program, each with a time limit, and removes the pictures of those that pass.
-std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests);
+std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests,
+                           const Arrived& arrived = {});
 
 /// The short tests, or the long ones.
 std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long);

@@ -121,12 +121,18 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
     const std::vector<GradedTest> chosen = only(tests, is_long);
     if (chosen.empty()) continue;
     if (is_long) std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;
-    const std::vector<Verdict> verdicts = grade(options.lab, grading, chosen);
-    if (any_failed(verdicts) && !any_failed(result.verdicts)) {
-      warn_of_earlier_labs(options.name, verdicts);
+    const Arrived print = [&](const std::vector<Verdict>& verdicts) {
+      if (any_failed(verdicts) && !any_failed(result.verdicts)) {
+        warn_of_earlier_labs(options.name, verdicts);
+      }
+      report.print(verdicts);
+      result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
+    };
+    if (is_long) {
+      grade(options.lab, grading, chosen, print);  // each result when it comes
+    } else {
+      print(grade(options.lab, grading, chosen));
     }
-    report.print(verdicts);
-    result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
   }
   report.print_total(is_whole_lab ? points_graded_elsewhere(options.name) : 0);
   if (is_remembered) remember(result);
