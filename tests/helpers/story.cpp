@@ -47,6 +47,11 @@ bool Story::expect(const std::string& what, bool holds, SourceLine at) {
   return holds ? passed() : failed(what, "no", "yes", at);
 }
 
+bool Story::expect(const std::string& what, bool holds, const std::string& got,
+                   const std::string& expected, SourceLine at) {
+  return holds ? passed() : failed(what, got, expected, at);
+}
+
 bool Story::expect_near(const std::string& what, double got, double expected, double tolerance,
                         const std::string& unit, SourceLine at) {
   const double allowed = std::abs(tolerance);

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstdint>
 #include <functional>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ class Story {
   // a tolerance is ignored, so that it can be a fraction of an expected value of either sign.
 
   bool expect(const std::string& what, bool holds, SourceLine at = {});
+  /// A check whose two sides are described in words.
+  bool expect(const std::string& what, bool holds, const std::string& got,
+              const std::string& expected, SourceLine at = {});
   /// |got − expected| ≤ tolerance; false for NaN.
   bool expect_near(const std::string& what, double got, double expected, double tolerance,
                    const std::string& unit = "", SourceLine at = {});
@@ -74,6 +78,14 @@ class Story {
   static std::string show(const Vec3& value, const std::string& unit = "");
   static std::string show(const Quat& value, const std::string& unit = "");
   static std::string show(const std::string& text, const std::string& unit = "");
+  /// "1, 4, 7"; "none" if there are none.
+  static std::string show(std::ranges::forward_range auto const& items) requires
+      std::integral<std::ranges::range_value_t<decltype(items)>> &&
+      (!std::same_as<std::ranges::range_value_t<decltype(items)>, char>) {
+    std::string list;
+    for (const auto item : items) list += (list.empty() ? "" : ", ") + std::to_string(item);
+    return list.empty() ? "none" : list;
+  }
   // Includes bool, which as the type of a parameter would take text in quotes too.
   static std::string show(std::integral auto value, const std::string& unit = "") {
     if constexpr (std::same_as<decltype(value), bool>)

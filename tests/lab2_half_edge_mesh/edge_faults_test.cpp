@@ -6,9 +6,13 @@
 namespace cs550::test {
 namespace {
 
-bool has_side(const Triangle& triangle, Index a, Index b) {
-  return std::count(triangle.begin(), triangle.end(), a) == 1 &&
-         std::count(triangle.begin(), triangle.end(), b) == 1;
+/// Checks that the edge of an issue is a side of a triangle.
+bool expect_side(Story& story, const std::string& what, const Triangle& triangle,
+                 const MeshIssue& issue) {
+  const auto has = [&](Index v) { return std::count(triangle.begin(), triangle.end(), v) == 1; };
+  return story.expect(what, has(issue.edge[0]) && has(issue.edge[1]),
+                      "the edge between vertices " + Story::show(issue.edge),
+                      "two of its corners " + Story::show(triangle));
 }
 
 /// Checks that the edge of an issue is a side of both of its triangles.
@@ -16,13 +20,14 @@ void require_shared_edge(Story& story, const TriangleSoup& soup, const MeshIssue
   const Index count = static_cast<Index>(soup.triangles.size());
   for (const Index t : {issue.triangle, issue.other_triangle}) {
     const bool exists = t >= 0 && t < count;
-    require(story.expect("the issue names triangles of the list", exists));
+    require(story.expect("the triangles of the issue", exists, std::to_string(t),
+                         "0 to " + std::to_string(count - 1)));
     const Triangle& triangle = soup.triangles[t];
-    require(story.expect("the edge that the issue names is a side of the triangle that it names",
-                         has_side(triangle, issue.edge[0], issue.edge[1])));
+    require(expect_side(story, "the edge of the issue, a side of its triangle " + std::to_string(t),
+                        triangle, issue));
   }
-  require(story.expect("the two triangles of the issue differ",
-                       issue.triangle != issue.other_triangle));
+  require(story.expect("the two triangles of the issue", issue.triangle != issue.other_triangle,
+                       std::to_string(issue.triangle) + " twice", "two different ones"));
 }
 
 GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
@@ -42,12 +47,13 @@ GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
     here.picture(
         [&] { return issue_picture(soup, expected, "an edge at the hole is open", issue); });
     require(expect_error(here, issue, MeshError::OpenEdge));
-    here.expect("the edge lies at the hole", has_side(gone, issue.edge[0], issue.edge[1]));
+    expect_side(here, "the edge of the issue, a side of the missing triangle", gone, issue);
     const bool exists =
         issue.triangle >= 0 && issue.triangle < static_cast<Index>(soup.triangles.size());
-    require(here.expect("the issue names a triangle of the list", exists));
-    here.expect("the edge is a side of the triangle",
-                has_side(soup.triangles[issue.triangle], issue.edge[0], issue.edge[1]));
+    require(here.expect("the triangle of the issue", exists, std::to_string(issue.triangle),
+                        "0 to " + std::to_string(soup.triangles.size() - 1)));
+    expect_side(here, "the edge of the issue, a side of its triangle",
+                soup.triangles[issue.triangle], issue);
   }
 }
 
@@ -65,8 +71,9 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 2, "L2.2") {
                          "three triangles meet at the edge 1–5", fin);
   });
   if (expect_error(crowded, fin, MeshError::NonManifoldEdge)) {
-    crowded.expect("the edge is 1–5",
-                   std::minmax({fin.edge[0], fin.edge[1]}) == std::minmax({Index(1), Index(5)}));
+    crowded.expect("the edge of the issue",
+                   std::minmax({fin.edge[0], fin.edge[1]}) == std::minmax({Index(1), Index(5)}),
+                   Story::show(fin.edge), "1, 5");
     require_shared_edge(crowded, fins, fin);
   }
 
@@ -86,8 +93,9 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 2, "L2.2") {
     require(expect_error(here, issue, MeshError::InconsistentWinding));
     require_shared_edge(here, soup, issue);
     const Index t = static_cast<Index>(reversed);
-    here.expect("one of the two is the reversed triangle",
-                issue.triangle == t || issue.other_triangle == t);
+    here.expect("the two triangles of the issue", issue.triangle == t || issue.other_triangle == t,
+                Story::show(std::array{issue.triangle, issue.other_triangle}),
+                "one of them " + std::to_string(t));
   }
 
   // Both faults at once: the header requires that the crowded edge is reported first.

@@ -26,8 +26,9 @@ GRADED_TEST(Lab2, FaceLoopsFollowTheTriangles, 3, "L2.3") {
       here.given("face", f);
       Index e = mesh.face(f).edge;
       const auto first = std::find(triangle.begin(), triangle.end(), mesh.origin(e));
-      require(here.expect("the face's half-edge leaves a corner of its triangle",
-                          first != triangle.end()));
+      require(here.expect("where the face's half-edge comes from", first != triangle.end(),
+                          "vertex " + std::to_string(mesh.origin(e)),
+                          "a corner of its triangle: " + Story::show(triangle)));
       const auto start = first - triangle.begin();
       for (std::size_t i = 0; i < 3; ++i) {
         const HalfEdge& edge = mesh.edge(e);
@@ -66,7 +67,8 @@ GRADED_TEST(Lab2, EveryVertexLeadsToItsNeighbours, 2, "L2.3") {
         if (++steps > expected.size()) break;
       }
       require(here.expect_equal("half-edges that leave it", steps, expected.size()));
-      require(here.expect("they point to its neighbours", got == expected));
+      require(here.expect("the vertices that they point to", got == expected, Story::show(got),
+                          "its neighbours " + Story::show(expected)));
     }
     Story here = story;
     here.given("triangles", soup.triangles.size());

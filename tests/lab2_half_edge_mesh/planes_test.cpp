@@ -14,7 +14,7 @@ GRADED_TEST(Lab2, InsideOutIsRefusedWhereverTheBodyIs, 2, "L2.4") {
   for (const TriangleSoup& soup : {tetrahedron_soup(1), cut_from_corners(box(Vec3(1, 2, 3))),
                                    cut_from_corners(dodecahedron()), icosphere_soup(1, 1)}) {
     for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(-5, 30, -7)}) {
-      for (const Real scale : {Real(1e-3), Real(1), Real(1e3)}) {
+      for (const Real scale : {Real(1), Real(1e-3), Real(1e3)}) {
         const TriangleSoup right = placed(soup, scale, Quat::Identity(), scale * shift);
         Story here = story;
         here.given("triangles", soup.triangles.size())

@@ -51,7 +51,7 @@ GRADED_TEST(Lab3, FirstOfEqualVerticesWins, 2, "L3.1") {
   story.likely("only a strictly better vertex takes over: > and not >=");
   const std::vector<Vec3> vertices{{0, 0, 1}, {5, 0, 2}, {0, 5, 2}, {-5, 0, 2}, {0, 0, -2}};
   story.given("vertices 1, 2 and 3 with z = 2, the others lower");
-  for (const Real length : {Real(1e-3), Real(1), Real(1e3)}) {
+  for (const Real length : {Real(1), Real(1e-3), Real(1e3)}) {
     Story here = story;
     here.given("direction +z of length", length);
     const Support answer = support_brute_force(vertices, length * Vec3::UnitZ());

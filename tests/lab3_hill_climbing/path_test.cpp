@@ -17,10 +17,13 @@ void require_steepest_step(Story here, const HalfEdgeMesh& mesh, const Vec3& dir
                            Index to) {
   here.given("on the path: from vertex " + std::to_string(from) + " to " + std::to_string(to));
   const std::vector<Index> choices = neighbours(mesh, from);
-  require(here.expect("the step goes to a neighbour", contains(choices, to)));
+  require(here.expect("the step goes to a neighbour", contains(choices, to),
+                      "vertex " + std::to_string(to), "one of " + Story::show(choices)));
   // In float, like the climb itself, so that the comparison is strict.
   require(here.expect("the step goes strictly up",
-                      mesh.vertex(to).dot(direction) > mesh.vertex(from).dot(direction)));
+                      mesh.vertex(to).dot(direction) > mesh.vertex(from).dot(direction),
+                      Story::show(height(mesh.vertex(to), direction), "m"),
+                      "more than " + Story::show(height(mesh.vertex(from), direction), "m")));
   double best = -HUGE_VAL;
   for (const Index v : choices) best = std::max(best, height(mesh.vertex(v), direction));
   require(here.expect_near("height of the step", height(mesh.vertex(to), direction), best,

@@ -136,7 +136,7 @@ GRADED_TEST(Lab4, ParallelEdgesAreSkipped, 3, "L4.3") {
   story.likely("compare |e_A x e_B| with parallel_sine·|e_A|·|e_B|, not with a constant")
       .likely("a cross product of nearly nothing, normalised, is an axis of rounding errors");
   const Quat rolled(Eigen::AngleAxis<Real>(pi / 4, Vec3::UnitX()));
-  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+  for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     const ShapePtr box = scaled_shape("box_1x2x3", size);
     for (int i = 0; i < 100; ++i) {
       // All three edge directions of each box occur. Half of the pairs are at less than the

@@ -39,7 +39,7 @@ GRADED_TEST(Lab4, TiesKeepTheKindOfTheHint, 3, "L4.4") {
   story.given("two crossed cubes, so deep that a face of A, a face of B and the edges tie");
   story.likely("a tie is a difference below tie_tolerance times the smaller radius: relative")
       .likely("compare every kind with the largest separation, not each with the one before");
-  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+  for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     const CrossedPair crossed = deep_cubes(size);
     const TestPair& pair = crossed.pair;
     for (const AxisFeature kind :
@@ -72,7 +72,7 @@ GRADED_TEST(Lab4, AHintDoesNotWinAgainstABetterAxis, 2, "L4.4") {
   story.seed(random.seed()).given("pairs whose best axis is better by 1 % of the smaller radius");
   story.likely("separations are negative here: a tolerance as a factor turns the wrong way")
       .likely("the tolerance is a share of the radius, not of the depth, and not in metres");
-  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+  for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     const std::vector<ShapePtr> shapes = small_shapes(size);
     int seen[4] = {0, 0, 0, 0};
     for (int i = 0; i < 150; ++i) {

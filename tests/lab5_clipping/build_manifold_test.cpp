@@ -17,6 +17,11 @@ Story with_choice_causes(Story story) {
           "clipping lost the deepest point: fall back to the edges, then to the deepest vertex");
 }
 
+std::string name_of(AxisFeature feature) {
+  constexpr const char* names[] = {"no feature", "A's face", "B's face", "the edges"};
+  return names[static_cast<int>(feature)];
+}
+
 GRADED_TEST(Lab5, OverlappingBodiesReportTheirDepth, 3, "L5.6") {
   Random random(61);
   Story story = with_choice_causes(
@@ -72,18 +77,18 @@ void require_face_without_edges(Story here, const PosedShape& a, const PosedShap
   axis.edges = {};
   here.given("an empty edge query: its separation is 0, its edges are no_index")
       .likely("an empty query has no separation: test it before you compare");
-  require(
-      here.expect("A's face wins", build_manifold(a, b, axis, 0).reference == AxisFeature::FaceA));
+  require(here.expect_equal("winner", name_of(build_manifold(a, b, axis, 0).reference),
+                            name_of(AxisFeature::FaceA)));
   axis.face_b = {};
   here.given("an empty query of B's faces, too");
-  require(
-      here.expect("A's face wins", build_manifold(a, b, axis, 0).reference == AxisFeature::FaceA));
+  require(here.expect_equal("winner", name_of(build_manifold(a, b, axis, 0).reference),
+                            name_of(AxisFeature::FaceA)));
 }
 
 GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
   Story story = with_choice_causes(Story(
       "Edges replace a face only if they are better by edge_preference × the smaller radius"));
-  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+  for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     for (const Real depth : {Real(0.001), Real(0.1), Real(0.4)}) {
       const Placed a(scaled_shape("slab", size), Pose{});
       const Placed b(scaled_shape("cube", size),
@@ -105,12 +110,14 @@ GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
       here.given("a cube flat on a slab")
           .given("side", size, "m")
           .given("depth", depth * size, "m");
-      here.expect("edges better by half the preference: A's face wins",
-                  built_with(Real(0.5) * preference, AxisFeature::Edges) == AxisFeature::FaceA);
-      here.expect("edges better by twice the preference: edges win",
-                  built_with(2 * preference, AxisFeature::Edges) == AxisFeature::Edges);
-      here.expect("B's face, equal to A's: it wins if axis.feature says so",
-                  built_with(0, AxisFeature::FaceB) == AxisFeature::FaceB);
+      here.expect_equal("winner if the edges are better by half the preference",
+                        name_of(built_with(Real(0.5) * preference, AxisFeature::Edges)),
+                        name_of(AxisFeature::FaceA));
+      here.expect_equal("winner if the edges are better by twice the preference",
+                        name_of(built_with(2 * preference, AxisFeature::Edges)),
+                        name_of(AxisFeature::Edges));
+      here.expect_equal("winner if both faces are equal and axis.feature is FaceB",
+                        name_of(built_with(0, AxisFeature::FaceB)), name_of(AxisFeature::FaceB));
       require_face_without_edges(here, a.body, b.body, axis);
     }
   }

@@ -19,7 +19,7 @@ GRADED_TEST(Lab5, CrossedEdgesMeetWhereTheyCross, 3, "L5.4") {
   const Real half = Real(0.5);
   const Real peak = std::sqrt(half);  // from the middle of the cube to an edge
   const Real depth = Real(0.02);
-  for (const Real size : {Real(0.001), Real(1), Real(1000)}) {
+  for (const Real size : {Real(1), Real(0.001), Real(1000)}) {
     for (const Real shift : {Real(-0.3), Real(0), Real(0.4)}) {
       const ShapePtr cube = scaled_shape("cube", size);
       const Pose outer{size * Vec3(40, -30, 20), turned(110, Vec3(1, -1, 2))};
@@ -45,9 +45,12 @@ GRADED_TEST(Lab5, CrossedEdgesMeetWhereTheyCross, 3, "L5.4") {
       here.expect_near("separation", manifold.points[0].separation, -depth * size, 1e-5 * size,
                        "m");
       here.expect("the manifold says that edges made it", manifold.reference == AxisFeature::Edges);
-      here.expect(
-          "it is named after the two edges (half-edge / 2)",
-          manifold.points[0].feature == FeatureId(FeatureId::Kind::Edges, edge_a / 2, edge_b / 2));
+      const FeatureId id = manifold.points[0].feature;
+      const std::string what = "its name (half-edge / 2): ";
+      here.expect_equal(what + "kind", static_cast<int>(id.kind()),
+                        static_cast<int>(FeatureId::Kind::Edges));
+      here.expect_equal(what + "edge of A", id.of_a(), edge_a / 2);
+      here.expect_equal(what + "edge of B", id.of_b(), edge_b / 2);
       require_sound(here, a.body, b.body, manifold, 3 * size);
     }
   }

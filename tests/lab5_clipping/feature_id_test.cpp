@@ -34,6 +34,14 @@ std::string show(const FeatureId& id) {
          std::to_string(id.of_b());
 }
 
+std::string names_of(const Manifold& manifold) {
+  std::string list;
+  for (const ContactPoint& point : manifold.points) {
+    list += (list.empty() ? "" : ", ") + show(point.feature);
+  }
+  return list.empty() ? "none" : list;
+}
+
 /// The feature id of the point with its anchor on B at a position in B's frame.
 std::string feature_at(const Manifold& manifold, const Vec3& place, bool on_body_b) {
   for (const ContactPoint& point : manifold.points) {
@@ -112,7 +120,8 @@ GRADED_TEST(Lab5, AlignedStackKeepsItsFeatures, 1, "L5.3") {
     require(story.expect_equal("points", manifold.points.size(), 4));
     for (const ContactPoint& point : manifold.points) {
       const bool is_vertex = point.feature.kind() == Kind::VertexOnFaceA;
-      require(story.expect("each point is a vertex of the upper cube", is_vertex));
+      require(story.expect("each point is a vertex of the upper cube", is_vertex,
+                           show(point.feature), "VertexOnFaceA " + std::to_string(top) + "/…"));
       require(story.expect_near("its anchor, against that vertex", point.anchor_b,
                                 cube->mesh.vertex(point.feature.of_b()), 1e-5, "m"));
     }
@@ -144,11 +153,11 @@ GRADED_TEST(Lab5, FeaturesSurviveSmallMotion, 1, "L5.3") {
     Story here = story;
     here.given("a cube of 1 m on a slab at", place, "m").when("it moves by 1e-4 m and 1e-4 rad");
     require(here.expect_equal("points before", first.points.size(), 4));
-    require(
-        here.expect("the same names before and after", sorted_ids(first) == sorted_ids(second)));
+    require(here.expect("the names afterwards", sorted_ids(first) == sorted_ids(second),
+                        names_of(second), names_of(first)));
     const std::vector<std::uint32_t> ids = sorted_ids(first);
-    require(here.expect("no name is used twice",
-                        std::adjacent_find(ids.begin(), ids.end()) == ids.end()));
+    require(here.expect("the names differ", std::adjacent_find(ids.begin(), ids.end()) == ids.end(),
+                        names_of(first), "no name twice"));
   }
 }
 

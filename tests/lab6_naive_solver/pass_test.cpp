@@ -31,7 +31,7 @@ GRADED_TEST(Lab6, BounceFollowsRestitution, 2, "L6.4") {
 
 GRADED_TEST(Lab6, MomentumIsKeptAndEnergyNeverGrows, 4, "L6.4") {
   Random random(67);
-  for (const Real size : {Real(0.01), Real(1), Real(100)}) {
+  for (const Real size : {Real(1), Real(0.01), Real(100)}) {
     for (const Real e : {Real(0), Real(0.5), Real(1)}) {
       for (int i = 0; i < 10; ++i) {
         Collision at = random_collision(random, size, e);

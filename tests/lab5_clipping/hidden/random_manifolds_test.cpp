@@ -91,7 +91,7 @@ GRADED_TEST(Lab5, SegmentsOfAnySizeKeepTheirClosestPoints, 2, "L5.4") {
       .likely(
           "a determinant is compared with a fixed number: it shrinks with the fourth power of "
           "the size");
-  for (const Real size : {Real(1e-3), Real(1), Real(1e3)}) {
+  for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     const Placed a(scaled_shape("box_1x2x3", size), {Vec3::Zero(), random.orientation()});
     for (int i = 0; i < 300; ++i) {
       const Vec3 offset = size * random.point_in_box(Vec3(2, 2, 2));
