@@ -14,6 +14,12 @@ std::string range_text(double least, double most, const Control& control) {
   return short_number(least) + " to " + short_number(most) + unit;
 }
 
+constexpr const char* last_step_name = "last";
+
+std::string step_range_text(int most, const Control& control) {
+  return range_text(0, most, control) + ", or " + last_step_name;
+}
+
 std::string alternatives(std::span<const char* const> names) {
   std::string text;
   for (const char* name : names) text += (text.empty() ? "" : ", ") + std::string(name);
@@ -61,13 +67,23 @@ Real ControlSetter::to_number(const std::string& word, const std::string& expect
   return value;
 }
 
-void ControlSetter::whole(const Control& control, int& value, int least, int most) {
-  if (!is_meant(control)) return;
-  const std::string expected = "a whole number, " + range_text(least, most, control);
+int ControlSetter::to_whole(int least, int most, const std::string& expected) const {
   const Real given = to_number(text_, expected);
   if (given != std::floor(given)) refuse(expected);
   if (given < static_cast<Real>(least) || given > static_cast<Real>(most)) refuse(expected);
-  value = static_cast<int>(given);
+  return static_cast<int>(given);
+}
+
+void ControlSetter::whole(const Control& control, int& value, int least, int most) {
+  if (!is_meant(control)) return;
+  value = to_whole(least, most, "a whole number, " + range_text(least, most, control));
+}
+
+void ControlSetter::step(const Control& control, int& value, int most) {
+  if (!is_meant(control)) return;
+  value = text_ == last_step_name
+              ? last_step
+              : to_whole(last_step, most, "a whole number, " + step_range_text(most, control));
 }
 
 void ControlSetter::number(const Control& control, Real& value, Real least, Real most) {
@@ -140,6 +156,10 @@ void ControlLister::add(const Control& control, const std::string& value,
 
 void ControlLister::whole(const Control& control, int& value, int least, int most) {
   add(control, std::to_string(value), range_text(least, most, control));
+}
+void ControlLister::step(const Control& control, int& value, int most) {
+  add(control, value == last_step ? last_step_name : std::to_string(value),
+      step_range_text(most, control));
 }
 void ControlLister::number(const Control& control, Real& value, Real least, Real most) {
   add(control, short_number(value), range_text(least, most, control));

@@ -17,6 +17,9 @@ struct Control {
   const char* unit;   ///< "m", "1/s", or empty
 };
 
+/// As the displayed step of a walk: its last one, however long the walk is. It is called "last".
+inline constexpr int last_step = -1;
+
 /// Visits settings one after another. describe() functions call it:
 /// `void describe(Settings& settings, ControlVisitor& visit)`.
 class ControlVisitor {
@@ -31,6 +34,10 @@ class ControlVisitor {
   /// A setting and its range, including both ends.
   /// @{
   virtual void whole(const Control& control, int& value, int least, int most) = 0;
+  /// The displayed step of a walk: 0 to most, or last_step.
+  virtual void step(const Control& control, int& value, int most) {
+    whole(control, value, last_step, most);
+  }
   virtual void number(const Control& control, Real& value, Real least, Real most) = 0;
   /// Each component between −most and most.
   virtual void vector(const Control& control, Vec3& value, Real most) = 0;
@@ -50,6 +57,7 @@ class ControlSetter final : public ControlVisitor {
   explicit ControlSetter(const std::string& assignment);
 
   void whole(const Control& control, int& value, int least, int most) override;
+  void step(const Control& control, int& value, int most) override;
   void number(const Control& control, Real& value, Real least, Real most) override;
   void vector(const Control& control, Vec3& value, Real most) override;
   void toggle(const Control& control, bool& value) override;
@@ -65,6 +73,7 @@ class ControlSetter final : public ControlVisitor {
   bool is_meant(const Control& control);
   [[noreturn]] void refuse(const std::string& expected) const;
   Real to_number(const std::string& word, const std::string& expected) const;
+  int to_whole(int least, int most, const std::string& expected) const;
 
   std::string name_;
   std::string text_;
@@ -76,6 +85,7 @@ class ControlSetter final : public ControlVisitor {
 class ControlLister final : public ControlVisitor {
  public:
   void whole(const Control& control, int& value, int least, int most) override;
+  void step(const Control& control, int& value, int most) override;
   void number(const Control& control, Real& value, Real least, Real most) override;
   void vector(const Control& control, Vec3& value, Real most) override;
   void toggle(const Control& control, bool& value) override;

@@ -15,7 +15,7 @@ struct ClimbSettings {
   int shape = Icosphere;
   Vec3 direction = {Real(0.45), Real(-0.75), Real(0.55)};
   int start = 20;
-  int step = -1;
+  int step = last_step;
 
   bool operator==(const ClimbSettings&) const = default;
 };
@@ -25,7 +25,7 @@ void describe(ClimbSettings& settings, ControlVisitor& visit) {
   visit.choice({"shape", "shape", ""}, settings.shape, shape_names);
   visit.vector({"direction", "direction", ""}, settings.direction, 2);
   visit.whole({"start", "start at vertex", ""}, settings.start, 0, 161);
-  visit.whole({"step", "shown step", ""}, settings.step, -1, 60);
+  visit.step({"step", "shown step", ""}, settings.step, 60);
 }
 
 Content show(const ClimbSettings& settings) {
@@ -43,6 +43,8 @@ Content show(const ClimbSettings& settings) {
                                       static_cast<std::size_t>(path.empty() ? 0 : step + 1));
   content.drawing =
       without_faces(drawing::draw_climb(mesh, settings.direction, walked), Role::BodyA);
+  content.drawing.legend.push_back(
+      {"vertices looked at", {Role::Faint, 3}, drawing::LegendMark::Dot});
   content.solids.push_back(light_solid(mesh));
   content.plots.push_back(drawing::plot_climb(mesh, settings.direction, path));
   content.facts = {{"vertices", std::to_string(mesh.vertex_count())},

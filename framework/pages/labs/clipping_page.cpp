@@ -14,7 +14,7 @@ using drawing::Role;
 
 struct ClippingSettings {
   PairSettings pair = {Box, Prism, {Real(0.3), Real(-0.2), Real(1.05)}, {4, 3, 20}};
-  int step = -1;
+  int step = last_step;
   bool bodies = true;
 
   bool operator==(const ClippingSettings&) const = default;
@@ -22,7 +22,7 @@ struct ClippingSettings {
 
 void describe(ClippingSettings& settings, ControlVisitor& visit) {
   visit.section("Walk");
-  visit.whole({"step", "shown step", ""}, settings.step, -1, 40);
+  visit.step({"step", "shown step", ""}, settings.step, 40);
   visit.toggle({"bodies", "bodies", ""}, settings.bodies);
   pages::describe(settings.pair, visit);
 }
@@ -91,6 +91,11 @@ Content show(const ClippingSettings& settings) {
     const Manifold manifold = build_manifold(bodies.a, bodies.b, axis, HUGE_VALF);
     content.drawing =
         drawing::draw_manifold(bodies.a.pose, bodies.b.pose, manifold, Role::Highlight, Real(0.35));
+    content.drawing.legend = {{"A", {Role::BodyA, 2}, drawing::LegendMark::Patch},
+                              {"B", {Role::BodyB, 2}, drawing::LegendMark::Patch},
+                              {"contact points", {Role::Highlight, 3}, drawing::LegendMark::Dot},
+                              {"normal n", {Role::Axis, 2, false, true}, {}},
+                              {"tangent u", {Role::Incident, 2, false, true}, {}}};
     content.facts.push_back({"points kept", std::to_string(manifold.points.size())});
     for (const ContactPoint& point : manifold.points) {
       content.facts.push_back({"separation", quantity(static_cast<double>(point.separation), "m")});

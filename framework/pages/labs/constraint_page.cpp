@@ -23,7 +23,7 @@ struct ConstraintSettings {
 
 void describe(ConstraintSettings& settings, ControlVisitor& visit) {
   visit.section("Passes");
-  visit.whole({"step", "shown pass", ""}, settings.step, -1, 200);
+  visit.step({"step", "shown pass", ""}, settings.step, 200);
   visit.whole({"passes", "passes", ""}, settings.passes, 1, 200);
   visit.toggle({"warm_start", "warm start", ""}, settings.warm_start);
   pages::describe(settings.stack, visit);

@@ -24,7 +24,7 @@ struct HalfEdgeSettings {
   int fault = None;
   int edge = 22;
   std::vector<int> walk;
-  int step = -1;
+  int step = last_step;
 
   bool operator==(const HalfEdgeSettings&) const = default;
 };
@@ -33,7 +33,7 @@ void describe(HalfEdgeSettings& settings, ControlVisitor& visit) {
   visit.section("Walk");
   visit.whole({"edge", "begin at half-edge", ""}, settings.edge, 0, 119);
   visit.moves({"walk", "walk", ""}, settings.walk, move_names);
-  visit.whole({"step", "shown step", ""}, settings.step, -1, 100);
+  visit.step({"step", "shown step", ""}, settings.step, 100);
   visit.section("Mesh");
   visit.choice({"solid", "solid", ""}, settings.solid, solid_names);
   visit.toggle({"merged", "merge coplanar faces", ""}, settings.merged);

@@ -17,7 +17,7 @@ struct IntegrationSettings {
   Vec3 spin = {Real(0.2), 4, Real(0.2)};                // rad/s, body frame at the start
   Real h = Real(1) / 60;                                // s
   Real seconds = 5;
-  int step = -1;
+  int step = last_step;
 
   bool operator==(const IntegrationSettings&) const = default;
 };
@@ -27,9 +27,9 @@ void describe(IntegrationSettings& settings, ControlVisitor& visit) {
   visit.vector({"half_extents", "half extents", "m"}, settings.half_extents, 2);
   visit.vector({"spin", "spin", "rad/s"}, settings.spin, 20);
   visit.section("Integration");
-  visit.number({"h", "step", "s"}, settings.h, Real(0.001), Real(0.1));
+  visit.number({"h", "time step", "s"}, settings.h, Real(0.001), Real(0.1));
   visit.number({"seconds", "duration", "s"}, settings.seconds, Real(0.5), 20);
-  visit.whole({"step", "shown step", ""}, settings.step, -1, 2000);
+  visit.step({"step", "shown step", ""}, settings.step, 2000);
 }
 
 /// The motion of the body by one method.

@@ -15,7 +15,7 @@ struct NaiveSettings {
 
 void describe(NaiveSettings& settings, ControlVisitor& visit) {
   visit.section("Passes");
-  visit.whole({"step", "shown pass", ""}, settings.step, -1, 200);
+  visit.step({"step", "shown pass", ""}, settings.step, 200);
   visit.whole({"passes", "passes", ""}, settings.passes, 1, 200);
   pages::describe(settings.stack, visit);
   visit.number({"restitution", "restitution", ""}, settings.stack.restitution, 0, 1);

@@ -30,11 +30,20 @@ void ControlWidgets::begin_row(const Control& control) {
   ImGui::SetNextItemWidth(-1);
 }
 
-void ControlWidgets::whole(const Control& control, int& value, int least, int most) {
+void ControlWidgets::slider(const Control& control, int& value, int least, int most,
+                            const std::string& format) {
   if (!is_open_) return;
   begin_row(control);
-  ImGui::SliderInt(hidden_label(control).c_str(), &value, least, most,
-                   number_format(control, "%d").c_str(), ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SliderInt(hidden_label(control).c_str(), &value, least, most, format.c_str(),
+                   ImGuiSliderFlags_AlwaysClamp);
+}
+
+void ControlWidgets::whole(const Control& control, int& value, int least, int most) {
+  slider(control, value, least, most, number_format(control, "%d"));
+}
+
+void ControlWidgets::step(const Control& control, int& value, int most) {
+  slider(control, value, last_step, most, value == last_step ? "last" : "%d");
 }
 
 void ControlWidgets::number(const Control& control, Real& value, Real least, Real most) {

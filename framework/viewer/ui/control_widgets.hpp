@@ -15,6 +15,7 @@ class ControlWidgets final : public ControlVisitor {
 
   void section(const char* title) override;
   void whole(const Control& control, int& value, int least, int most) override;
+  void step(const Control& control, int& value, int most) override;
   void number(const Control& control, Real& value, Real least, Real most) override;
   void vector(const Control& control, Vec3& value, Real most) override;
   void toggle(const Control& control, bool& value) override;
@@ -23,6 +24,7 @@ class ControlWidgets final : public ControlVisitor {
              std::span<const char* const> names) override;
 
  private:
+  void slider(const Control& control, int& value, int least, int most, const std::string& format);
   /// Writes the label and leaves the rest of the line to the widget.
   void begin_row(const Control& control);
   void end_row();
