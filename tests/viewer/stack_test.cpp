@@ -61,6 +61,16 @@ TEST(StackAnswer, EverySolverBeginsWithTheSameError) {
   EXPECT_FALSE(plot.notes.empty()) << "which says what is plotted";
 }
 
+// What the handout of lab 7 asks about: the naive solver begins faster and never arrives.
+TEST(StackAnswer, AccumulatedImpulsesOvertakeThoseThatAreNeverTakenBack) {
+  const drawing::Plot plot = compare_solvers(make_stack({}), 200);
+  const auto& naive = plot.series[0].values;
+  const auto& accumulated = plot.series[1].values;
+  EXPECT_LT(naive[10].y(), accumulated[10].y());
+  EXPECT_NEAR(naive[200].y(), naive[100].y(), Real(0.01) * naive[100].y()) << "it stands still";
+  EXPECT_LT(accumulated[200].y(), Real(1e-3) * naive[200].y());
+}
+
 TEST(StackAnswer, WhereBoxesBounceOnlyTheNaiveSolverIsCompared) {
   StackSettings settings;
   settings.restitution = Real(0.5);

@@ -28,6 +28,9 @@ namespace {
 
 constexpr const char* students_readme = "framework/cli/students_readme.md";
 constexpr const char* file_list = ".starters/files.txt";
+/// The book's figures: where ./cs550 docs draws them, and where the chapters of a copy look for them.
+constexpr const char* drawn_figures = "build/docs/figures";
+constexpr const char* copied_figures = "docs/chapters/figures";
 
 struct StarterOptions {
   fs::path folder;
@@ -81,6 +84,19 @@ void keep_starters(const fs::path& folder) {
   }
 }
 
+/// The book's figures, so that its chapters can be read as they are. They are not committed: a copy has
+/// them if the book was built here.
+void add_figures(const fs::path& folder) {
+  const fs::path drawn = project_root() / drawn_figures;
+  if (fs::exists(drawn)) fs::copy(drawn, folder / copied_figures);
+}
+
+void warn_of_missing_figures(const fs::path& folder) {
+  if (fs::exists(folder / copied_figures)) return;
+  std::cout << "Its chapters have no figures. ./cs550 docs draws them, and then\n"
+               "./cs550 starter --update adds them.\n";
+}
+
 void record_version(const fs::path& folder) {
   const std::string commit = output_of({"git", "rev-parse", "--short=12", "HEAD"}, project_root());
   files::write_file(folder / starter_version_file, fmt::format("{} {}", CS550_VERSION, commit));
@@ -99,6 +115,7 @@ void write_students_copy(const fs::path& folder, int released) {
   add_solutions(folder, released);
   list_visible_tests_only(folder);
   fs::rename(folder / students_readme, folder / "README.md");
+  add_figures(folder);
   keep_starters(folder);
   record_version(folder);
   list_files(folder);
@@ -214,6 +231,7 @@ int make_copy(const StarterOptions& options, const fs::path& folder) {
   warn_of_uncommitted_changes();
   std::cout << fmt::format("The students' copy is in {}: version {}, {} files, one commit.\n",
                            folder.string(), starter_version(folder), files_of_copy(folder).size());
+  warn_of_missing_figures(folder);
   return Good;
 }
 
