@@ -7,7 +7,6 @@
 #include <concepts>
 #include <cstdint>
 #include <functional>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -79,9 +78,9 @@ class Story {
   static std::string show(const Quat& value, const std::string& unit = "");
   static std::string show(const std::string& text, const std::string& unit = "");
   /// "1, 4, 7"; "none" if there are none.
-  static std::string show(std::ranges::forward_range auto const& items) requires
-      std::integral<std::ranges::range_value_t<decltype(items)>> &&
-      (!std::same_as<std::ranges::range_value_t<decltype(items)>, char>) {
+  template <class Items>
+  static std::string show(const Items& items) requires std::integral<typename Items::value_type> &&
+      (!std::same_as<typename Items::value_type, char>) {
     std::string list;
     for (const auto item : items) list += (list.empty() ? "" : ", ") + std::to_string(item);
     return list.empty() ? "none" : list;

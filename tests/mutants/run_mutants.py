@@ -145,8 +145,10 @@ def row_of(results):
     if not results.exists():
         raise Unusable("the program ends before its test")
     row, = json.loads(results.read_text())["tests"]
-    if row["status"] == "running":
-        row.update(status="failed", message="crashed or did not end")
+    if row["status"] == "running":  # the program has described the case beside its results
+        case = results.with_name(results.name + ".case")
+        described = case.read_text(errors="replace").strip("\0") if case.exists() else ""
+        row.update(status="failed", message=f"crashed or did not end in this case:\n{described}")
     return row
 
 
