@@ -20,17 +20,20 @@ long common(const std::set<std::string>& a, const std::set<std::string>& b) {
 /// How well a cause explains the failing tests of its step, then those of other steps; nothing if a
 /// passing test excludes it.
 using Rank = std::pair<long, long>;
-std::optional<Rank> rank(const std::string& cause, const std::vector<KnownCause>& known,
-                         const Outcomes& outcomes) {
-  const KnownCause* found = nullptr;  // with the most words, as they may contain those of another
+std::optional<Rank> rank_of(const std::string& cause, const std::vector<KnownCause>& known,
+                            const Outcomes& outcomes) {
+  // One sentence may name several mistakes: "in the world and of unit length".
+  std::optional<Rank> best;
+  bool is_recorded = false;
   for (const KnownCause& one : known) {
-    const bool names_it = cause.find(one.words) != std::string::npos;
-    if (names_it && (found == nullptr || one.words.size() > found->words.size())) found = &one;
+    if (cause.find(one.words) == std::string::npos) continue;
+    is_recorded = true;
+    if (common(one.tests, outcomes.passed) > 0) continue;
+    const Rank rank{common(one.tests, outcomes.failed), common(one.elsewhere, outcomes.failed) -
+                                                            common(one.elsewhere, outcomes.passed)};
+    if (!best || rank > *best) best = rank;
   }
-  if (found == nullptr) return Rank{1, 0};  // the test that names it
-  if (common(found->tests, outcomes.passed) > 0) return std::nullopt;
-  return Rank{common(found->tests, outcomes.failed), common(found->elsewhere, outcomes.failed) -
-                                                         common(found->elsewhere, outcomes.passed)};
+  return is_recorded ? best : Rank{1, 0};  // unrecorded: it explains the test that names it
 }
 
 }  // namespace
@@ -51,7 +54,7 @@ std::vector<std::string> plausible(const std::vector<std::string>& causes,
                                    const std::vector<KnownCause>& known, const Outcomes& outcomes) {
   std::vector<std::pair<Rank, std::string>> ranked;
   for (const std::string& cause : causes) {
-    if (const auto place = rank(cause, known, outcomes)) ranked.emplace_back(*place, cause);
+    if (const auto place = rank_of(cause, known, outcomes)) ranked.emplace_back(*place, cause);
   }
   if (ranked.empty()) return causes;
   std::stable_sort(ranked.begin(), ranked.end(),
