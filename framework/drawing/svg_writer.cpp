@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/markup.hpp"
+
 namespace cs550::drawing {
 namespace {
 
@@ -42,34 +44,6 @@ std::string stroke(Colour colour, double width, bool dashed) {
 bool is_continuation_byte(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 }  // namespace
-
-std::string escape_xml(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        if (static_cast<unsigned char>(letter) >= 0x20 || letter == '\n' || letter == '\t') {
-          result += letter;
-        }
-    }
-  }
-  return result;
-}
 
 double text_width(const std::string& text, double size) {
   const auto letters = text.size() - std::count_if(text.begin(), text.end(), is_continuation_byte);
@@ -167,7 +141,7 @@ void SvgWriter::text(PagePoint at, const std::string& text, const TextStyle& sty
   if (style.upward) {
     body_ << attribute("transform", "rotate(-90 " + number(at.x) + ' ' + number(at.y) + ')');
   }
-  body_ << '>' << escape_xml(text) << "</text>\n";
+  body_ << '>' << files::escape_markup(text) << "</text>\n";
 }
 
 void SvgWriter::begin_clipped(const Rectangle& area) {
@@ -179,7 +153,7 @@ void SvgWriter::begin_clipped(const Rectangle& area) {
 }
 
 void SvgWriter::begin_group(const std::string& alt_text) {
-  body_ << "<g role=\"img\"" << attribute("aria-label", escape_xml(alt_text)) << ">\n";
+  body_ << "<g role=\"img\"" << attribute("aria-label", files::escape_markup(alt_text)) << ">\n";
 }
 
 void SvgWriter::end_group() { body_ << "</g>\n"; }
@@ -192,8 +166,8 @@ std::string SvgWriter::document(double width, double height, const std::string& 
        << attribute("viewBox", "0 0 " + number(width) + ' ' + number(height))
        << " role=\"img\" aria-labelledby=\"title description\""
        << " font-family=\"Inter, 'Source Sans 3', 'DejaVu Sans', Helvetica, Arial, sans-serif\">\n"
-       << "<title id=\"title\">" << escape_xml(title) << "</title>\n"
-       << "<desc id=\"description\">" << escape_xml(alt_text) << "</desc>\n";
+       << "<title id=\"title\">" << files::escape_markup(title) << "</title>\n"
+       << "<desc id=\"description\">" << files::escape_markup(alt_text) << "</desc>\n";
   const std::string definitions = definitions_.str();
   if (!definitions.empty()) file << "<defs>\n" << definitions << "</defs>\n";
   file << "<rect width=\"100%\" height=\"100%\"" << attribute("fill", hex(paper)) << "/>\n"

@@ -30,9 +30,6 @@ struct TextStyle {
   bool upward = false;                          ///< rotated by 90° to read upward
 };
 
-/// Replaces `&`, `<`, `>` and quotes, and removes characters that XML forbids.
-std::string escape_xml(const std::string& text);
-
 /// The estimated width of a text (pixels). The fonts of the reader are not known.
 double text_width(const std::string& text, double size);
 

@@ -24,14 +24,15 @@ const fs::path framework = root / "framework";
 const std::map<std::string, Names> may_include{
     {"include", {}},
     {"engine", {"include"}},
-    {"drawing", {"include"}},
+    {"drawing", {"include", "files"}},
     {"files", {}},
     {"serialisation", {"include"}},
     {"isolation", {"serialisation"}},
     {"pages", {"include", "drawing", "serialisation", "isolation"}},
     {"viewer", {"include", "drawing", "pages", "files"}},
-    // engine: only grader/, whose judge lets another process run the substeps of a world
-    {"autograder", {"include", "engine", "files", "serialisation", "isolation"}},
+    // engine: only grader/, whose judge lets another process run the substeps of a world; milestones:
+    // only the judge of the milestones
+    {"autograder", {"include", "engine", "files", "serialisation", "isolation", "milestones"}},
     {"milestones", {"include", "files"}},
     {"gradebook", {"files", "cli"}},  // only cli/system, and its program cli/command_line
     {"cli", {"include", "files"}},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "files/markup.hpp"
+
 namespace cs550::gradebook {
 namespace {
 
@@ -84,31 +86,7 @@ std::string shortened(std::string_view text, std::size_t most) {
   return plain.substr(0, most) + "\n… (cut)";
 }
 
-std::string html(std::string_view text) {
-  std::string result;
-  for (const char c : plain_text(text)) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+std::string html(std::string_view text) { return files::escape_markup(plain_text(text)); }
 
 std::string csv(std::string_view field) {
   std::string text = plain_line(field);
