@@ -62,6 +62,9 @@ std::vector<std::string> in_bubblewrap(const Command& command) {
   for (const fs::path& path : command.readable) add({"--ro-bind", path.string(), path.string()});
   const std::string folder = command.folder.string();
   add({command.writes ? "--bind" : "--ro-bind", folder, folder, "--chdir", folder});
+  for (const auto& [seen, source] : command.mounted) {
+    add({"--ro-bind", source.string(), seen.string()});
+  }
   for (const std::string& variable : command.environment) {
     const std::size_t equals = variable.find('=');
     add({"--setenv", variable.substr(0, equals), variable.substr(equals + 1)});

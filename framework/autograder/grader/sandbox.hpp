@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ struct Command {
   std::vector<std::string> words;               ///< the program's absolute path, and its arguments
   std::vector<std::filesystem::path> readable;  ///< files and folders, at their own paths
   std::filesystem::path folder;                 ///< working directory; writable if `writes`
+  /// Folders that are seen in other places, read-only. Bubblewrap only.
+  std::map<std::filesystem::path, std::filesystem::path> mounted;
   bool writes = false;
   bool confines_itself = false;  ///< gives up its privileges by itself
   std::vector<std::string> environment;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -52,9 +53,10 @@ class Stage {
   fs::path path_;
 };
 
+/// The same kinds as ./cs550 submit packs.
 bool is_source(const fs::path& file) {
-  const std::string extension = file.extension().string();
-  return extension == ".cpp" || extension == ".h" || extension == ".hpp";
+  static const std::set<fs::path> extensions{".cpp", ".hpp", ".h", ".inl", ".ipp", ".inc"};
+  return extensions.contains(file.extension());
 }
 
 /// Letters that need no care in a command or a message.
@@ -65,7 +67,8 @@ bool has_plain_name(const fs::path& file) {
          });
 }
 
-/// Copies the sources. @return those to compile, relative to the stage
+/// Copies the sources. @return those to compile, relative to the stage: as in a student's build, the
+/// .cpp files of the lab's own folder. Those below it may be included.
 std::vector<fs::path> copy_sources(const fs::path& from, const fs::path& to, const fs::path& root) {
   std::vector<fs::path> sources;
   int files = 0;
@@ -81,7 +84,8 @@ std::vector<fs::path> copy_sources(const fs::path& from, const fs::path& to, con
     if (entry.file_size() > largest_file) throw Refusal(name.string() + " is larger than 1 MB");
     fs::create_directories((to / name).parent_path());
     fs::copy_file(entry.path(), to / name);
-    if (name.extension() == ".cpp") sources.push_back((to / name).lexically_relative(root));
+    const bool is_compiled = name.extension() == ".cpp" && !name.has_parent_path();
+    if (is_compiled) sources.push_back((to / name).lexically_relative(root));
   }
   if (sources.empty())
     throw Refusal("there is no .cpp file in the submission's folder of this lab");
@@ -98,6 +102,13 @@ std::vector<std::string> words(const std::string& text) {
 class Compiler {
  public:
   Compiler(fs::path stage, Isolation isolation, const Limits& limits) {
+    const fs::path precompiled = stage / "precompiled";
+    if (isolation == Isolation::Bubblewrap) {
+      command_.mounted = {{precompiled, CS550_PRECOMPILED}};
+    } else {
+      // The compiler may run as another user, who cannot enter our folders and must not write to them.
+      fs::copy(CS550_PRECOMPILED, precompiled);
+    }
     command_.folder = std::move(stage);
     command_.writes = true;
     command_.isolation = isolation;
@@ -145,7 +156,7 @@ void build(const fs::path& source, const std::string& lab_name, const fs::path& 
   std::vector<std::string> objects;
   for (const fs::path& file : sources) {
     const std::string object = "out/" + std::to_string(objects.size());
-    compiler.run(CS550_LAB_OPTIONS " -Icontract -fmax-errors=20 -MD",
+    compiler.run(CS550_LAB_OPTIONS " -Icontract -include precompiled/lab.hpp -fmax-errors=20 -MD",
                  {"-MF", object + ".d", "-Wa,--MD=" + object + ".s.d", "-c", file.string(), "-o",
                   object + ".o"});
     check_dependencies(stage / (object + ".d"), stage);

@@ -15,8 +15,8 @@ struct Compilation {
   std::string errors;  ///< the first ones of the compiler, or why it was not started; at most 4 kB
 };
 
-/// Copies the sources (*.cpp, *.h, *.hpp) of a lab and compiles them where nothing else but the
-/// contract and the system's headers can be seen.
+/// Copies the sources of a lab and compiles the .cpp files of its own folder, where nothing else but
+/// the contract and the system's headers can be seen.
 /// @param source the lab's files as in labs/labN_topic/
 /// @param lab_name "lab3_hill_climbing"
 /// @param library the result
