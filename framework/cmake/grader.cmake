@@ -2,6 +2,7 @@
 # the tests:
 #   grade_lab     grades one lab of one submission
 #   labN_judge    the graded tests of lab N; its functions of that lab ask a worker
+#   milestones_judge    the milestones; its functions of all labs ask a worker
 #   lab_worker    loads a submission and calls its functions
 # `judges` builds them all. They are not part of `all`.
 set(grader_folder "${PROJECT_SOURCE_DIR}/framework/autograder/grader")
@@ -75,7 +76,9 @@ target_compile_definitions(grade_lab PRIVATE
   CS550_COMPILER_NAME="${compiler_name}"
   CS550_LAB_OPTIONS="${lab_options}"
   CS550_CONTRACT_HEADERS="${PROJECT_SOURCE_DIR}/framework/include"
+  CS550_LAB_FOLDER="${lab_folder}"
   CS550_PRECOMPILED="${precompiled_folder}"
+  CS550_TRAJECTORIES="${PROJECT_SOURCE_DIR}/framework/assets/trajectories"
   CS550_GRADED_TESTS="${PROJECT_SOURCE_DIR}/tests")
 add_dependencies(judges grade_lab)
 
@@ -109,6 +112,20 @@ function(cs550_add_judge number)
   add_dependencies(judges lab${number}_judge)
 endfunction()
 
+# The starter takes the place of a lab that does not compile.
+function(cs550_add_milestones_judge)
+  file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/milestones/*.cpp")
+  add_executable(milestones_judge EXCLUDE_FROM_ALL ${sources})
+  target_link_libraries(milestones_judge PRIVATE cs550_milestones cs550_graded_main cs550_judge_start cs550_engine
+                        cs550_warnings)
+  foreach(number IN LISTS CS550_LABS)
+    cs550_link_lab(milestones_judge ${number} remote reference)  # the reference if the lab has no judge
+    add_dependencies(milestones_judge lab${number}_stub_code)
+  endforeach()
+  add_dependencies(milestones_judge lab_worker)
+  add_dependencies(judges milestones_judge)
+endfunction()
+
 # judged.LabN grades labs/labN_topic/, or the folder that the environment variable CS550_SUBMISSION names, and
 # each student.LabN.Name reads its verdict from the record. That cannot be the record of an earlier run: it is
 # removed first, and without a new one no test runs.
@@ -133,3 +150,4 @@ endfunction()
 foreach(number IN LISTS CS550_LABS)
   cs550_add_judge(${number})
 endforeach()
+cs550_add_milestones_judge()

@@ -141,6 +141,7 @@ if(TARGET grade_lab)
     cs550_test_grader(survives_attacks.${isolation} attack "${scripts}/attacks/run_attacks.py"
                       --isolation ${isolation})
   endforeach()
+  cs550_test_grader(runs_milestones attack "${scripts}/attacks/check_milestones.py")
   foreach(number IN LISTS CS550_LABS)
     if(TARGET lab${number}_judge)
       cs550_test_grader(same_marks.Lab${number} attack "${scripts}/attacks/same_marks.py" --lab ${number})

@@ -109,6 +109,36 @@ def test_equal_files_are_graded_once(folder):
     assert lab(folder / "out", "eve", 3)["earned"] == 60
 
 
+def test_the_first_labs_together_run_the_milestones(folder):
+    def source(lab, text):
+        folder, = (ROOT / "labs").glob(f"lab{lab}_*")
+        return {f"labs/{folder.name}/{file.name}": text for file in folder.glob("*.cpp")}
+
+    pack(folder / "class/ada.zip", {**source(1, "// 1"), **source(2, "// 2"), **source(3, "// 3")})
+    pack(folder / "class/bob.zip", {**source(1, "// b"), **source(3, "// fake: misses lab3_ghosts")})
+    pack(folder / "class/eve.zip", source(3, "// only this"))
+    (folder / "course.toml").write_text("[milestones]\nweight = 3\n")
+    out, log = folder / "out", folder / "log"
+    os.environ["FAKE_LOG"] = str(log)
+    try:
+        grade(folder / "class", "--out", out, "--labs", "1-3", "--course", folder / "course.toml")
+    finally:
+        del os.environ["FAKE_LOG"]
+    runs = sorted(line for line in log.read_text().splitlines() if line.startswith("milestones"))
+    assert runs == ["milestones lab1_integration ", "milestones lab1_integration lab2_half_edge_mesh lab3_hill_climbing "]
+    assert [test["status"] for test in record(out, "ada")["engine"]["tests"]] == ["passed"] * 3
+    assert [test["status"] for test in record(out, "bob")["engine"]["tests"]] == ["passed"] + ["not_submitted"] * 2
+    rows = grades(out)
+    assert [rows[name]["milestones"] for name in ("ada", "bob", "eve")] == ["3", "1", "0"], rows
+    # Three labs of weight 1 and the milestones of weight 3. Bob: two labs of three, a milestone of three.
+    assert [rows[name]["percent"] for name in ("ada", "bob", "eve")] == ["100.00", "50.00", "16.67"], rows
+    assert "Engine: 1 of 3 milestones reached" in (out / "feedback/bob.md").read_text()
+    assert "Engine: 1 of 3 milestones reached" in (out / "feedback/bob.html").read_text()
+    assert "Engine" not in (out / "feedback/eve.md").read_text(), "no milestone can be run without lab 1"
+    grade(folder / "class", "--out", folder / "one_lab", "--labs", "3")
+    assert "engine" not in record(folder / "one_lab", "ada")
+
+
 def test_a_missing_file_is_the_starter(folder):
     pack(folder / "class/ada.zip", {"merging.cpp": "// mine"})
     pack(folder / "class/bob.zip", {"labs/lab2_half_edge_mesh/merging.cpp": "// both in one file"})

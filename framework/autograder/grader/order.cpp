@@ -11,8 +11,10 @@ constexpr const char* variable = "CS550_JUDGE";
 }  // namespace
 
 std::string Order::to_environment() const {
+  std::vector<std::string> submission;
+  for (const std::filesystem::path& library : libraries) submission.push_back(library.string());
   const nlohmann::json order{{"lab", lab},
-                             {"submission", submission.string()},
+                             {"submission", submission},
                              {"bubblewrap", isolation == Isolation::Bubblewrap},
                              {"cpu", limits.cpu.count()},
                              {"memory", limits.memory},
@@ -26,7 +28,7 @@ std::optional<Order> Order::from_environment() {
   const auto values = nlohmann::json::parse(text);
   Order order;
   order.lab = values.at("lab");
-  order.submission = values.at("submission").get<std::string>();
+  for (const std::string library : values.at("submission")) order.libraries.emplace_back(library);
   order.isolation = values.at("bubblewrap") ? Isolation::Bubblewrap : Isolation::Plain;
   order.limits.cpu = std::chrono::seconds(values.at("cpu").get<int>());
   order.limits.memory = values.at("memory");

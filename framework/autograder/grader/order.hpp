@@ -7,14 +7,17 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "autograder/grader/sandbox.hpp"
 
 namespace cs550::grader {
 
 struct Order {
+  /// 0: all labs together, as one engine.
   int lab = 0;
-  std::filesystem::path submission;  ///< the compiled library, absolute
+  /// The compiled submission, absolute paths in one folder: a library of the lab, or one of each lab.
+  std::vector<std::filesystem::path> libraries;
   Isolation isolation = Isolation::Plain;
   Limits limits;                  ///< of each worker
   std::chrono::seconds wall{60};  ///< longest time for one test

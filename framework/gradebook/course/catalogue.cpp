@@ -40,6 +40,15 @@ std::vector<std::string> code_below(const fs::path& folder) {
   return names;
 }
 
+std::vector<std::string> milestones_of(const fs::path& records, int lab) {
+  std::vector<std::string> names;
+  for (const fs::path& file : cli::files_below(records)) {
+    const std::string name = file.stem();
+    if (name.starts_with(fmt::format("lab{}_", lab))) names.push_back("Milestone." + name);
+  }
+  return names;
+}
+
 }  // namespace
 
 Catalogue read_catalogue(const fs::path& root) {
@@ -51,10 +60,27 @@ Catalogue read_catalogue(const fs::path& root) {
     const fs::path manifest = entry.path() / "manifest.json";
     if (!std::regex_match(name, match, lab_folder) || !fs::exists(manifest)) continue;
     const int number = std::stoi(match[1]);
-    catalogue[number] = {number, name, cli::title(name), tests_of(manifest, number),
-                         code_below(root / "labs" / name)};
+    catalogue[number] = {number,
+                         0,
+                         name,
+                         cli::title(name),
+                         tests_of(manifest, number),
+                         code_below(root / "labs" / name),
+                         milestones_of(root / "framework/assets/trajectories", number)};
   }
   return catalogue;
+}
+
+CatalogueLab engine_of(const Catalogue& catalogue, int last) {
+  CatalogueLab engine;
+  engine.last = last;
+  for (const auto& [number, lab] : catalogue) {
+    if (number > last) continue;
+    for (const std::string& milestone : lab.milestones) {
+      engine.tests.push_back({milestone, fmt::format("L{}", number), 0, false});
+    }
+  }
+  return engine;
 }
 
 }  // namespace cs550::gradebook

@@ -17,18 +17,26 @@ struct CatalogueTest {
 };
 
 struct CatalogueLab {
-  int number = 0;
+  int number = 0;     ///< 0: an engine, made by engine_of()
+  int last = 0;       ///< the last lab of an engine
   std::string name;   ///< folder, "lab3_hill_climbing"
   std::string title;  ///< "Lab 3: hill climbing"
   std::vector<CatalogueTest> tests;
   std::vector<std::string> starter_files;  ///< "hill_climbing.cpp", relative to the lab's folder
+  std::vector<std::string> milestones;     ///< "Milestone.lab3_ghosts"
+
+  bool is_engine() const { return number == 0; }
 };
 
 /// Labs by number.
 using Catalogue = std::map<int, CatalogueLab>;
 
-/// Reads tests/labN_topic/manifest.json and labs/labN_topic/ below the root of the project.
+/// Reads tests/labN_topic/manifest.json, labs/labN_topic/ and the records of milestones below the root of
+/// the project.
 /// Throws std::runtime_error if a manifest cannot be read.
 Catalogue read_catalogue(const std::filesystem::path& root);
+
+/// Labs 1 to `last` together, whose tests are their milestones. A milestone has no points.
+CatalogueLab engine_of(const Catalogue& catalogue, int last);
 
 }  // namespace cs550::gradebook

@@ -81,6 +81,7 @@ struct Course {
   Visibility hidden_tests = Visibility::AfterPublished;
   std::optional<LatePolicy> late;
   std::map<int, LabSettings> labs;  ///< only those that the file lists
+  double milestones_weight = 0;     ///< of the assembled engine's milestones in the total
   std::vector<Adjustment> adjustments;
   std::vector<Extension> extensions;
   std::vector<RegradeRequest> regrades;

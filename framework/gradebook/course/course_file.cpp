@@ -77,6 +77,7 @@ Course to_course(const toml::table& table) {
   course.visible_tests = visibility(top["visibility"]["visible_tests"], course.visible_tests);
   course.hidden_tests = visibility(top["visibility"]["hidden_tests"], course.hidden_tests);
   if (top["late"]) course.late = late_policy(top["late"]);
+  course.milestones_weight = top["milestones"]["weight"].value_or(0.0);
   if (const toml::table* labs = top["lab"].as_table()) {
     for (const auto& [number, settings] : *labs) {
       course.labs[std::stoi(std::string(number.str()))] = lab_settings(Node(settings));

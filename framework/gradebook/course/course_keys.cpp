@@ -79,6 +79,8 @@ solution_released = 2026-10-20T08:00:00+02:00
 wall = 60
 cpu = 60
 memory = 1024)"},
+          {"milestones", Form::Single, {number("weight", 0, lots, required)}, R"([milestones]
+weight = 0.5)"},
           {"adjustment",
            Form::List,
            {text("student", required), whole("lab", 1, lots, required),

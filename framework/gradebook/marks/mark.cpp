@@ -135,10 +135,25 @@ LabMark best_mark(const Student& student, int lab, const Course& course) {
   return *chosen;
 }
 
+EngineMark best_engine(const Student& student) {
+  EngineMark best;
+  for (const Record* record : student.records) {
+    if (!record->engine) continue;
+    const std::vector<TestResult>& milestones = record->engine->tests;
+    const auto reached = static_cast<int>(
+        std::count_if(milestones.begin(), milestones.end(),
+                      [](const TestResult& test) { return test.status == "passed"; }));
+    if (best.record != nullptr && reached <= best.reached) continue;
+    best = {record, reached, static_cast<int>(milestones.size())};
+  }
+  return best;
+}
+
 }  // namespace
 
 bool StudentMark::is_graded() const {
-  return std::all_of(labs.begin(), labs.end(), [](const LabMark& mark) { return mark.is_graded; });
+  return (engine.record == nullptr || engine.record->engine->not_graded.empty()) &&
+         std::all_of(labs.begin(), labs.end(), [](const LabMark& mark) { return mark.is_graded; });
 }
 
 const LabMark* StudentMark::lab(int number) const {
@@ -158,7 +173,7 @@ std::vector<int> labs_of(const std::vector<Record>& records) {
 
 StudentMark mark_student(const Student& student, const std::vector<int>& labs,
                          const Course& course) {
-  StudentMark result{student, {}, 0};
+  StudentMark result{student, {}, 0, best_engine(student)};
   double sum = 0;
   double weights = 0;
   for (const int lab : labs) {
@@ -168,6 +183,10 @@ StudentMark mark_student(const Student& student, const std::vector<int>& labs,
     sum += weight * mark.mark / mark.points;
     weights += weight;
     result.labs.push_back(std::move(mark));
+  }
+  if (result.engine.of > 0) {
+    sum += course.milestones_weight * result.engine.reached / result.engine.of;
+    weights += course.milestones_weight;
   }
   result.percent = weights > 0 ? 100 * sum / weights : 0;
   return result;

@@ -25,10 +25,18 @@ struct LabMark {
   const LabRecord* lab_record() const { return record == nullptr ? nullptr : record->lab(lab); }
 };
 
+/// How many milestones the student's engine reaches, in the record in which it reaches most.
+struct EngineMark {
+  const Record* record = nullptr;  ///< null if no engine was graded
+  int reached = 0;
+  int of = 0;  ///< milestones of all labs that were graded
+};
+
 struct StudentMark {
   Student student;
   std::vector<LabMark> labs;
   double percent = 0;  ///< weighted
+  EngineMark engine;
 
   bool is_missing() const { return student.records.empty(); }
   bool is_graded() const;

@@ -2,6 +2,7 @@
 /// @file record.hpp
 /// The record of a submission, from which every report is made.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,9 @@ struct Record {
   std::vector<LabRecord> labs;
   std::vector<IgnoredFile> ignored;
   std::string trouble;  ///< why the submission could not be read
+
+  /// The milestones of labs 1, 2, ... together, as tests without points; empty if they were not run.
+  std::optional<LabRecord> engine;
 
   bool is_graded() const;  ///< whether every lab has a mark
   /// Null if the record does not include that lab.

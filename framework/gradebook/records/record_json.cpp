@@ -99,18 +99,20 @@ std::string to_json(const Record& record) {
   for (const IgnoredFile& file : record.ignored) {
     ignored.push_back({{"path", file.path}, {"reason", file.reason}, {"files", file.files}});
   }
-  return written({{"format", format},
-                  {"name", record.name},
-                  {"source", record.source},
-                  {"student", record.student},
-                  {"claimed", {{"student", record.claimed_student}, {"date", record.claimed_date}}},
-                  {"starter", record.starter},
-                  {"file_time", record.file_time},
-                  {"hash", record.hash},
-                  {"project", record.project},
-                  {"trouble", record.trouble},
-                  {"ignored", ignored},
-                  {"labs", labs}});
+  Json json{{"format", format},
+            {"name", record.name},
+            {"source", record.source},
+            {"student", record.student},
+            {"claimed", {{"student", record.claimed_student}, {"date", record.claimed_date}}},
+            {"starter", record.starter},
+            {"file_time", record.file_time},
+            {"hash", record.hash},
+            {"project", record.project},
+            {"trouble", record.trouble},
+            {"ignored", ignored},
+            {"labs", labs}};
+  if (record.engine) json["engine"] = json_of(*record.engine);
+  return written(json);
 }
 
 LabRecord lab_from_json(const std::string& text, const std::string& file) {
@@ -137,6 +139,7 @@ Record record_from_json(const std::string& text, const std::string& file) {
       record.ignored.push_back({entry.at("path"), entry.at("reason"), entry.at("files")});
     }
     for (const Json& lab : json.at("labs")) record.labs.push_back(lab_of(lab));
+    if (json.contains("engine")) record.engine = lab_of(json.at("engine"));
     return record;
   });
 }

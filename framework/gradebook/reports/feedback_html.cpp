@@ -71,6 +71,25 @@ std::string lab_section(const LabMark& mark, const Course& course) {
   return text + test_table(*lab, course);
 }
 
+/// The student's labs together, as one engine.
+std::string engine_section(const StudentMark& mark) {
+  const std::string heading = engine_heading(mark);
+  if (heading.empty()) return {};
+  const LabRecord& engine = *mark.engine.record->engine;
+  std::string text = "<h2>" + heading + "</h2>\n";
+  if (!engine.compile_errors.empty()) text += "<pre>" + html(engine.compile_errors) + "</pre>\n";
+  std::string rows;
+  for (const TestResult& test : engine.tests) {
+    const bool reached = test.status == "passed";
+    rows += fmt::format("<tr><td>{}</td><td class=\"{}\">{}</td></tr>\n", html(test.name),
+                        reached ? "good" : "bad", html(milestone_text(test)));
+    if (!reached && !test.message.empty()) {
+      rows += "<tr><td colspan=\"2\"><pre>" + html(test.message) + "</pre></td></tr>\n";
+    }
+  }
+  return text + table({"Milestone", "Result"}, rows);
+}
+
 }  // namespace
 
 std::string feedback_html(const StudentMark& mark, const Course& course) {
@@ -85,6 +104,7 @@ std::string feedback_html(const StudentMark& mark, const Course& course) {
   for (const LabMark& lab : mark.labs) {
     if (lab.record != nullptr || lab.mark > 0) body += lab_section(lab, course);
   }
+  body += engine_section(mark);
   if (const std::string missing = missing_labs(mark); !missing.empty()) {
     body += "<p>" + missing + ".</p>\n";
   }

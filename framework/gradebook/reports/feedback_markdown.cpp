@@ -52,6 +52,20 @@ std::string lab_section(const LabMark& mark, const Course& course) {
   return text + test_rows(*lab, course) + failures(*lab);
 }
 
+/// The student's labs together, as one engine.
+std::string engine_section(const StudentMark& mark) {
+  const std::string heading = engine_heading(mark);
+  if (heading.empty()) return {};
+  const LabRecord& engine = *mark.engine.record->engine;
+  std::string text = "\n## " + heading + "\n\n";
+  if (!engine.compile_errors.empty()) text += markdown_block(engine.compile_errors) + '\n';
+  text += "| Milestone | Result |\n|---|---|\n";
+  for (const TestResult& test : engine.tests) {
+    text += fmt::format("| {} | {} |\n", markdown(test.name), markdown(milestone_text(test)));
+  }
+  return text + failures(engine);
+}
+
 }  // namespace
 
 std::string feedback_markdown(const StudentMark& mark, const Course& course) {
@@ -66,6 +80,7 @@ std::string feedback_markdown(const StudentMark& mark, const Course& course) {
   for (const LabMark& lab : mark.labs) {
     if (lab.record != nullptr || lab.mark > 0) text += lab_section(lab, course);
   }
+  text += engine_section(mark);
   if (const std::string missing = missing_labs(mark); !missing.empty()) {
     text += '\n' + missing + ".\n";
   }

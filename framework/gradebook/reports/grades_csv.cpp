@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "gradebook/text/escape.hpp"
 
 namespace cs550::gradebook {
@@ -40,7 +42,10 @@ std::string notes_of(const StudentMark& mark) {
 std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<int>& labs) {
   std::string text = "id,name,email,section,status,percent";
   for (const int lab : labs) text += fmt::format(",lab{}", lab);
-  text += ",notes\n";
+  const bool has_engines = std::any_of(marks.begin(), marks.end(), [](const StudentMark& mark) {
+    return mark.engine.record != nullptr;
+  });
+  text += has_engines ? ",milestones,notes\n" : ",notes\n";
   for (const StudentMark& mark : marks) {
     const Student& student = mark.student;
     text += fmt::format("{},{},{},{},{},{:.2f}", csv(student.id), csv(student.name),
@@ -50,6 +55,9 @@ std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<
       text +=
           ',' +
           (lab.is_graded && (lab.record != nullptr || lab.mark > 0) ? points_text(lab.mark) : "");
+    }
+    if (has_engines) {
+      text += ',' + (mark.engine.record == nullptr ? "" : std::to_string(mark.engine.reached));
     }
     text += ',' + csv(notes_of(mark)) + '\n';
   }

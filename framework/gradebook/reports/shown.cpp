@@ -4,6 +4,12 @@
 
 namespace cs550::gradebook {
 
+std::string engine_heading(const StudentMark& mark) {
+  const EngineMark& engine = mark.engine;
+  if (engine.record == nullptr || !engine.record->engine->submitted) return {};
+  return fmt::format("Engine: {} of {} milestones reached", engine.reached, engine.of);
+}
+
 std::string missing_labs(const StudentMark& mark) {
   std::string labs;
   for (const LabMark& lab : mark.labs) {

@@ -26,6 +26,15 @@ inline std::string status_text(const TestResult& test) {
   return text;
 }
 
+/// "Engine: 7 of 9 milestones reached"; empty if the submission has no engine.
+std::string engine_heading(const StudentMark& mark);
+
+/// "reached", "not reached", or its status_text().
+inline std::string milestone_text(const TestResult& milestone) {
+  if (milestone.status == "passed") return "reached";
+  return milestone.status == "failed" ? "not reached" : status_text(milestone);
+}
+
 /// "Not in this submission: lab 1, lab 2"; empty if every lab that was graded is there.
 std::string missing_labs(const StudentMark& mark);
 

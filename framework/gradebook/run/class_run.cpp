@@ -13,7 +13,7 @@ namespace {
 /// A lab's files, graded once for all submissions that contain exactly these.
 struct Task {
   std::string key;
-  int lab = 0;
+  CatalogueLab lab;
   LabFiles files;
   LabRecord result;
   bool is_done = false;
@@ -24,7 +24,8 @@ using Tasks = std::map<std::string, std::shared_ptr<Task>>;
 /// A record that waits for its labs.
 struct Draft {
   Record record;
-  std::map<int, std::shared_ptr<Task>> tasks;  ///< by lab; none where nothing was submitted
+  std::map<int, std::shared_ptr<Task>>
+      tasks;  ///< by lab, 0 the engine; none where nothing was submitted
   bool is_stored = false;
 
   bool is_complete() const {
@@ -56,6 +57,26 @@ LabRecord lab_record(const Task& task, const std::string& hash) {
   lab.supplied = task.files.supplied;
   for (const SourceFile& file : task.files.files) lab.files.push_back(file.path);
   return lab;
+}
+
+/// The N up to which labs 1 to N are there.
+int last_lab(const std::function<bool(int)>& is_there) {
+  int last = 0;
+  while (is_there(last + 1)) ++last;
+  return last;
+}
+
+/// Replaces the milestones that were run.
+void take_milestones(const LabRecord& ran, LabRecord& engine) {
+  LabRecord taken = ran;
+  taken.submitted = true;
+  taken.tests = engine.tests;
+  for (TestResult& milestone : taken.tests) {
+    for (const TestResult& test : ran.tests) {
+      if (test.name == milestone.name) milestone = test;
+    }
+  }
+  engine = std::move(taken);
 }
 
 /// The state of a run.
@@ -91,21 +112,34 @@ class Run {
         draft.record.labs.push_back(not_submitted(lab));
         if (!submission.labs.contains(number)) continue;
         draft.record.labs.back().hash = submission.lab_hash(number);
-        draft.tasks[number] = task_for(submission, lab);
+        draft.tasks[number] = task_for(lab, files_to_grade(submission, lab, judge_.starters));
       }
+      add_engine(submission, draft);
       drafts_.push_back(std::move(draft));
     }
   }
 
-  std::shared_ptr<Task> task_for(const Submission& submission, const CatalogueLab& lab) {
-    LabFiles files = files_to_grade(submission, lab, judge_.starters);
+  /// Milestones of labs that are graded, but not submitted, are in the record too.
+  void add_engine(const Submission& submission, Draft& draft) {
+    const int graded = last_lab(
+        [this](int lab) { return std::count(run_.labs.begin(), run_.labs.end(), lab) > 0; });
+    const int submitted =
+        std::min(graded, last_lab([&](int lab) { return submission.labs.contains(lab); }));
+    if (graded > 0) draft.record.engine = not_submitted(engine_of(catalogue_, graded));
+    if (submitted == 0) return;
+    const CatalogueLab engine = engine_of(catalogue_, submitted);
+    draft.tasks[0] =
+        task_for(engine, files_of_engine(submission, catalogue_, engine, judge_.starters));
+  }
+
+  std::shared_ptr<Task> task_for(const CatalogueLab& lab, LabFiles files) {
     const std::string key = result_key(lab.number, files, course_, judge_);
     std::shared_ptr<Task>& task = tasks_[key];
     if (task) {
       ++outcome_.known;
       return task;
     }
-    task = std::make_shared<Task>(Task{key, lab.number, std::move(files), {}, false});
+    task = std::make_shared<Task>(Task{key, lab, std::move(files), {}, false});
     if (const std::optional<LabRecord> known = folder_.result(key)) {
       task->result = *known;
       task->is_done = true;
@@ -114,6 +148,8 @@ class Run {
     return task;
   }
 
+  static int length(const CatalogueLab& lab) { return std::max(lab.number, lab.last); }
+
   /// Labs with a high number take longest, and what takes longest is begun first.
   std::vector<std::shared_ptr<Task>> open_tasks() const {
     std::vector<std::shared_ptr<Task>> open;
@@ -121,7 +157,7 @@ class Run {
       if (!task->is_done) open.push_back(task);
     }
     std::stable_sort(open.begin(), open.end(),
-                     [](const auto& a, const auto& b) { return a->lab > b->lab; });
+                     [](const auto& a, const auto& b) { return length(a->lab) > length(b->lab); });
     return open;
   }
 
@@ -141,7 +177,7 @@ class Run {
   }
 
   void grade(Task& task) const {
-    task.result = grade_lab(catalogue_.at(task.lab), task.files, course_, judge_, stop_);
+    task.result = grade_lab(task.lab, task.files, course_, judge_, stop_);
     if (!stop_ && task.result.not_graded.empty()) folder_.store_result(task.key, task.result);
   }
 
@@ -152,6 +188,9 @@ class Run {
       for (LabRecord& lab : draft.record.labs) {
         const auto task = draft.tasks.find(lab.lab);
         if (task != draft.tasks.end()) lab = lab_record(*task->second, lab.hash);
+      }
+      if (const auto engine = draft.tasks.find(0); engine != draft.tasks.end()) {
+        take_milestones(engine->second->result, *draft.record.engine);
       }
       folder_.store(draft.record);
       draft.is_stored = true;

@@ -35,14 +35,17 @@ std::string seed_salt(const std::string& secret) {
                         std::stoul(sha256_of({"seeds", secret}).substr(0, digits), nullptr, 16));
 }
 
-std::vector<std::string> command_for(int lab, const Course& course, const Judge& judge,
-                                     const fs::path& folder) {
+std::vector<std::string> command_for(const CatalogueLab& lab, const Course& course,
+                                     const Judge& judge, const fs::path& folder) {
   std::vector<std::string> command{
-      judge.program, std::to_string(lab), "--submission", folder / "submission",
-      "--work",      folder / "work",     "--results",    folder / "result.json",
-      "--isolation", judge.isolation};
+      judge.program,  std::to_string(lab.is_engine() ? lab.last : lab.number),
+      "--submission", folder / "submission",
+      "--work",       folder / "work",
+      "--results",    folder / "result.json",
+      "--isolation",  judge.isolation};
+  if (lab.is_engine()) command.emplace_back("--milestones");
   if (!course.secret.empty()) command.insert(command.end(), {"--salt", seed_salt(course.secret)});
-  const Limits limits = course.limits_of(lab);
+  const Limits limits = course.limits_of(lab.number);
   add_limit(command, "--wall", limits.wall);
   add_limit(command, "--cpu", limits.cpu);
   add_limit(command, "--memory", limits.memory);
@@ -74,7 +77,7 @@ LabRecord run_judge(const CatalogueLab& lab, const LabFiles& files, const Course
   const fs::path output = folder.path() / "output.txt";
   const auto deadline = std::chrono::steady_clock::now() + longest_run;
   const cli::Ending ending =
-      cli::run(command_for(lab.number, course, judge, folder.path()),
+      cli::run(command_for(lab, course, judge, folder.path()),
                {{}, output, [&] { return stop || std::chrono::steady_clock::now() > deadline; }});
   if (!ending.good()) {
     constexpr std::size_t longest_output = 2000;
@@ -116,6 +119,19 @@ LabFiles files_to_grade(const Submission& submission, const CatalogueLab& lab,
     if (is_there) continue;
     result.files.push_back({name, cli::read_text(starters / lab.name / name)});
     result.supplied.push_back(name);
+  }
+  return result;
+}
+
+LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogue,
+                         const CatalogueLab& engine, const fs::path& starters) {
+  LabFiles result;
+  for (const auto& [number, lab] : catalogue) {
+    if (number > engine.last) continue;
+    const LabFiles files = files_to_grade(submission, lab, starters);
+    for (const SourceFile& file : files.files) {
+      result.files.push_back({lab.name + '/' + file.path, file.text});
+    }
   }
   return result;
 }

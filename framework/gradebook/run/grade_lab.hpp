@@ -32,10 +32,14 @@ struct LabFiles {
 LabFiles files_to_grade(const Submission& submission, const CatalogueLab& lab,
                         const std::filesystem::path& starters);
 
+/// The files of the labs of an engine, each in its lab's folder.
+LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogue,
+                         const CatalogueLab& engine, const std::filesystem::path& starters);
+
 /// Names everything that the result of a lab depends on.
 std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge);
 
-/// Runs the judge in a new folder, which is removed afterwards. What went wrong with the grader
+/// Runs the judge of a lab, or of an engine, in a new folder, which is removed afterwards. What went wrong with the grader
 /// itself is in `not_graded`.
 /// @param stop the judge is killed when it becomes true
 LabRecord grade_lab(const CatalogueLab& lab, const LabFiles& files, const Course& course,

@@ -27,8 +27,8 @@ constexpr rlim_t most_memory = rlim_t{8} << 30U;  ///< of a judge: it may be giv
 constexpr std::chrono::seconds own_time{30};      ///< for a test, beside what the submission takes
 
 fs::path judge_program(int lab) {
-  return fs::read_symlink("/proc/self/exe").parent_path() /
-         ("lab" + std::to_string(lab) + "_judge");
+  const std::string what = lab == 0 ? "milestones" : "lab" + std::to_string(lab);
+  return fs::read_symlink("/proc/self/exe").parent_path() / (what + "_judge");
 }
 
 /// Reports a judge that has written nothing for too long: it writes at the start and the end of each
@@ -86,9 +86,9 @@ Json read_json(const fs::path& file) {
 
 }  // namespace
 
-Json run_judge(const Order& order, const Json& tests, const std::string& filter,
+Json run_judge(const Order& order, std::size_t tests, const std::string& filter,
                const fs::path& work) {
-  const std::string lab = "Lab" + std::to_string(order.lab) + ".";
+  const std::string suite = order.lab == 0 ? "Milestone." : "Lab" + std::to_string(order.lab) + ".";
   std::vector<std::string> environment{order.to_environment(),
                                        "CS550_PICTURES=" + (work / "pictures").string(),
                                        "CS550_SEED_SALT=" + std::to_string(order.salt)};
@@ -97,18 +97,18 @@ Json run_judge(const Order& order, const Json& tests, const std::string& filter,
                              " is missing; build it: ./cs550 build test judges");
   }
   Json rows = Json::object();
-  while (rows.size() < tests.size()) {
+  while (rows.size() < tests) {
     const fs::path results = work / "judge.json";
     fs::remove(results);
     std::string ended;  // tests that have a verdict
-    for (const auto& [name, row] : rows.items()) ended += (ended.empty() ? "" : ":") + lab + name;
+    for (const auto& [name, row] : rows.items()) ended += (ended.empty() ? "" : ":") + suite + name;
     run({judge_program(order.lab).string(), "--results", results.string(),
          "--gtest_filter=" + filter + (filter.find('-') == std::string::npos ? "-" : ":") + ended},
         environment, work, work / "judge.log", Watch(results, order.wall + own_time));
     const Json document = read_json(results);
     if (document.is_discarded() || document.at("tests").empty()) break;
     for (const Json& row : document.at("tests")) {
-      rows[row.at("test").get<std::string>().substr(lab.size())] = row;
+      rows[row.at("test").get<std::string>().substr(suite.size())] = row;
     }
   }
   return rows;

@@ -10,13 +10,13 @@
 
 namespace cs550::grader {
 
-/// Runs a lab's graded tests on the submission. A judge that ends in the middle of a test is started again
-/// for the tests after it.
-/// @param tests the lab's tests, as its manifest lists them
+/// Runs a lab's graded tests, or the milestones, on the submission. A judge that ends in the middle of
+/// a test is started again for the tests after it.
+/// @param tests the number of tests that the filter lets run, or more
 /// @param filter of GoogleTest
-/// @return the row of each test that ran, by its name without the lab (results.hpp)
+/// @return the row of each test that ran, by its name without the suite (results.hpp)
 /// @throws std::runtime_error if there is no judge
-nlohmann::json run_judge(const Order& order, const nlohmann::json& tests, const std::string& filter,
+nlohmann::json run_judge(const Order& order, std::size_t tests, const std::string& filter,
                          const std::filesystem::path& work);
 
 }  // namespace cs550::grader

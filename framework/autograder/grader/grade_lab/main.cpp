@@ -1,9 +1,6 @@
-/// Grades one lab of one submission.
+/// Grades one lab of one submission, or runs the milestones on its labs together.
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <chrono>
-#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -13,6 +10,8 @@
 
 #include "autograder/grader/grade_lab/compile.hpp"
 #include "autograder/grader/grade_lab/judging.hpp"
+#include "autograder/grader/grade_lab/milestones.hpp"
+#include "autograder/grader/grade_lab/options.hpp"
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
 
@@ -25,25 +24,13 @@ using Json = nlohmann::ordered_json;
 
 enum ExitCode { Graded = 0, NotGraded = 1, WrongUsage = 2 };
 
-constexpr std::chrono::seconds longest_compilation{60};
 constexpr std::size_t longest_message_shown = 4096;  ///< bytes
-
-struct Options {
-  int lab = 0;
-  fs::path submission;
-  fs::path work;
-  fs::path results;
-  std::uint32_t salt = 0;
-  std::string filter = "*";
-  // A world of hundreds of contacts takes a million calls. An endless loop ends with its call.
-  int wall = 1800;
-  int cpu = 1800;
-  int memory = 2048;
-  std::string isolation = "auto";
-};
 
 CLI::App* add_options(CLI::App& app, Options& options) {
   app.add_option("LAB", options.lab, "number of the lab")->required()->check(CLI::Range(1, 99));
+  app.add_flag("--milestones", options.milestones,
+               "run the milestones of labs 1 to LAB on these labs together; the submission is a "
+               "folder with a folder labN_topic for each");
   app.add_option("--submission", options.submission, "folder with the lab's files")
       ->required()
       ->check(CLI::ExistingDirectory);
@@ -75,27 +62,6 @@ std::string lab_name(int lab) {
 nlohmann::json graded_tests(const std::string& lab_name) {
   std::ifstream stream(fs::path(CS550_GRADED_TESTS) / lab_name / "manifest.json");
   return nlohmann::json::parse(stream).at("tests");
-}
-
-/// @throws std::runtime_error if that would delete what is graded, or anything else of value
-void make_empty(const fs::path& work, const fs::path& submission) {
-  const fs::path folder = fs::weakly_canonical(work);
-  const std::string inside = folder.string() + '/';
-  const bool holds_submission = (fs::canonical(submission).string() + '/').starts_with(inside);
-  if (holds_submission || folder == folder.root_path()) {
-    throw std::runtime_error("--work " + work.string() + " would be emptied, but is in use");
-  }
-  fs::create_directories(folder);
-  for (const fs::path& old : fs::directory_iterator(folder)) fs::remove_all(old);
-}
-
-Isolation chosen_isolation(const std::string& wish) {
-  if (wish == "plain") return Isolation::Plain;
-  const Isolation best = best_isolation();
-  if (wish == "bubblewrap" && best != Isolation::Bubblewrap) {
-    throw std::runtime_error("bubblewrap does not work on this machine");
-  }
-  return best;
 }
 
 /// One test of the record, from its line in the manifest and its row in the judge's results.
@@ -149,25 +115,17 @@ bool matches(const std::string& filter, const nlohmann::json& rows, const std::s
 
 Json grade(const Options& options) {
   const std::string name = lab_name(options.lab);
-  make_empty(options.work, options.submission);
-  const fs::path work = fs::canonical(options.work);
-  Order order;
+  const fs::path work = empty_work_folder(options);
+  Order order = order_for(options);
   order.lab = options.lab;
-  order.submission = work / "run" / ("lab" + std::to_string(options.lab) + "_submission.so");
-  order.isolation = chosen_isolation(options.isolation);
-  order.limits.cpu = std::chrono::seconds(options.cpu);
-  order.limits.memory = static_cast<std::size_t>(options.memory) << 20U;
-  order.wall = std::chrono::seconds(options.wall);
-  order.salt = options.salt;
-  fs::create_directory(work / "run");
-  Limits compiling = order.limits;
-  compiling.cpu = std::min(compiling.cpu, longest_compilation);
+  order.libraries = {work / "run" / ("lab" + std::to_string(options.lab) + "_submission.so")};
 
   const nlohmann::json tests = graded_tests(name);
-  const Compilation compilation =
-      compile(options.submission, name, order.submission, order.isolation, compiling);
-  const nlohmann::json rows = compilation.succeeded ? run_judge(order, tests, options.filter, work)
-                                                    : nlohmann::json::object();
+  const Compilation compilation = compile(options.submission, name, order.libraries.front(),
+                                          order.isolation, compiler_limits(order));
+  const nlohmann::json rows = compilation.succeeded
+                                  ? run_judge(order, tests.size(), options.filter, work)
+                                  : nlohmann::json::object();
   Json records = Json::array();
   for (const Json test : tests) {
     if (!compilation.succeeded || matches(options.filter, rows, test.at("name"))) {
@@ -204,7 +162,7 @@ int main(int argc, char** argv) {
   }
   files::watch_for_interruption();
   try {
-    const Json record = grade(options);
+    const Json record = options.milestones ? run_milestones(options) : grade(options);
     files::write_file(options.results,
                       record.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     return Graded;

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 /// The libraries of the labs that are not graded, which the submission may call.
 std::vector<std::string> other_labs(int lab) {
   std::vector<std::string> libraries;
+  if (lab == 0) return libraries;
   for (const fs::path& library : fs::directory_iterator(CS550_LAB_FOLDER)) {
     const std::string name = library.filename().string();
     if (name.ends_with("_reference.so") &&
@@ -35,10 +36,11 @@ WorkerSettings settings(const Order& order) {
   command.isolation = order.isolation;
   command.limits = order.limits;
   command.confines_itself = true;
-  command.folder = order.submission.parent_path();
+  command.folder = order.libraries.front().parent_path();
   command.words = {CS550_WORKER_PROGRAM};
   if (order.isolation == Isolation::Plain) command.words.emplace_back("--confine");
-  command.words.push_back(order.submission.string());
+  for (const fs::path& library : order.libraries) command.words.push_back(library.string());
+  command.words.emplace_back("--");
   command.readable = {CS550_WORKER_PROGRAM, CS550_ENGINE_LIBRARY};
   for (const std::string& library : other_labs(order.lab)) {
     command.words.push_back(library);

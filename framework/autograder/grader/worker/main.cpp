@@ -1,10 +1,13 @@
 /// Loads a submission and calls its functions for the judge.
 ///
-///   lab_worker SUBMISSION LIBRARY...          LIBRARY: another lab, which the submission may call
-///   lab_worker --confine SUBMISSION LIBRARY...  sees nothing but the submission's folder from then on
+///   lab_worker [--confine] SUBMISSION... -- LIBRARY...
+///
+/// SUBMISSION: the compiled code of a lab. LIBRARY: another lab, which the submission may call.
+/// --confine: sees nothing but the submission's folder from then on.
 #include <dlfcn.h>
 #include <cs550/not_implemented.hpp>
 
+#include <algorithm>
 #include <cereal/types/string.hpp>
 #include <exception>
 #include <filesystem>
@@ -46,7 +49,7 @@ void* load(const std::string& library, int when) {
 /// Reads requests and answers them.
 class Worker {
  public:
-  explicit Worker(void* submission) : submission_(submission) {}
+  explicit Worker(std::vector<void*> labs) : labs_(std::move(labs)) {}
 
   /// @return the reply; empty if there is none
   std::string serve(const std::string& bytes) {
@@ -67,11 +70,11 @@ class Worker {
  private:
   void* address_of(const std::string& name) const {
     const char* symbol = functions().at(name).symbol;
-    void* address = symbol == nullptr ? nullptr : dlsym(submission_, symbol);
-    if (symbol != nullptr && address == nullptr) {
-      throw Hopeless("the submission does not define " + name);
+    if (symbol == nullptr) return nullptr;
+    for (void* lab : labs_) {
+      if (void* address = dlsym(lab, symbol)) return address;
     }
-    return address;
+    throw Hopeless("the submission does not define " + name);
   }
 
   std::string call(const Function& function, const std::string& name, ByteReader& arguments) {
@@ -89,20 +92,28 @@ class Worker {
     }
   }
 
-  void* submission_;
+  std::vector<void*> labs_;
   serialisation::ShapeRegistry shapes_;
 };
 
 /// @return what to call functions of. Nothing that the submission does can be undone from here on.
-void* prepare(std::vector<std::string> arguments) {
+std::vector<void*> prepare(std::vector<std::string> arguments) {
   const bool confined = arguments.front() == "--confine";
   if (confined) arguments.erase(arguments.begin());
-  std::filesystem::path submission = arguments.front();
-  for (std::size_t i = 1; i < arguments.size(); ++i) load(arguments[i], RTLD_LAZY);
+  const auto end = std::find(arguments.begin(), arguments.end(), "--");
+  std::vector<std::filesystem::path> submissions(arguments.begin(), end);
+  for (auto library = end + 1; library < arguments.end(); ++library) load(*library, RTLD_LAZY);
   functions();
-  if (confined && confine_to(submission.parent_path())) submission = "/" / submission.filename();
+  if (confined && confine_to(submissions.front().parent_path())) {
+    for (std::filesystem::path& submission : submissions) submission = "/" / submission.filename();
+  }
   forbid_system_calls();
-  return load(submission, RTLD_NOW);
+  // Several labs call each other, so the first ones are incomplete when they are loaded.
+  const int when = submissions.size() == 1 ? RTLD_NOW : RTLD_LAZY;
+  std::vector<void*> labs;
+  for (const std::filesystem::path& submission : submissions)
+    labs.push_back(load(submission, when));
+  return labs;
 }
 
 }  // namespace

@@ -1,0 +1,56 @@
+#include "autograder/grader/grade_lab/options.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace cs550::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds longest_compilation{60};
+
+Isolation chosen_isolation(const std::string& wish) {
+  if (wish == "plain") return Isolation::Plain;
+  const Isolation best = best_isolation();
+  if (wish == "bubblewrap" && best != Isolation::Bubblewrap) {
+    throw std::runtime_error("bubblewrap does not work on this machine");
+  }
+  return best;
+}
+
+}  // namespace
+
+fs::path empty_work_folder(const Options& options) {
+  const fs::path folder = fs::weakly_canonical(options.work);
+  const std::string inside = folder.string() + '/';
+  const bool holds_submission =
+      (fs::canonical(options.submission).string() + '/').starts_with(inside);
+  if (holds_submission || folder == folder.root_path()) {
+    throw std::runtime_error("--work " + options.work.string() +
+                             " would be emptied, but is in use");
+  }
+  fs::create_directories(folder);
+  for (const fs::path& old : fs::directory_iterator(folder)) fs::remove_all(old);
+  fs::create_directory(folder / "run");
+  return fs::canonical(folder);
+}
+
+Order order_for(const Options& options) {
+  Order order;
+  order.isolation = chosen_isolation(options.isolation);
+  order.limits.cpu = std::chrono::seconds(options.cpu);
+  order.limits.memory = static_cast<std::size_t>(options.memory) << 20U;
+  order.wall = std::chrono::seconds(options.wall);
+  order.salt = options.salt;
+  return order;
+}
+
+Limits compiler_limits(const Order& order) {
+  Limits limits = order.limits;
+  limits.cpu = std::min(limits.cpu, longest_compilation);
+  return limits;
+}
+
+}  // namespace cs550::grader

@@ -1,0 +1,38 @@
+#pragma once
+/// @file options.hpp
+/// What grade_lab was asked for.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "autograder/grader/order.hpp"
+
+namespace cs550::grader {
+
+struct Options {
+  int lab = 0;
+  bool milestones = false;
+  std::filesystem::path submission;
+  std::filesystem::path work;
+  std::filesystem::path results;
+  std::uint32_t salt = 0;
+  std::string filter = "*";
+  // A world of hundreds of contacts takes a million calls. An endless loop ends with its call.
+  int wall = 1800;
+  int cpu = 1800;
+  int memory = 2048;
+  std::string isolation = "auto";
+};
+
+/// The folder for this run, with nothing in it but the folder run/ for the compiled submission.
+/// @throws std::runtime_error if emptying it would delete what is graded, or anything else of value
+std::filesystem::path empty_work_folder(const Options& options);
+
+/// Limits, isolation and seeds. @throws std::runtime_error if this isolation does not work here
+Order order_for(const Options& options);
+
+/// A compilation never takes longer than a minute.
+Limits compiler_limits(const Order& order);
+
+}  // namespace cs550::grader
