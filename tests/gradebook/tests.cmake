@@ -21,6 +21,13 @@ if(NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
                      "${PROJECT_BINARY_DIR}/gradescope_test" "${CMAKE_CXX_COMPILER_LAUNCHER}")
     set_tests_properties(gradebook.gradescope PROPERTIES LABELS attack TIMEOUT 3600)
   endif()
+  # Builds two labs of a students' copy.
+  if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutions")
+    add_test(NAME gradebook.classroom
+             COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/classroom_test.py" "$<TARGET_FILE:cs550_cli>"
+                     "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/classroom_test")
+    set_tests_properties(gradebook.classroom PROPERTIES LABELS attack TIMEOUT 3600)
+  endif()
   find_program(CS550_CHROMEDRIVER chromedriver)
   execute_process(COMMAND "${CS550_SYSTEM_PYTHON}" -c "import selenium" RESULT_VARIABLE without_selenium
                   OUTPUT_QUIET ERROR_QUIET)

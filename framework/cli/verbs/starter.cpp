@@ -27,6 +27,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr const char* students_readme = "framework/cli/students_readme.md";
+constexpr const char* classroom_workflow = "framework/cli/classroom/workflow.yml";
 constexpr const char* file_list = ".starters/files.txt";
 /// The book's figures: where ./cs550 docs draws them, and where the chapters of a copy look for them.
 constexpr const char* drawn_figures = "build/docs/figures";
@@ -116,6 +117,9 @@ void write_students_copy(const fs::path& folder, int released) {
   list_visible_tests_only(folder);
   fs::rename(folder / students_readme, folder / "README.md");
   add_figures(folder);
+  // Here it would run in the instructors' repository.
+  fs::create_directories(folder / ".github/workflows");
+  fs::rename(folder / classroom_workflow, folder / ".github/workflows/labs.yml");
   keep_starters(folder);
   record_version(folder);
   list_files(folder);
