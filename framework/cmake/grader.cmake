@@ -2,6 +2,7 @@
 # the tests:
 #   grade_lab     grades one lab of one submission
 #   labN_judge    the graded tests of lab N; its functions of that lab ask a worker
+#   labN_own_tests    runs a student's own tests of lab N
 #   milestones_judge    the milestones; its functions of all labs ask a worker
 #   lab_worker    loads a submission and calls its functions
 # `judges` builds them all. They are not part of `all`.
@@ -15,6 +16,7 @@ if(NOT seccomp_FOUND)
   return()
 endif()
 add_custom_target(judges)
+add_custom_target(mistakes)
 
 # The given code, for submissions to call. Where it calls a lab, it calls the submission.
 add_library(cs550_given SHARED EXCLUDE_FROM_ALL $<TARGET_OBJECTS:cs550_engine>)
@@ -78,6 +80,9 @@ target_compile_definitions(grade_lab PRIVATE
   CS550_CONTRACT_HEADERS="${PROJECT_SOURCE_DIR}/framework/include"
   CS550_LAB_FOLDER="${lab_folder}"
   CS550_PRECOMPILED="${precompiled_folder}"
+  CS550_MISTAKES="${PROJECT_BINARY_DIR}/mistakes"
+  CS550_WORKER_PROGRAM="$<TARGET_FILE:lab_worker>"
+  CS550_ENGINE_LIBRARY="$<TARGET_FILE:cs550_given>"
   CS550_TRAJECTORIES="${PROJECT_SOURCE_DIR}/framework/assets/trajectories"
   CS550_GRADED_TESTS="${PROJECT_SOURCE_DIR}/tests")
 add_dependencies(judges grade_lab)
@@ -110,6 +115,34 @@ function(cs550_add_judge number)
   # The worker loads the other labs by name.
   add_dependencies(lab${number}_judge lab_worker)
   add_dependencies(judges lab${number}_judge)
+endfunction()
+
+# Students' own tests are loaded at run time, and use GoogleTest and the given code of the program.
+function(cs550_add_own_test_program number)
+  if(NOT TARGET lab${number}_remote_code)
+    return()
+  endif()
+  set(target lab${number}_own_tests)
+  add_executable(${target} EXCLUDE_FROM_ALL "${grader_folder}/own_tests/main.cpp" "${grader_folder}/worker/lockdown.cpp")
+  target_link_libraries(${target} PRIVATE cs550_grader cs550_given cs550_warnings PkgConfig::seccomp ${CMAKE_DL_LIBS})
+  target_link_options(${target} PRIVATE -Wl,--whole-archive "$<TARGET_FILE:GTest::gtest>" -Wl,--no-whole-archive)
+  cs550_link_lab(${target} ${number} remote)
+  foreach(other IN LISTS CS550_LABS)
+    if(NOT other EQUAL number)
+      cs550_link_lab(${target} ${other} reference)
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES ENABLE_EXPORTS TRUE)
+  add_dependencies(judges ${target})
+
+  # Each known mistake as a library of the lab. A name tells nothing about the mistake.
+  set(made "${PROJECT_BINARY_DIR}/mistakes/lab${number}/made")
+  add_custom_command(OUTPUT "${made}"
+    COMMAND python3 "${PROJECT_SOURCE_DIR}/tests/mutants/build_libraries.py" --build "${PROJECT_BINARY_DIR}" --lab ${number}
+    DEPENDS lab${number}_reference "${PROJECT_SOURCE_DIR}/tests/mutants/lab${number}.json"
+            "${PROJECT_SOURCE_DIR}/tests/mutants/build_libraries.py" USES_TERMINAL VERBATIM)
+  add_custom_target(mistakes_lab${number} DEPENDS "${made}")
+  add_dependencies(mistakes mistakes_lab${number})
 endfunction()
 
 # The starter takes the place of a lab that does not compile.
@@ -149,5 +182,6 @@ endfunction()
 
 foreach(number IN LISTS CS550_LABS)
   cs550_add_judge(${number})
+  cs550_add_own_test_program(${number})
 endforeach()
 cs550_add_milestones_judge()

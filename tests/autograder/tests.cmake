@@ -136,9 +136,13 @@ if(TARGET grade_lab)
   set_tests_properties(grader.survives_some_attacks grader.ends_on_request grader.gives_ctest_its_verdicts
                        PROPERTIES FIXTURES_REQUIRED grader)
 
-  # These expect that `judges` is built.
+  # These expect that `judges` and `mistakes` are built.
   foreach(isolation bubblewrap plain)
     cs550_test_grader(survives_attacks.${isolation} attack "${scripts}/attacks/run_attacks.py"
+                      --isolation ${isolation})
+  endforeach()
+  foreach(isolation bubblewrap plain)
+    cs550_test_grader(judges_own_tests.${isolation} attack "${scripts}/attacks/check_own_tests.py"
                       --isolation ${isolation})
   endforeach()
   cs550_test_grader(runs_milestones attack "${scripts}/attacks/check_milestones.py")

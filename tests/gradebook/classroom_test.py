@@ -41,6 +41,23 @@ def run_step(step, checkout):
     return dict(line.split("=", 1) for line in outputs.read_text().splitlines() if line)
 
 
+def check_own_tests(checkout):
+    """my_tests.cpp is no part of the lab, and is built on the student's code as the handout describes."""
+    (checkout / "labs/lab3_hill_climbing/my_tests.cpp").write_text("""#include <gtest/gtest.h>
+#include "cs550/hill_climbing.hpp"
+TEST(Mine, FindsTheFarthest) {
+  const std::vector<cs550::Vec3> points{{0, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(cs550::support_brute_force(points, {1, 0, 0}).vertex, 1);
+}
+""")
+    handout = (checkout / "labs/lab3_hill_climbing/README.md").read_text()
+    build = re.search(r"`\./cs550 (build student lab3_my_tests)`", handout)[1]
+    program = re.search(r"`(build/student/bin/lab3_my_tests)`", handout)[1]
+    run([checkout / "cs550", *build.split()], stdout=sys.stderr)
+    run([checkout / program], stdout=sys.stderr)
+    run([checkout / "cs550", "lab", "3"], stdout=sys.stderr)
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
@@ -70,8 +87,9 @@ def main():
     assert right["max_score"] == broken["max_score"] == 48, "visible tests only"
     assert right["status"] == "pass" and {test["status"] for test in right["tests"]} == {"pass"}, right
     assert sum(test["score"] for test in right["tests"]) == 48
-    assert broken["status"] == "fail" and {test["status"] for test in broken["tests"]} == {"error"}, broken
+    assert broken["status"] == "fail" and {test["status"] for test in broken["tests"]} == {"fail"}, broken
     assert "naive_solver.cpp:1" in broken["tests"][0]["message"], broken["tests"][0]
+    check_own_tests(checkout)
     shutil.rmtree(SCRATCH)
 
 

@@ -6,12 +6,14 @@
 #   // fake: no compile      every test is not_compiled
 #   // fake: breaks          the grader itself fails
 #   // fake: sleeps SECONDS
+#   // fake: catches NUMBER           with --own-tests, of 20 mistakes; without it, the reference fails
 #   // fake: misses lab3_ghosts      with --milestones, that milestone is not reached
 lab=$1
 shift
 while [ $# -gt 0 ]; do
   case $1 in
     --milestones) milestones=yes; shift; continue ;;
+    --own-tests) own_tests=yes; shift; continue ;;
     --submission) submission=$2 ;;
     --results) results=$2 ;;
     --work) work=$2 ;;
@@ -26,6 +28,14 @@ case $told in
   *sleeps*) sleep "${told##*sleeps }" ;;
 esac
 : >"$work/touched"
+if [ -n "${own_tests-}" ]; then
+  [ -z "${FAKE_LOG-}" ] || echo "own tests $lab" >>"$FAKE_LOG"
+  caught=${told##*catches } failures=0
+  case $told in *catches*) ;; *) caught=0 failures=1 ;; esac
+  printf '{"lab":%d,"isolation":"fake","compiled":true,"message":"%s","mistakes":20,"caught":%d,
+    "reference_runs":10,"reference_failures":%d}\n' "$lab" "$told" "$caught" "$failures" >"$results"
+  exit
+fi
 if [ -n "${milestones-}" ]; then
   [ -z "${FAKE_LOG-}" ] || echo "milestones $(ls "$submission" | tr '\n' ' ')" >>"$FAKE_LOG"
   tests=

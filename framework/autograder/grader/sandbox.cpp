@@ -106,7 +106,11 @@ struct Start {
     dup2(nothing, STDIN_FILENO);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
-    if (channel >= 0) dup2(channel, worker_channel);  // and it stays open in the program
+    if (channel == worker_channel) {
+      fcntl(channel, F_SETFD, 0);  // dup2() to itself would leave it to be closed in the program
+    } else if (channel >= 0) {
+      dup2(channel, worker_channel);
+    }
     close_range(channel >= 0 ? worker_channel + 1 : worker_channel, ~0U, 0);
     limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu.count()));
     limit(RLIMIT_AS, limits.memory);

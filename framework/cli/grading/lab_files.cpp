@@ -24,8 +24,10 @@ using Texts = std::map<fs::path, std::string>;
 
 fs::path lab_folder(const std::string& lab_name) { return project_root() / "labs" / lab_name; }
 
+/// Of the lab. Tests that the student has written are not: they are neither graded here nor reset.
 bool is_code(const fs::path& file) {
-  return file.extension() == ".cpp" || file.extension() == ".hpp";
+  return file.filename() != "my_tests.cpp" &&
+         (file.extension() == ".cpp" || file.extension() == ".hpp");
 }
 
 std::vector<fs::path> code_in(const fs::path& folder) {

@@ -60,6 +60,9 @@ void print_troubles(const std::vector<Record>& records) {
     if (!record.trouble.empty()) {
       std::cout << fmt::format("unreadable: {}: {}\n", record.name, record.trouble);
     }
+    if (record.engine && !record.engine->not_graded.empty()) {
+      std::cout << fmt::format("no milestones: {}: {}\n", record.name, record.engine->not_graded);
+    }
     for (const LabRecord& lab : record.labs) {
       if (!lab.not_graded.empty()) {
         std::cout << fmt::format("NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
@@ -162,7 +165,8 @@ bool grade(const GradeRequest& request) {
                     settings.course, judge, folder, stop);
   }
   std::optional<cli::ProgressBar> bar;
-  const ClassRun run{std::move(found.submissions), labs, request.jobs, [&bar](int done, int total) {
+  const ClassRun run{std::move(found.submissions), labs, request.milestones, request.jobs,
+                     [&bar](int done, int total) {
                        if (!bar && total > 0) bar.emplace(total, "lab");
                        if (bar) bar->show(done);
                      }};

@@ -14,6 +14,7 @@ struct GradeRequest {
   std::filesystem::path out;
   std::string labs;  ///< "1-7", "3", "1,3-5"; empty: all
   int jobs = 1;
+  bool milestones = true;
   bool resume = false;
   std::filesystem::path roster, course;  ///< may be empty
   std::filesystem::path judge;           ///< the program grade_lab

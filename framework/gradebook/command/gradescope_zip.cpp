@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 void make_gradescope_zip(const fs::path& root, const std::string& labs, const fs::path& course,
                          const fs::path& out) {
   const Catalogue catalogue = read_catalogue(root);
+  const std::string text = course.empty() ? "" : cli::read_text(course);
+  const Course settings = parse_course(text, course.string(), catalogue);
   std::vector<int> known;
   for (const auto& [number, lab] : catalogue) known.push_back(number);
   std::string numbers;
@@ -25,6 +27,9 @@ void make_gradescope_zip(const fs::path& root, const std::string& labs, const fs
   for (const int number : parse_labs(labs, known)) {
     numbers += fmt::format("{}{}", numbers.empty() ? "" : ",", number);
     targets += fmt::format(" lab{}_judge", number);
+    if (settings.lab(number).own_tests > 0) {
+      targets += fmt::format(" lab{0}_own_tests mistakes_lab{0}", number);
+    }
   }
 
   const WorkFolder stage(fs::temp_directory_path());
@@ -35,11 +40,7 @@ void make_gradescope_zip(const fs::path& root, const std::string& labs, const fs
   }
   files::write_file(stage.path() / "labs.txt", numbers + '\n');
   files::write_file(stage.path() / "targets.txt", targets + '\n');
-  if (!course.empty()) {
-    const std::string text = cli::read_text(course);
-    parse_course(text, course.string(), catalogue);  // what is wrong with it is reported here
-    files::write_file(stage.path() / "course.toml", text);
-  }
+  if (!course.empty()) files::write_file(stage.path() / "course.toml", text);
   fs::remove(out);
   cli::output_of({"cmake", "-E", "tar", "cf", fs::absolute(out).string(), "--format=zip", "."},
                  stage.path());

@@ -32,8 +32,9 @@ enum class Clock {
 enum class Attempt { Best, Last };
 
 struct LabSettings {
-  double weight = 1;   ///< share of the total
-  double points = 60;  ///< what the 60 points of the project are scaled to
+  double weight = 1;     ///< share of the total
+  double points = 60;    ///< what the 60 points of the project are scaled to
+  double own_tests = 0;  ///< bonus for tests that find every known mistake
   std::optional<Time> due;
   std::optional<Time> solution_released;  ///< a later submission earns nothing
   Limits limits;

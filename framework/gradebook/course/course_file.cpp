@@ -44,7 +44,8 @@ Limits limits(const Node& node) {
 }
 
 LabSettings lab_settings(const Node& node) {
-  return {node["weight"].value_or(1.0), node["points"].value_or(60.0), time(node["due"]),
+  return {node["weight"].value_or(1.0),    node["points"].value_or(60.0),
+          node["own_tests"].value_or(0.0), time(node["due"]),
           time(node["solution_released"]), limits(node)};
 }
 

@@ -68,12 +68,13 @@ grace_minutes = 15
 most_percent = 50)"},
           {"lab",
            Form::ByLab,
-           {number("weight", 0, lots), number("points", 1, lots), time("due"),
-            time("solution_released"), whole("wall", 1, hour), whole("cpu", 1, hour),
+           {number("weight", 0, lots), number("points", 1, lots), number("own_tests", 0, lots),
+            time("due"), time("solution_released"), whole("wall", 1, hour), whole("cpu", 1, hour),
             whole("memory", 256, 1 << 20)},
            R"([lab.3]
 weight = 1.5
 points = 100
+own_tests = 5
 due = 2026-10-12T23:59:00+02:00
 solution_released = 2026-10-20T08:00:00+02:00
 wall = 60

@@ -3,7 +3,8 @@
 set -eu
 graded=$(mktemp -d)
 trap 'rm -rf "$graded"' EXIT
-set -- "$1" "$2" --out "$graded/out" --labs "$(cat labs.txt)"
+# Gradescope adds up points of labs; milestones have none.
+set -- "$1" "$2" --out "$graded/out" --labs "$(cat labs.txt)" --no-milestones
 [ ! -e course.toml ] || set -- "$@" --course course.toml
 submission=$1 results=$2
 shift 2

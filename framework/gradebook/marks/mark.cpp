@@ -94,6 +94,22 @@ void apply_adjustments(LabMark& mark, const Student& student, const Course& cour
   mark.mark = std::max(0.0, mark.mark + mark.adjustment);
 }
 
+/// The bonus for tests that the student has written.
+void apply_own_tests(LabMark& mark, const LabRecord& lab, const Course& course) {
+  if (!lab.own_tests) return;
+  const OwnTests& own = *lab.own_tests;
+  if (!own.compiled || own.fails_reference) {
+    mark.notes.push_back(std::string("my_tests.cpp ") +
+                         (own.compiled ? "fails on the reference: " : "does not compile: ") +
+                         own.message);
+    return;
+  }
+  mark.bonus = course.lab(mark.lab).own_tests * own.caught / std::max(1, own.mistakes);
+  mark.mark += mark.bonus;
+  mark.notes.push_back(fmt::format("my_tests.cpp finds {} of {} known mistakes: +{} points",
+                                   own.caught, own.mistakes, points_text(mark.bonus)));
+}
+
 /// The mark that one of the student's records earns.
 LabMark mark_record(const Student& student, const Record& record, const LabRecord& lab,
                     const Course& course) {
@@ -107,6 +123,7 @@ LabMark mark_record(const Student& student, const Record& record, const LabRecor
   if (!mark.is_graded) mark.notes.push_back("NOT GRADED: " + lab.not_graded);
   apply_regrades(mark, student, lab, course);
   mark.mark = mark.of == 0 ? 0 : mark.earned * mark.points / mark.of;
+  apply_own_tests(mark, lab, course);
   apply_late_policy(mark, student, course);
   return mark;
 }
@@ -152,7 +169,7 @@ EngineMark best_engine(const Student& student) {
 }  // namespace
 
 bool StudentMark::is_graded() const {
-  return (engine.record == nullptr || engine.record->engine->not_graded.empty()) &&
+  return engine.is_graded &&
          std::all_of(labs.begin(), labs.end(), [](const LabMark& mark) { return mark.is_graded; });
 }
 
@@ -185,6 +202,8 @@ StudentMark mark_student(const Student& student, const std::vector<int>& labs,
     result.labs.push_back(std::move(mark));
   }
   if (result.engine.of > 0) {
+    const bool counts = course.milestones_weight > 0;
+    result.engine.is_graded = !counts || result.engine.record->engine->not_graded.empty();
     sum += course.milestones_weight * result.engine.reached / result.engine.of;
     weights += course.milestones_weight;
   }

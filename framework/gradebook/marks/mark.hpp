@@ -15,6 +15,7 @@ struct LabMark {
   int earned = 0;                  ///< of the project's points, with granted regrades
   int of = 0;                      ///< the project's points
   double points = 0;               ///< what the lab is worth in the course
+  double bonus = 0;                ///< points for the student's own tests
   double late_days = 0;            ///< days begun after the due date
   double deduction = 0;            ///< points lost for being late
   double adjustment = 0;           ///< points given or taken by hand
@@ -29,7 +30,8 @@ struct LabMark {
 struct EngineMark {
   const Record* record = nullptr;  ///< null if no engine was graded
   int reached = 0;
-  int of = 0;  ///< milestones of all labs that were graded
+  int of = 0;             ///< milestones of all labs that were graded
+  bool is_graded = true;  ///< false if the grader failed and the milestones have a weight
 };
 
 struct StudentMark {

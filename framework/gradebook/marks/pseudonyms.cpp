@@ -10,17 +10,22 @@ std::string pseudonym(const std::string& id, const std::string& secret) {
   return "student-" + sha256_of({secret, "pseudonym", id}).substr(0, digits);
 }
 
+void remove_texts(LabRecord& lab) {
+  lab.files.clear();
+  lab.same_as.clear();
+  lab.compile_errors.clear();
+  if (lab.own_tests) lab.own_tests->message.clear();
+  for (TestResult& test : lab.tests) test.message.clear();
+}
+
 Record without_names(Record record, const std::string& student, std::size_t number) {
   record.name = number == 0 ? student : student + '-' + std::to_string(number + 1);
   record.source = record.name;
   record.student = student;
   record.claimed_student.clear();
   record.ignored.clear();
-  for (LabRecord& lab : record.labs) {
-    lab.files.clear();
-    lab.compile_errors.clear();
-    for (TestResult& test : lab.tests) test.message.clear();
-  }
+  for (LabRecord& lab : record.labs) remove_texts(lab);
+  if (record.engine) remove_texts(*record.engine);
   return record;
 }
 

@@ -95,6 +95,8 @@ void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
       ->check(CLI::Range(1, 256));
   app.add_flag("--resume", request.resume,
                "continue an interrupted run, or add submissions to a finished one");
+  app.add_flag("!--no-milestones", request.milestones,
+               "do not run the milestones, which take half a minute");
   app.add_option("--roster", request.roster, "students: CSV with the columns id, name, email")
       ->option_text("CSV")
       ->check(CLI::ExistingFile);

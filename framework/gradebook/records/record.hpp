@@ -23,10 +23,21 @@ struct TestResult {
   std::string picture;  ///< of the case that fails, as SVG; empty for most tests
 };
 
+/// What the tests that a student has written are worth.
+struct OwnTests {
+  bool compiled = false;
+  int mistakes = 0;  ///< known ones of the lab
+  int caught = 0;    ///< of these; 0 if a test ever fails on the reference
+  bool fails_reference = false;
+  std::string message;  ///< of the compiler, or what a test prints that fails on the reference
+};
+
 struct LabRecord {
   int lab = 0;
   bool submitted = false;
-  std::string hash;                   ///< of its files
+  std::string hash;  ///< of its files
+  std::string
+      same_as;  ///< the record of equal files whose result this is; empty if graded for this one
   std::vector<std::string> files;     ///< that were graded
   std::vector<std::string> supplied;  ///< starter files that were missing and were added
   std::string isolation, compiler, seed;
@@ -34,6 +45,8 @@ struct LabRecord {
   double compile_seconds = 0;
   std::string compile_errors;
   std::vector<TestResult> tests;
+  std::optional<OwnTests>
+      own_tests;  ///< empty without them, or if the course has no points for them
   /// Why the grader itself failed. The lab has no mark then; empty if it was graded.
   std::string not_graded;
 

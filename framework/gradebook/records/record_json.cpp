@@ -36,10 +36,29 @@ std::vector<TestResult> tests_of(const Json& json) {
   return tests;
 }
 
+Json json_of(const OwnTests& own) {
+  return {{"compiled", own.compiled},
+          {"mistakes", own.mistakes},
+          {"caught", own.caught},
+          {"reference_failures", own.fails_reference ? 1 : 0},
+          {"message", own.message}};
+}
+
+OwnTests own_tests_of(const Json& json) {
+  constexpr std::size_t longest_message = 4096;
+  OwnTests own{json.at("compiled"), json.at("mistakes"), json.at("caught"),
+               json.at("reference_failures") != 0,
+               shortened(json.at("message").get<std::string>(), longest_message)};
+  if (own.caught < 0 || own.caught > own.mistakes || (own.fails_reference && own.caught > 0)) {
+    throw std::runtime_error("the result of the student's own tests is impossible");
+  }
+  return own;
+}
+
 Json json_of(const LabRecord& lab) {
   Json tests = Json::array();
   for (const TestResult& test : lab.tests) tests.push_back(json_of(test));
-  return {
+  Json json{
       {"lab", lab.lab},
       {"points", lab.points()},
       {"earned", lab.earned()},
@@ -54,6 +73,9 @@ Json json_of(const LabRecord& lab) {
        {{"ok", lab.compiled}, {"seconds", lab.compile_seconds}, {"errors", lab.compile_errors}}},
       {"not_graded", lab.not_graded},
       {"tests", tests}};
+  if (!lab.same_as.empty()) json["same_as"] = lab.same_as;
+  if (lab.own_tests) json["own_tests"] = json_of(*lab.own_tests);
+  return json;
 }
 
 LabRecord lab_of(const Json& json) {
@@ -71,6 +93,8 @@ LabRecord lab_of(const Json& json) {
   lab.compile_errors = json.at("compile").at("errors");
   lab.not_graded = json.at("not_graded");
   lab.tests = tests_of(json);
+  lab.same_as = json.value("same_as", "");
+  if (json.contains("own_tests")) lab.own_tests = own_tests_of(json.at("own_tests"));
   return lab;
 }
 
@@ -142,6 +166,10 @@ Record record_from_json(const std::string& text, const std::string& file) {
     if (json.contains("engine")) record.engine = lab_of(json.at("engine"));
     return record;
   });
+}
+
+OwnTests own_tests_from_judge(const std::string& text, const std::string& file) {
+  return parsed(text, file, own_tests_of);
 }
 
 LabRecord lab_from_judge(const std::string& text, const std::string& file) {

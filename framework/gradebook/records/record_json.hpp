@@ -18,5 +18,7 @@ LabRecord lab_from_json(const std::string& text, const std::string& file);
 /// The result that the judge program writes for one lab.
 /// Throws std::runtime_error, which names `file`.
 LabRecord lab_from_judge(const std::string& text, const std::string& file);
+/// The same of a student's own tests.
+OwnTests own_tests_from_judge(const std::string& text, const std::string& file);
 
 }  // namespace cs550::gradebook

@@ -17,6 +17,7 @@ struct Task {
   LabFiles files;
   LabRecord result;
   bool is_done = false;
+  std::string graded_for;  ///< the first record with these files
 };
 
 using Tasks = std::map<std::string, std::shared_ptr<Task>>;
@@ -24,8 +25,8 @@ using Tasks = std::map<std::string, std::shared_ptr<Task>>;
 /// A record that waits for its labs.
 struct Draft {
   Record record;
-  std::map<int, std::shared_ptr<Task>>
-      tasks;  ///< by lab, 0 the engine; none where nothing was submitted
+  /// By lab, and 0 for the engine; none where nothing was submitted.
+  std::map<int, std::shared_ptr<Task>> tasks;
   bool is_stored = false;
 
   bool is_complete() const {
@@ -50,8 +51,9 @@ Record begin_record(const Submission& submission, const std::string& project) {
   return record;
 }
 
-LabRecord lab_record(const Task& task, const std::string& hash) {
+LabRecord lab_record(const Task& task, const std::string& hash, const std::string& name) {
   LabRecord lab = task.result;
+  if (name != task.graded_for) lab.same_as = task.graded_for;
   lab.submitted = true;
   lab.hash = hash;
   lab.supplied = task.files.supplied;
@@ -112,7 +114,8 @@ class Run {
         draft.record.labs.push_back(not_submitted(lab));
         if (!submission.labs.contains(number)) continue;
         draft.record.labs.back().hash = submission.lab_hash(number);
-        draft.tasks[number] = task_for(lab, files_to_grade(submission, lab, judge_.starters));
+        draft.tasks[number] =
+            task_for(draft.record.name, lab, files_to_grade(submission, lab, judge_.starters));
       }
       add_engine(submission, draft);
       drafts_.push_back(std::move(draft));
@@ -121,6 +124,7 @@ class Run {
 
   /// Milestones of labs that are graded, but not submitted, are in the record too.
   void add_engine(const Submission& submission, Draft& draft) {
+    if (!run_.milestones) return;
     const int graded = last_lab(
         [this](int lab) { return std::count(run_.labs.begin(), run_.labs.end(), lab) > 0; });
     const int submitted =
@@ -128,18 +132,18 @@ class Run {
     if (graded > 0) draft.record.engine = not_submitted(engine_of(catalogue_, graded));
     if (submitted == 0) return;
     const CatalogueLab engine = engine_of(catalogue_, submitted);
-    draft.tasks[0] =
-        task_for(engine, files_of_engine(submission, catalogue_, engine, judge_.starters));
+    draft.tasks[0] = task_for(draft.record.name, engine,
+                              files_of_engine(submission, catalogue_, engine, judge_.starters));
   }
 
-  std::shared_ptr<Task> task_for(const CatalogueLab& lab, LabFiles files) {
+  std::shared_ptr<Task> task_for(const std::string& name, const CatalogueLab& lab, LabFiles files) {
     const std::string key = result_key(lab.number, files, course_, judge_);
     std::shared_ptr<Task>& task = tasks_[key];
     if (task) {
       ++outcome_.known;
       return task;
     }
-    task = std::make_shared<Task>(Task{key, lab, std::move(files), {}, false});
+    task = std::make_shared<Task>(Task{key, lab, std::move(files), {}, false, name});
     if (const std::optional<LabRecord> known = folder_.result(key)) {
       task->result = *known;
       task->is_done = true;
@@ -187,7 +191,7 @@ class Run {
       if (draft.is_stored || !draft.is_complete()) continue;
       for (LabRecord& lab : draft.record.labs) {
         const auto task = draft.tasks.find(lab.lab);
-        if (task != draft.tasks.end()) lab = lab_record(*task->second, lab.hash);
+        if (task != draft.tasks.end()) lab = lab_record(*task->second, lab.hash, draft.record.name);
       }
       if (const auto engine = draft.tasks.find(0); engine != draft.tasks.end()) {
         take_milestones(engine->second->result, *draft.record.engine);

@@ -15,7 +15,8 @@ namespace cs550::gradebook {
 struct ClassRun {
   std::vector<FoundSubmission> submissions;
   std::vector<int> labs;
-  int jobs = 1;                               ///< labs graded at the same time
+  bool milestones = true;  ///< whether the first labs together run the milestones
+  int jobs = 1;            ///< labs graded at the same time
   std::function<void(int, int)> on_progress;  ///< (done, total), called from one thread
 };
 

@@ -67,18 +67,13 @@ void check_tests(const LabRecord& record, const CatalogueLab& lab) {
   if (!missing.empty()) throw std::runtime_error("its result lacks the test " + *missing.begin());
 }
 
-LabRecord run_judge(const CatalogueLab& lab, const LabFiles& files, const Course& course,
-                    const Judge& judge, const std::atomic<bool>& stop) {
-  const WorkFolder folder(judge.work);
-  for (const SourceFile& file : files.files) {
-    files::write_file(folder.path() / "submission" / file.path, file.text);
-  }
-  fs::create_directories(folder.path() / "work");
-  const fs::path output = folder.path() / "output.txt";
+/// Runs the judge to its end. @return what it wrote
+std::string result_of(const std::vector<std::string>& command, const fs::path& folder,
+                      const std::atomic<bool>& stop) {
+  const fs::path output = folder / "output.txt";
   const auto deadline = std::chrono::steady_clock::now() + longest_run;
-  const cli::Ending ending =
-      cli::run(command_for(lab, course, judge, folder.path()),
-               {{}, output, [&] { return stop || std::chrono::steady_clock::now() > deadline; }});
+  const cli::Ending ending = cli::run(
+      command, {{}, output, [&] { return stop || std::chrono::steady_clock::now() > deadline; }});
   if (!ending.good()) {
     constexpr std::size_t longest_output = 2000;
     throw std::runtime_error(
@@ -87,9 +82,30 @@ LabRecord run_judge(const CatalogueLab& lab, const LabFiles& files, const Course
                                        : "it exited with code " + std::to_string(ending.exit_code),
                     shortened(cli::read_text(output), longest_output)));
   }
-  const fs::path result = folder.path() / "result.json";
-  LabRecord record = lab_from_judge(cli::read_text(result), "its result");
+  return cli::read_text(folder / "result.json");
+}
+
+/// Whether the student has handed in tests, and the course has points for them.
+bool has_own_tests(int lab, const LabFiles& files, const Course& course) {
+  return course.lab(lab).own_tests > 0 &&
+         std::any_of(files.files.begin(), files.files.end(),
+                     [](const SourceFile& file) { return file.path == "my_tests.cpp"; });
+}
+
+LabRecord run_judge(const CatalogueLab& lab, const LabFiles& files, const Course& course,
+                    const Judge& judge, const std::atomic<bool>& stop) {
+  const WorkFolder folder(judge.work);
+  for (const SourceFile& file : files.files) {
+    files::write_file(folder.path() / "submission" / file.path, file.text);
+  }
+  fs::create_directories(folder.path() / "work");
+  std::vector<std::string> command = command_for(lab, course, judge, folder.path());
+  LabRecord record = lab_from_judge(result_of(command, folder.path(), stop), "its result");
   check_tests(record, lab);
+  if (has_own_tests(lab.number, files, course)) {
+    command.emplace_back("--own-tests");
+    record.own_tests = own_tests_from_judge(result_of(command, folder.path(), stop), "its result");
+  }
   return record;
 }
 
@@ -142,6 +158,7 @@ std::string result_key(int lab, const LabFiles& files, const Course& course, con
   std::vector<std::string> parts{std::to_string(lab),  judge.project,       judge.isolation,
                                  course.secret,        number(limits.wall), number(limits.cpu),
                                  number(limits.memory)};
+  if (has_own_tests(lab, files, course)) parts.emplace_back("own tests");
   for (const SourceFile& file : files.files) {
     parts.push_back(file.path);
     parts.push_back(file.text);

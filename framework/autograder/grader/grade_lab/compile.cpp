@@ -69,7 +69,8 @@ bool has_plain_name(const fs::path& file) {
 
 /// Copies the sources. @return those to compile, relative to the stage: as in a student's build, the
 /// .cpp files of the lab's own folder. Those below it may be included.
-std::vector<fs::path> copy_sources(const fs::path& from, const fs::path& to, const fs::path& root) {
+std::vector<fs::path> copy_sources(const fs::path& from, const fs::path& to, const fs::path& root,
+                                   Part part) {
   std::vector<fs::path> sources;
   int files = 0;
   const auto options = fs::directory_options::none;  // does not follow links to folders
@@ -84,7 +85,8 @@ std::vector<fs::path> copy_sources(const fs::path& from, const fs::path& to, con
     if (entry.file_size() > largest_file) throw Refusal(name.string() + " is larger than 1 MB");
     fs::create_directories((to / name).parent_path());
     fs::copy_file(entry.path(), to / name);
-    const bool is_compiled = name.extension() == ".cpp" && !name.has_parent_path();
+    const bool is_compiled = name.extension() == ".cpp" && !name.has_parent_path() &&
+                             (name == own_tests_file) == (part == Part::OwnTests);
     if (is_compiled) sources.push_back((to / name).lexically_relative(root));
   }
   if (sources.empty())
@@ -148,8 +150,9 @@ void check_dependencies(const fs::path& list, const fs::path& stage) {
 }
 
 void build(const fs::path& source, const std::string& lab_name, const fs::path& stage,
-           const fs::path& library, Isolation isolation, const Limits& limits) {
-  const std::vector<fs::path> sources = copy_sources(source, stage / "labs" / lab_name, stage);
+           const fs::path& library, Isolation isolation, const Limits& limits, Part part) {
+  const std::vector<fs::path> sources =
+      copy_sources(source, stage / "labs" / lab_name, stage, part);
   fs::copy(CS550_CONTRACT_HEADERS, stage / "contract", fs::copy_options::recursive);
   std::ofstream(stage / "exports.map") << "{ global: _ZN5cs550*; local: *; };\n";
   Compiler compiler(stage, isolation, limits);
@@ -171,12 +174,12 @@ void build(const fs::path& source, const std::string& lab_name, const fs::path& 
 }  // namespace
 
 Compilation compile(const fs::path& source, const std::string& lab_name, const fs::path& library,
-                    Isolation isolation, const Limits& limits) {
+                    Isolation isolation, const Limits& limits, Part part) {
   const Clock::time_point start = Clock::now();
   Compilation result;
   try {
     const Stage stage;
-    build(source, lab_name, stage.path(), library, isolation, limits);
+    build(source, lab_name, stage.path(), library, isolation, limits, part);
     result.succeeded = true;
   } catch (const Refusal& refusal) {
     result.errors = readable_text(refusal.what(), shown_errors);

@@ -15,13 +15,22 @@ struct Compilation {
   std::string errors;  ///< the first ones of the compiler, or why it was not started; at most 4 kB
 };
 
-/// Copies the sources of a lab and compiles the .cpp files of its own folder, where nothing else but
+/// Students' own tests of a lab, beside its files.
+inline constexpr const char* own_tests_file = "my_tests.cpp";
+
+/// What of a lab's folder is compiled.
+enum class Part {
+  Code,     ///< the .cpp files of the folder itself, but own_tests_file
+  OwnTests  ///< own_tests_file alone
+};
+
+/// Copies the sources of a lab and compiles a part of them, where nothing else but
 /// the contract and the system's headers can be seen.
 /// @param source the lab's files as in labs/labN_topic/
 /// @param lab_name "lab3_hill_climbing"
 /// @param library the result
 Compilation compile(const std::filesystem::path& source, const std::string& lab_name,
-                    const std::filesystem::path& library, Isolation isolation,
-                    const Limits& limits);
+                    const std::filesystem::path& library, Isolation isolation, const Limits& limits,
+                    Part part = Part::Code);
 
 }  // namespace cs550::grader

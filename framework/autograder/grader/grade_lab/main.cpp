@@ -12,6 +12,7 @@
 #include "autograder/grader/grade_lab/judging.hpp"
 #include "autograder/grader/grade_lab/milestones.hpp"
 #include "autograder/grader/grade_lab/options.hpp"
+#include "autograder/grader/grade_lab/own_tests.hpp"
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
 
@@ -31,6 +32,8 @@ CLI::App* add_options(CLI::App& app, Options& options) {
   app.add_flag("--milestones", options.milestones,
                "run the milestones of labs 1 to LAB on these labs together; the submission is a "
                "folder with a folder labN_topic for each");
+  app.add_flag("--own-tests", options.own_tests,
+               "grade my_tests.cpp, the student's own tests, by the known mistakes that it finds");
   app.add_option("--submission", options.submission, "folder with the lab's files")
       ->required()
       ->check(CLI::ExistingDirectory);
@@ -162,7 +165,9 @@ int main(int argc, char** argv) {
   }
   files::watch_for_interruption();
   try {
-    const Json record = options.milestones ? run_milestones(options) : grade(options);
+    const Json record = options.milestones  ? run_milestones(options)
+                        : options.own_tests ? grade_own_tests(options, lab_name(options.lab))
+                                            : grade(options);
     files::write_file(options.results,
                       record.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     return Graded;

@@ -13,6 +13,7 @@ namespace cs550::grader {
 struct Options {
   int lab = 0;
   bool milestones = false;
+  bool own_tests = false;
   std::filesystem::path submission;
   std::filesystem::path work;
   std::filesystem::path results;

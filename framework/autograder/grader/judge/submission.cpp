@@ -72,7 +72,24 @@ void judge(WorkerSettings settings) {
   testing::UnitTest::GetInstance()->listeners().Append(new EndOfTest);
 }
 
+void connect(int channel) {
+  WorkerSettings settings;
+  settings.connected = channel;
+  settings.per_test = std::chrono::hours(1);  // whoever started this process limits its time
+  only() = std::make_unique<Submission>(std::move(settings));
+}
+
 void Submission::start() {
+  if (settings_.connected >= 0) {
+    channel_ = std::make_unique<Channel>(settings_.connected, longest_message);
+  } else {
+    start_worker();
+  }
+  test_ends_ = Clock::now() + settings_.per_test;
+  check(receive(loading), loading);
+}
+
+void Submission::start_worker() {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw std::system_error(errno, std::generic_category(), "socketpair");
@@ -81,8 +98,10 @@ void Submission::start() {
   channel_->limit_sending(settings_.per_call);
   worker_ = std::make_unique<Process>(settings_.command, kept_output, ends[1]);
   close(ends[1]);
-  test_ends_ = Clock::now() + settings_.per_test;
-  check(receive(loading), loading);
+}
+
+void Submission::end_worker() {
+  if (worker_) worker_->kill();
 }
 
 void Submission::end_test() {
@@ -94,14 +113,14 @@ void Submission::end_test() {
 
 void Submission::tell(std::uint64_t shape, const std::string& message) {
   if (!failure_.empty()) fail(status_, failure_);
-  if (!worker_) start();
+  if (!channel_) start();
   if (!channel_->send(message)) fail_closed("a shape");
   shapes_.insert(shape);
 }
 
 std::string Submission::ask(std::string_view function, const std::string& request) {
   if (!failure_.empty()) fail(status_, failure_);
-  if (!worker_) start();
+  if (!channel_) start();
   if (channel_->has_input()) fail_malformed(function, "it came before the question");
   if (!channel_->send(request)) fail_closed(function);
   return check(receive(function), function);
@@ -157,6 +176,7 @@ void Submission::fail(const std::string& status, const std::string& message) {
 }
 
 void Submission::fail_closed(std::string_view function) {
+  if (!worker_) fail("crashed", "the worker ended in " + std::string(function));
   worker_->wait(milliseconds(200));
   worker_->kill();
   std::string how = worker_->ending();
@@ -170,13 +190,13 @@ void Submission::fail_closed(std::string_view function) {
 
 void Submission::fail_late(std::string_view function, milliseconds limit) {
   ++late_tests_;
-  worker_->kill();
+  end_worker();
   fail("timeout", "no answer from " + std::string(function) + " within " +
                       std::to_string(limit.count() / 1000) + " s (an endless loop?)");
 }
 
 void Submission::fail_malformed(std::string_view function, std::string_view why) {
-  worker_->kill();
+  end_worker();
   fail("failed", "the answer of " + std::string(function) + " is not valid: " + std::string(why));
 }
 

@@ -16,7 +16,8 @@ namespace cs550::grader {
 
 /// How a worker is started, and how long it may take.
 struct WorkerSettings {
-  Command command;  ///< the worker, in its sandbox
+  Command command;     ///< the worker, in its sandbox
+  int connected = -1;  ///< the channel to a worker that another process has started; else -1
   std::chrono::milliseconds per_call{5000};
   std::chrono::milliseconds per_test{60000};
 };
@@ -42,6 +43,8 @@ class Submission {
 
  private:
   void start();
+  void start_worker();
+  void end_worker();
   std::string receive(std::string_view function);
   std::string check(std::string reply, std::string_view function);
   [[noreturn]] void fail(const std::string& status, const std::string& message);
@@ -62,5 +65,7 @@ class Submission {
 Submission& submission();
 /// Makes it. To be called once, before the first test.
 void judge(WorkerSettings settings);
+/// Makes it, with one worker for all tests, which another process has started.
+void connect(int channel);
 
 }  // namespace cs550::grader

@@ -1,0 +1,18 @@
+#pragma once
+/// @file own_tests.hpp
+/// Grading the tests that a student has written.
+
+#include <nlohmann/json.hpp>
+
+#include "autograder/grader/grade_lab/options.hpp"
+
+namespace cs550::grader {
+
+/// Runs the tests on the reference, several times, and on each known mistake, in random order. A run
+/// that does not end in time, or crashes, fails.
+/// @param lab_name "lab3_hill_climbing"
+/// @return {lab, isolation, compiled, message, mistakes, caught, reference_runs, reference_failures};
+///   caught is 0 if the tests ever fail on the reference
+nlohmann::ordered_json grade_own_tests(const Options& options, const std::string& lab_name);
+
+}  // namespace cs550::grader
