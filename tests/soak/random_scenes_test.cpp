@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "soak/random_scene.hpp"
 #include "soak/scene_run.hpp"
@@ -29,8 +30,31 @@ void run_scenes(std::uint32_t first, std::uint32_t count) {
   }
 }
 
+/// Scenes that failed once.
+TEST(SceneFuzzer, ScenesThatWereFoundKeepTheLaws) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("tests/soak/found")) {
+    std::ifstream stream(entry.path());
+    const nlohmann::json document = nlohmann::json::parse(stream);
+    const std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) / ("found_" + entry.path().filename().string());
+    EXPECT_EQ(test::fault_of(document, file), "") << entry.path();
+    std::filesystem::remove(file);
+    ++scenes;
+  }
+  EXPECT_GT(scenes, 0) << "tests run in the project's folder";
+}
+
 TEST(SceneFuzzer, TwoHundredScenesKeepTheLawsLong) { run_scenes(1, 200); }
-TEST(SceneFuzzer, TenThousandScenesKeepTheLawsSoak) { run_scenes(1000, 10000); }
+
+/// Ten thousand scenes in twenty pieces, which can run at once.
+class SceneFuzzerPiece : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(SceneFuzzerPiece, FiveHundredScenesKeepTheLawsSoak) {
+  constexpr std::uint32_t piece = 500;
+  run_scenes(1000 + piece * GetParam(), piece);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, SceneFuzzerPiece, testing::Range(0U, 20U));
 
 }  // namespace
 }  // namespace cs550
