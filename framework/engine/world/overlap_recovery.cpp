@@ -17,7 +17,8 @@
 /// An overlap that no motion explains is not an impact, and parting from it should give no speed.
 /// Recovering bodies therefore use the velocities of the push for their positions only, and have no
 /// friction meanwhile, which could jam them. The relax passes then start from the velocities and
-/// impulses before the push. Impacts keep the push: its softness damps a stack.
+/// impulses before the push. Impacts keep the push: its softness damps a stack. Baumgarte contacts
+/// have no relax passes, so that their bodies keep the speed of the push, but friction adds none.
 
 namespace cs550 {
 
@@ -36,12 +37,14 @@ Real depth(const Manifold& manifold) {
 }
 
 /// Bodies that move towards each other are in contact, at a positive separation, before they can
-/// overlap.
+/// overlap. A misplaced pair remains one until it is free, however fast it parts.
 bool is_misplaced(const WorldState& world, std::size_t pair, Real h) {
   const PairList& pairs = world.pairs;
-  if (pairs.touching[pair] && !pairs.misplaced[pair]) return false;
   const Contact& contact = pairs.contacts[pair];
-  return depth(contact.manifold) > contact_margin(world, contact.body_a, contact.body_b, h);
+  const Real deepest = depth(contact.manifold);
+  if (pairs.misplaced[pair]) return deepest > spare_margin(world);
+  if (pairs.touching[pair]) return false;
+  return deepest > contact_margin(world, contact.body_a, contact.body_b, h);
 }
 
 /// A body that touches a recovering one recovers too: their impulses must stay equal and opposite.
@@ -117,6 +120,13 @@ void end_push(WorldState& world) {
     world.constraints[i].friction = before.friction;
     world.constraints[i].normal_impulse = before.normal_impulse;
     world.constraints[i].tangent_impulse = before.tangent_impulse;
+  }
+}
+
+void return_friction(WorldState& world) {
+  if (!world.recovery.any) return;
+  for (std::size_t i = 0; i < world.constraints.size(); ++i) {
+    world.constraints[i].friction = world.recovery.constraints[i].friction;
   }
 }
 

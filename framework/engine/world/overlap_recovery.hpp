@@ -18,6 +18,8 @@ void begin_push(WorldState& world);
 /// Call it after the bodies have moved. Gives recovering bodies the momenta, and their constraints
 /// the friction and impulses, that they had before the push.
 void end_push(WorldState& world);
+/// Instead of end_push(), where the push is to stay: gives recovering constraints their friction back.
+void return_friction(WorldState& world);
 /// Prepares recovering constraints for the poses after the push, and applies their impulses again:
 /// the relax passes start from them.
 void restart_after_push(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step);

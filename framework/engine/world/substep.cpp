@@ -57,7 +57,7 @@ void solve_pass(WorldState& world, std::span<SolverBody> bodies, ContactStep ste
 void solve_with_bias(WorldState& world, const ContactStep& step) {
   with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
     refresh_masses(world, step);
-    if (is_soft(world.settings)) begin_push(world);
+    if (world.settings.solver == SolverKind::Constraint) begin_push(world);
     start_impulses(world, bodies);
     for (int pass = 0; pass < world.settings.iterations; ++pass) {
       solve_pass(world, bodies, step, pass);
@@ -86,6 +86,7 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
       apply_restitution(world.constraints, bodies, step);
     });
   } else {
+    if (world.settings.solver == SolverKind::Constraint) return_friction(world);
     // A contact bounces in one substep only.
     for (ContactConstraint& constraint : world.constraints) {
       constraint.mark_impact();
