@@ -1,13 +1,27 @@
 #include "cli/command_line.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <memory>
 
 #include "cli/system/exit_code.hpp"
+#include "cs550/excerpt.hpp"
 #include "files/output_file.hpp"
 
 namespace cs550::cli {
+
+std::string with_short_words(const std::string& message) {
+  constexpr std::size_t longest = 300;  // a path in use is shorter
+  std::string result;
+  for (std::size_t begin = 0; begin < message.size();) {
+    const std::size_t end = std::min(message.find_first_of(" \n", begin), message.size());
+    result += excerpt(std::string_view(message).substr(begin, end - begin), longest);
+    if (end < message.size()) result += message[end];
+    begin = end + 1;
+  }
+  return result;
+}
 
 std::string Help::make_option_opts(const CLI::Option* option) const {
   return option->get_option_text().empty() ? "" : ' ' + option->get_option_text();
@@ -21,7 +35,7 @@ void refuse_values_of_flags(CLI::App& app) {
 
 int answer(const CLI::App& app, const CLI::ParseError& error, const std::string& verb) {
   if (error.get_exit_code() == 0) return app.exit(error);
-  std::cerr << "cs550: " << error.what() << "\n./cs550 " << verb
+  std::cerr << "cs550: " << with_short_words(error.what()) << "\n./cs550 " << verb
             << " --help explains the options.\n";
   return Misused;
 }
@@ -38,7 +52,7 @@ int run_verb(CLI::App& app, const std::string& verb, int argc, char** argv,
   } catch (const CLI::ParseError& error) {
     return answer(app, error, verb);
   } catch (const std::exception& error) {
-    std::cerr << "cs550: " << error.what() << '\n';
+    std::cerr << "cs550: " << with_short_words(error.what()) << '\n';
     return Failed;
   }
 }

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "cs550: " << error.what() << '\n';
+    std::cerr << "cs550: " << with_short_words(error.what()) << '\n';
     return Failed;
   }
 }

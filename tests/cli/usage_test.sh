@@ -48,6 +48,15 @@ refuses view --lab 99
 refuses view --failure Lab3.NoSuchTest
 prints "there is no picture of a failing test Lab3.NoSuchTest"
 
+# Five thousand letters are not repeated in full.
+long=$(printf '%5000s' '' | tr ' ' a)
+for arguments in "lab $long" "lab 3 --step $long" "submit $long" "view --lab $long" "view --failure $long" "progress $long"; do
+  code=0
+  CS550_ROOT=$root "$program" $arguments >"$scratch/printed" 2>&1 </dev/null || code=$?
+  [ $code = 2 ] || wrong "a word of 5000 letters: exit code $code, expected 2"
+  [ "$(wc -c <"$scratch/printed")" -lt 1500 ] || wrong "a word of 5000 letters was repeated in full"
+done
+
 # The launcher.
 cd "$root"
 misuses() {
@@ -59,6 +68,11 @@ misuses
 misuses prgress
 prints "there is no verb 'prgress'"
 prints "progress  print your points"
+for odd in '.*' 'd*' 'demo|release' "$long"; do
+  misuses "$odd"
+  prints "there is no verb '"
+  [ "$(grep 'no verb' "$scratch/printed" | wc -c)" -lt 400 ] || wrong "the verb was repeated in full"
+done
 misuses build fast
 prints "release student test"
 misuses doctor --install editor

@@ -326,6 +326,29 @@ TEST(Scene, RefusesWhatAParserWouldMisreadWithoutAWord) {
       {"/bodies/0/shape/points/3", "three numbers", "[0,0,1e+39]"});
 }
 
+/// A message repeats what it found, but no more than a line of it, and nothing that a terminal obeys.
+TEST(Scene, RepeatsLongAndUnprintableTextInShort) {
+  const std::string letters(5000, 'a');
+  const std::string odd[] = {
+      R"({"schema": 1, ")" + letters + R"(": 1, "bodies": [{)" + box + "}]}",
+      R"({"schema": 1, ")" + letters + R"(": 1, ")" + letters + R"(": 1})",
+      R"({"schema": 1, "shapes": {")" + letters + R"(": {}}, "bodies": [{)" + box + "}]}",
+      R"({"schema": 1, "\u001b[2J": 1, "bodies": [{)" + std::string(box) + "}]}",
+      R"({"schema": 1, "shapes": {"\u001b[2J": {}}})",
+  };
+  for (const std::string& text : odd) {
+    const SceneResult result = load_text(text);
+    EXPECT_FALSE(result) << text;
+    EXPECT_LT(result.error.size(), 700U) << result.error;
+    EXPECT_EQ(result.error.find('\033'), std::string::npos) << result.error;
+  }
+  expect_refused("{\"schema", {"this is not JSON: parse error at line 1"});
+  EXPECT_LT(load_text("{\"" + letters).error.size(), 500U)
+      << "an unfinished text is read to the end";
+  EXPECT_LT(find_scene(letters).error.size(), 500U);
+  EXPECT_EQ(find_scene("\033[2J").error.find('\033'), std::string::npos);
+}
+
 TEST(Scene, RefusesNestingThatNoSceneNeeds) {
   for (const int levels : {33, 100000, 1000000}) {
     const std::string open(levels, '[');

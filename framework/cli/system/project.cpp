@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cli/system/process.hpp"
+#include "cs550/excerpt.hpp"
 
 namespace cs550::cli {
 
@@ -62,7 +63,7 @@ std::string title(const std::string& lab_name) {
 }
 
 std::string fault_of_lab_number(const std::string& word) {
-  std::string fault = "there is no lab " + word + ". The labs:";
+  std::string fault = "there is no lab " + excerpt(word) + ". The labs:";
   for (const std::string& lab : lab_names()) {
     if (std::to_string(lab_number(lab)) == word) return {};
     fault.append("\n  ").append(title(lab));

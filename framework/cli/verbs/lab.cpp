@@ -20,6 +20,7 @@
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "cli/verb.hpp"
+#include "cs550/excerpt.hpp"
 
 namespace cs550::cli {
 
@@ -242,7 +243,7 @@ int run_lab(LabOptions options) {
   const std::vector<GradedTest> all = graded_tests(options.name);
   const std::vector<GradedTest> tests = of_step(all, options.step);
   if (tests.empty()) {
-    std::cerr << "cs550: lab " << options.lab << " has no step " << options.step
+    std::cerr << "cs550: lab " << options.lab << " has no step " << excerpt(options.step)
               << ". Its steps: " << steps_of(all) << '\n';
     return Misused;
   }

@@ -7,6 +7,7 @@
 #include "cli/system/project.hpp"
 #include "cli/system/viewer.hpp"
 #include "cli/verb.hpp"
+#include "cs550/excerpt.hpp"
 
 namespace cs550::cli {
 
@@ -31,8 +32,9 @@ std::string* value_of(Words& words, const std::string& option) {
 
 /// What is wrong with the name of a failing test; empty if it has a picture.
 std::string fault_of_failure(const std::string& test) {
-  if (fs::exists(picture_of(test))) return {};
-  std::string fault = "there is no picture of a failing test " + test;
+  std::error_code no_such_file;
+  if (fs::exists(picture_of(test), no_such_file)) return {};
+  std::string fault = "there is no picture of a failing test " + excerpt(test);
   const Words tests = tests_with_pictures();
   fault +=
       tests.empty() ? ".\n  ./cs550 lab N draws one for most tests that fail." : ". These are:";

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "cs550/assets.hpp"
+#include "cs550/excerpt.hpp"
 #include "cs550/not_implemented.hpp"
 #include "engine/scenes/nearest_word.hpp"
 #include "engine/scenes/scene_bodies.hpp"
@@ -89,7 +90,8 @@ std::string list_of(const std::vector<std::string>& words) {
 }  // namespace
 
 SceneResult load_scene(const fs::path& file, const SceneLimits& limits) {
-  const std::string where = (file.empty() ? "\"\"" : file.string()) + ": ";
+  constexpr std::size_t longest = 300;
+  const std::string where = (file.empty() ? "\"\"" : excerpt(file.string(), longest)) + ": ";
   std::error_code unreadable;
   std::ifstream stream(file);
   if (!stream || fs::is_directory(file, unreadable)) {
@@ -100,7 +102,9 @@ SceneResult load_scene(const fs::path& file, const SceneLimits& limits) {
   } catch (const SceneFault& fault) {
     return {{}, where + fault.what()};
   } catch (const nlohmann::json::exception& error) {
-    return {{}, where + "this is not JSON: " + error.what()};
+    const std::string_view reason = error.what();  // after the parser's own number for it
+    return {{},
+            where + "this is not JSON: " + excerpt(reason.substr(reason.find("] ") + 2), longest)};
   } catch (const NotImplemented& missing) {
     return {{}, where + "its shapes cannot be made yet: " + missing.what()};
   }
@@ -115,7 +119,7 @@ SceneResult find_scene(const std::string& name_or_path) {
   const std::vector<std::string> names = shipped_scenes();
   const std::string nearest = nearest_word(name_or_path, names);
   return {{},
-          "there is no scene \"" + name_or_path + "\"" +
+          "there is no scene \"" + excerpt(name_or_path) + "\"" +
               (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
               "; give the path of a scene file or one of: " + list_of(names)};
 }

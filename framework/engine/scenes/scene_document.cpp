@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cs550/excerpt.hpp"
 #include "engine/scenes/scene_reader.hpp"
 
 namespace cs550 {
@@ -31,7 +32,7 @@ class Position {
     const bool is_new = object.keys.insert(key).second;
     object.key = key;
     if (!is_new) {
-      throw SceneFault(path(), "expected each key once, found \"" + key +
+      throw SceneFault(path(), "expected each key once, found \"" + excerpt(key) +
                                    "\" a second time in this object; remove one of the two");
     }
   }
@@ -50,7 +51,7 @@ class Position {
     std::string path;
     for (const Level& level : levels_) {
       if (level.is_list || !level.key.empty()) {
-        path += "/" + (level.is_list ? std::to_string(level.index) : level.key);
+        path += "/" + (level.is_list ? std::to_string(level.index) : excerpt(level.key));
       }
     }
     return path;

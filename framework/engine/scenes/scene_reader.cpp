@@ -180,9 +180,7 @@ SceneReader SceneReader::object(const std::string& key, const std::string& examp
 }
 
 std::string SceneReader::excerpt(const Json& value) {
-  constexpr std::size_t longest = 60;
-  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() <= longest ? text : text.substr(0, longest - 3) + "...";
+  return cs550::excerpt(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 bool SceneReader::is_number(const Json& value) { return fits(value, Range::Any); }
@@ -216,7 +214,7 @@ void SceneReader::refuse_other_keys() const {
   known.erase(std::unique(known.begin(), known.end()), known.end());
   std::string all;
   for (const std::string& word : known) all.append(all.empty() ? "" : ", ").append(word);
-  throw SceneFault(path_of(*other), "there is no key \"" + *other + "\" here" +
+  throw SceneFault(path_of(*other), "there is no key \"" + cs550::excerpt(*other) + "\" here" +
                                         did_you_mean(*other, known) + "; expected one of " + all);
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cs550/excerpt.hpp"
 #include "cs550/math.hpp"
 
 namespace cs550 {
@@ -86,7 +87,7 @@ class SceneReader {
   std::vector<std::string> keys() const;
   const Json& json(const std::string& key) const { return value_.at(key); }
 
-  std::string path_of(const std::string& key) const { return path_ + "/" + key; }
+  std::string path_of(const std::string& key) const { return path_ + "/" + cs550::excerpt(key); }
 
   /// Throws for the first key that nobody asked for, and names the nearest that somebody did.
   void refuse_other_keys() const;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cs550/excerpt.hpp"
 #include "cs550/math.hpp"
 
 namespace cs550 {
@@ -44,7 +45,7 @@ std::string vertex_fault(const std::vector<std::string>& words, int line) {
     Real coordinate = 0;
     if (!parse_all(words[i], coordinate) || !std::isfinite(coordinate)) {
       return at_line(line,
-                     "expected a coordinate such as 1.5, found \"" + words[i].substr(0, 40) + "\"");
+                     "expected a coordinate such as 1.5, found \"" + excerpt(words[i]) + "\"");
     }
   }
   return {};
@@ -66,7 +67,7 @@ std::string face_fault(const std::vector<std::string>& words, int line, long lon
       return at_line(line,
                      "expected the number of a vertex, counted from 1 (or from -1 backwards), "
                      "found \"" +
-                         words[i].substr(0, 40) + "\"");
+                         excerpt(words[i]) + "\"");
     }
     if (number > largest.number) largest = {number, line};
   }

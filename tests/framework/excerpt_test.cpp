@@ -1,0 +1,29 @@
+#include "cs550/excerpt.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cs550 {
+namespace {
+
+TEST(Excerpt, OfAShortTextIsTheText) {
+  EXPECT_EQ(excerpt(""), "");
+  EXPECT_EQ(excerpt(std::string(60, 'a')), std::string(60, 'a'));
+  EXPECT_EQ(excerpt("größer"), "größer");
+}
+
+TEST(Excerpt, OfALongTextHasItsBeginning) {
+  EXPECT_EQ(excerpt(std::string(5000, 'a')), std::string(57, 'a') + "...");
+  EXPECT_EQ(excerpt("abcdefgh", 6), "abc...");
+}
+
+TEST(Excerpt, CutsNoCharacterInTwo) {
+  EXPECT_EQ(excerpt("aöööö", 7), "aö...") << "ö has two bytes";
+  EXPECT_EQ(excerpt("€€€€", 6), "€...") << "€ has three bytes";
+}
+
+TEST(Excerpt, HasNothingThatATerminalObeys) {
+  EXPECT_EQ(excerpt("\033[2Jtitle\n\x7f"), "?[2Jtitle??");
+}
+
+}  // namespace
+}  // namespace cs550
