@@ -150,6 +150,15 @@ TEST(ConvexHull, RefusesWhatIsNotFiniteByItsNumber) {
   expect_refused(points, "point 3");
 }
 
+/// 1 cm at 100 km, where floats are 8 mm apart: the hull would be another one, without a word.
+TEST(ConvexHull, RefusesPointsTooFarFromTheOriginForTheirSize) {
+  std::vector<Vec3> points = grid(2, 2, 2);
+  for (Vec3& point : points) point = Real(0.01) * point + Vec3(100000, 0, 0);
+  expect_refused(points, "too far from the origin; the points span");
+  for (Vec3& point : points) point -= Vec3(99990, 0, 0);
+  EXPECT_EQ(convex_hull(points).error, "");
+}
+
 TEST(ConvexHull, OfScannedMeshesIsValid) {
   for (const char* name : {"bunny", "teapot"}) {
     const SoupResult scan = load_obj(std::string(CS550_ASSETS) + "/meshes/" + name + ".obj");

@@ -29,14 +29,28 @@ std::string first_fault(std::span<const Vec3> points) {
   return {};
 }
 
+/// The distance of floats at the farthest coordinate of some points (m).
+Real resolution_of(const Bounds& bounds) {
+  return std::numeric_limits<Real>::epsilon() *
+         std::max(bounds.lower.cwiseAbs().maxCoeff(), bounds.upper.cwiseAbs().maxCoeff());
+}
+
+/// Whether the points were rounded by more than a thousandth of their hull: it is another hull.
+bool are_too_far(std::span<const Vec3> points) {
+  constexpr Real tolerance = Real(1e-3);
+  Bounds bounds;
+  for (const Vec3& point : points) bounds.include(point);
+  const Real size = bounds.extent().maxCoeff();
+  return size > 0 && resolution_of(bounds) > tolerance * size;
+}
+
 /// What to do about points that are so far from the origin that a float no longer resolves their hull;
 /// empty for others.
 std::string advice_if_far(std::span<const Vec3> points) {
   Bounds bounds;
   for (const Vec3& point : points) bounds.include(point);
-  const Real distance =
-      std::max(bounds.lower.cwiseAbs().maxCoeff(), bounds.upper.cwiseAbs().maxCoeff());
-  const Real resolution = distance * std::numeric_limits<Real>::epsilon();
+  const Real resolution = resolution_of(bounds);
+  const Real distance = resolution / std::numeric_limits<Real>::epsilon();
   const Real size = bounds.extent().maxCoeff();
   if (resolution < coplanar_tolerance * size) return {};
   std::ostringstream text;
@@ -180,6 +194,9 @@ bool drop_slivers(TriangleSoup& soup) {
 
 SoupResult convex_hull(std::span<const Vec3> points) {
   if (const std::string fault = first_fault(points); !fault.empty()) return {{}, fault};
+  if (are_too_far(points)) {
+    return {{}, "the points are too far from the origin" + advice_if_far(points)};
+  }
   TriangleSoup soup{{points.begin(), points.end()}, {}};
   for (;;) {
     // Without its slivers a thin hull may be flat. Fewer than four points would make qhull exit.
