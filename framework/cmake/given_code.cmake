@@ -14,8 +14,10 @@ function(cs550_given_library name folders)
   cs550_unity(${name} 16)
 endfunction()
 
+# Without Qhull::qhullcpp, whose qh_fprintf() would replace that of qhull_r and end the process instead of
+# printing a message.
 cs550_given_library(cs550_engine "engine;engine/*" nlohmann_json::nlohmann_json tinyobjloader::tinyobjloader
-                    Qhull::qhullcpp Qhull::qhull_r Threads::Threads)
+                    Qhull::qhull_r Threads::Threads)
 # It becomes part of the installed shared library.
 set_target_properties(cs550_engine PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_options(cs550_engine PRIVATE -fno-semantic-interposition)

@@ -335,12 +335,14 @@ TEST(Scene, RepeatsLongAndUnprintableTextInShort) {
       R"({"schema": 1, "shapes": {")" + letters + R"(": {}}, "bodies": [{)" + box + "}]}",
       R"({"schema": 1, "\u001b[2J": 1, "bodies": [{)" + std::string(box) + "}]}",
       R"({"schema": 1, "shapes": {"\u001b[2J": {}}})",
+      "{\"schema\": 1, \"bod\x7fies\": []}",  // and the key that it may have meant
+      "{\"schema\": 1, \"generators\": [{\"kind\": \"stack\", \"c\x7funt\": 3}]}",
   };
   for (const std::string& text : odd) {
     const SceneResult result = load_text(text);
     EXPECT_FALSE(result) << text;
     EXPECT_LT(result.error.size(), 700U) << result.error;
-    EXPECT_EQ(result.error.find('\033'), std::string::npos) << result.error;
+    EXPECT_EQ(result.error.find_first_of("\033\x7f"), std::string::npos) << result.error;
   }
   expect_refused("{\"schema", {"this is not JSON: parse error at line 1"});
   EXPECT_LT(load_text("{\"" + letters).error.size(), 500U)

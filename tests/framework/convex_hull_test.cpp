@@ -141,6 +141,16 @@ TEST(ConvexHull, RefusesPointsInAPlane) {
   expect_refused(points, "one plane");
 }
 
+/// Two places, however often they occur: the normal of a plane through them is rounding.
+TEST(ConvexHull, RefusesPointsInALine) {
+  Random random(16);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 a = random.point_in_box(Vec3::Constant(3));
+    const Vec3 b = random.point_in_box(Vec3::Constant(3));
+    expect_refused({a, b, b, b, b, a}, "one plane");
+  }
+}
+
 TEST(ConvexHull, RefusesWhatIsNotFiniteByItsNumber) {
   std::vector<Vec3> points = grid(2, 2, 2);
   points[5].z() = NAN;

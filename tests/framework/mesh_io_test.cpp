@@ -67,6 +67,14 @@ TEST_F(ObjFile, WithNumbersThatWouldBeMisreadIsRefused) {
   expect_named(load_obj(path).error, "line 1: expected three coordinates");
 }
 
+/// The file of materials may have no end, as a device does, or belong to somebody else.
+TEST_F(ObjFile, IsTheOnlyFileThatIsRead) {
+  write("mtllib /dev/zero\nusemtl stone\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const SoupResult result = load_obj(path);
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(result.soup.triangles.size(), 1U);
+}
+
 TEST_F(ObjFile, WithAFaceOfTooManyCornersIsRefused) {
   std::string face = "f";
   for (int i = 0; i < 900000; ++i) face += " 1";

@@ -120,7 +120,7 @@ SceneResult find_scene(const std::string& name_or_path) {
   const std::string nearest = nearest_word(name_or_path, names);
   return {{},
           "there is no scene \"" + excerpt(name_or_path) + "\"" +
-              (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
+              (nearest.empty() ? "" : " (did you mean \"" + excerpt(nearest) + "\"?)") +
               "; give the path of a scene file or one of: " + list_of(names)};
 }
 

@@ -67,7 +67,7 @@ std::string whole_number(std::int64_t least, std::int64_t most) {
 
 std::string did_you_mean(const std::string& typed, const std::vector<std::string>& words) {
   const std::string nearest = nearest_word(typed, words);
-  return nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)";
+  return nearest.empty() ? "" : " (did you mean \"" + cs550::excerpt(nearest) + "\"?)";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cs550/assets.hpp"
+#include "cs550/excerpt.hpp"
 #include "cs550/mesh_io.hpp"
 #include "engine/scenes/nearest_word.hpp"
 #include "engine/scenes/scene_limits.hpp"
@@ -106,7 +107,7 @@ ShapePtr SceneShapes::read(SceneReader& owner, const std::string& key) const {
   const std::string nearest = nearest_word(name, names);
   owner.refuse(key,
                "an object, or a name from the scene's \"shapes\"" +
-                   (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)"),
+                   (nearest.empty() ? "" : " (did you mean \"" + excerpt(nearest) + "\"?)"),
                example_shape);
 }
 

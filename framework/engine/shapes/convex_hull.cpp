@@ -73,11 +73,14 @@ Vec3d farthest(std::span<const Vec3> points, const Measure& measure) {
 bool are_coplanar(std::span<const Vec3> points) {
   const Vec3d a = points[0].cast<double>();
   const Vec3d b = farthest(points, [&](const Vec3d& p) { return (p - a).squaredNorm(); });
+  const double allowed = coplanar_tolerance * (b - a).norm();
   const Vec3d along = (b - a).normalized();
-  const Vec3d c = farthest(points, [&](const Vec3d& p) { return (p - a).cross(along).norm(); });
+  const auto from_line = [&](const Vec3d& p) { return (p - a).cross(along).norm(); };
+  const Vec3d c = farthest(points, from_line);
+  if (from_line(c) <= allowed) return true;  // the normal of points in a line would be rounding
   const Vec3d normal = along.cross(c - a).normalized();
-  const Vec3d d = farthest(points, [&](const Vec3d& p) { return std::abs(normal.dot(p - a)); });
-  return std::abs(normal.dot(d - a)) <= coplanar_tolerance * (b - a).norm();
+  const auto from_plane = [&](const Vec3d& p) { return std::abs(normal.dot(p - a)); };
+  return from_plane(farthest(points, from_plane)) <= allowed;
 }
 
 /// One run of qhull: its state is in here and nowhere else, so that threads do not meet.

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cs550/mesh_validation.hpp"
 #include "engine/shapes/obj_check.hpp"
@@ -43,8 +44,12 @@ SoupResult load_obj(const std::filesystem::path& file) {
   if (const std::string fault = first_obj_fault(stream); !fault.empty()) {
     return {{}, file.string() + ": " + fault};
   }
+  // From its text and without materials: the parser would open every file that "mtllib" names, also a
+  // pipe or a device that has no end.
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
   tinyobj::ObjReader reader;
-  if (!reader.ParseFromFile(file.string())) {
+  if (!reader.ParseFromString(text.str(), "")) {
     std::string reason = reader.Error();
     reason.resize(reason.find_last_not_of('\n') + 1);
     return {{}, file.string() + ": " + (reason.empty() ? "cannot be read" : reason)};
