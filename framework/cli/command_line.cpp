@@ -1,6 +1,5 @@
 #include "cli/command_line.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -10,18 +9,6 @@
 #include "files/output_file.hpp"
 
 namespace cs550::cli {
-
-std::string with_short_words(const std::string& message) {
-  constexpr std::size_t longest = 300;  // a path in use is shorter
-  std::string result;
-  for (std::size_t begin = 0; begin < message.size();) {
-    const std::size_t end = std::min(message.find_first_of(" \n", begin), message.size());
-    result += excerpt(std::string_view(message).substr(begin, end - begin), longest);
-    if (end < message.size()) result += message[end];
-    begin = end + 1;
-  }
-  return result;
-}
 
 std::string Help::make_option_opts(const CLI::Option* option) const {
   return option->get_option_text().empty() ? "" : ' ' + option->get_option_text();

@@ -18,9 +18,6 @@ class Help : public CLI::Formatter {
 /// Makes a flag with a value, as in `--list=no`, an error.
 void refuse_values_of_flags(CLI::App& app);
 
-/// A message for a terminal: an argument of thousands of letters that it repeats is cut short.
-std::string with_short_words(const std::string& message);
-
 /// Prints the help that was asked for, or what is wrong.
 /// @param verb the verb with the wrong option
 /// @return an ExitCode

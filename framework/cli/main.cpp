@@ -7,6 +7,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/verb.hpp"
+#include "cs550/excerpt.hpp"
 #include "files/output_file.hpp"
 
 namespace {

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "cs550/excerpt.hpp"
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
 #include "pages/make_page.hpp"
@@ -44,10 +45,10 @@ int main(int argc, char** argv) {
   try {
     return run(line.options);
   } catch (const std::invalid_argument& error) {
-    std::cerr << "cs550: " << error.what() << '\n';
+    std::cerr << "cs550: " << cs550::with_short_words(error.what()) << '\n';
     return Misused;
   } catch (const std::exception& error) {
-    std::cerr << "cs550: " << error.what() << '\n';
+    std::cerr << "cs550: " << cs550::with_short_words(error.what()) << '\n';
     return Failed;
   }
 }

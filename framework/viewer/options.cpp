@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <sstream>
 
+#include "cs550/excerpt.hpp"
 #include "pages/base/camera.hpp"
 
 namespace cs550::viewer {
@@ -118,7 +120,9 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    line.exit_code = app.exit(error, std::cout, std::cerr) == 0 ? good : misused;
+    std::ostringstream complaint;
+    line.exit_code = app.exit(error, std::cout, complaint) == 0 ? good : misused;
+    std::cerr << with_short_words(complaint.str());
   }
   return line;
 }

@@ -25,5 +25,12 @@ TEST(Excerpt, HasNothingThatATerminalObeys) {
   EXPECT_EQ(excerpt("\033[2Jtitle\n\x7f"), "?[2Jtitle??");
 }
 
+TEST(Excerpt, ShortensTheLongWordsOfAMessage) {
+  EXPECT_EQ(with_short_words("cannot write\n  /tmp/x: no space"),
+            "cannot write\n  /tmp/x: no space");
+  EXPECT_EQ(with_short_words("no " + std::string(5000, 'a') + " here"),
+            "no " + std::string(297, 'a') + "... here");
+}
+
 }  // namespace
 }  // namespace cs550

@@ -2,6 +2,7 @@
 /// @file excerpt.hpp
 /// What messages repeat of a reader's own text.
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -26,6 +27,19 @@ inline std::string excerpt(std::string_view text, std::size_t longest = 60) {
     result += code < 0x20 || code == 0x7f ? '?' : letter;
   }
   return cut ? result + "..." : result;
+}
+
+/// A message for a terminal: words of hundreds of letters, from somebody's command line, are cut short.
+inline std::string with_short_words(std::string_view message) {
+  constexpr std::size_t longest = 300;  // a path in use is shorter
+  std::string result;
+  for (std::size_t begin = 0; begin < message.size();) {
+    const std::size_t end = std::min(message.find_first_of(" \n", begin), message.size());
+    result += excerpt(message.substr(begin, end - begin), longest);
+    if (end < message.size()) result += message[end];
+    begin = end + 1;
+  }
+  return result;
 }
 
 }  // namespace cs550
