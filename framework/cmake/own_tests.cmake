@@ -41,7 +41,7 @@ cs550_add_own_tests(milestones cs550_milestones)
 cs550_add_own_tests(soak nlohmann_json::nlohmann_json fmt::fmt)
 
 # Further tests of each folder. Some of the files are not in the students' copy.
-foreach(folder framework drawing autograder gradebook install viewer mutants cli docs benchmarks)
+foreach(folder framework engine drawing autograder gradebook install viewer mutants cli docs benchmarks fuzz)
   include("${PROJECT_SOURCE_DIR}/tests/${folder}/tests.cmake" OPTIONAL)
 endforeach()
 
