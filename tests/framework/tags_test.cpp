@@ -250,13 +250,18 @@ TEST_P(Tags, RecordedCausesNameVisibleTestsAndMutants) {
       causes.insert(mutant.at("names_cause").get<std::string>());
     }
   }
-  const auto recorded = read_json(file).get<std::map<std::string, Names>>();
+  const auto recorded = read_json(file).get<std::map<std::string, std::map<std::string, Names>>>();
   ASSERT_FALSE(recorded.empty()) << file;
   for (const auto& [cause, failing] : recorded) {
     if (!causes.empty()) {
       EXPECT_TRUE(causes.count(cause)) << cause;
     }
-    for (const std::string& test : failing) EXPECT_TRUE(tests.count(test)) << cause << ": " << test;
+    EXPECT_FALSE(failing.at("step").empty()) << cause;
+    for (const char* where : {"step", "elsewhere"}) {
+      for (const std::string& test : failing.at(where)) {
+        EXPECT_TRUE(tests.count(test)) << cause << ": " << test;
+      }
+    }
   }
 }
 

@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import time
+import traceback
 import zipfile
 from pathlib import Path
 
@@ -136,8 +137,11 @@ def test_the_first_labs_together_run_the_milestones(folder):
     assert "Engine: 1 of 3 milestones reached" in (out / "feedback/bob.md").read_text()
     assert "Engine: 1 of 3 milestones reached" in (out / "feedback/bob.html").read_text()
     assert "Engine" not in (out / "feedback/eve.md").read_text(), "no milestone can be run without lab 1"
-    grade(folder / "class", "--out", folder / "one_lab", "--labs", "3")
-    assert "engine" not in record(folder / "one_lab", "ada")
+    for name, options in (("one_lab", ["--labs", "3"]), ("no_weight", ["--labs", "1-3"])):
+        grade(folder / "class", "--out", folder / name, *options)
+        assert "engine" not in record(folder / name, "ada")
+    grade(folder / "class", "--out", folder / "asked_for", "--labs", "1-3", "--milestones")
+    assert "engine" in record(folder / "asked_for", "ada")
 
 
 def test_own_tests_are_a_bonus(folder):
@@ -423,7 +427,8 @@ def main():
             print(f"passed {name}", flush=True)
         except AssertionError as error:
             failed += 1
-            print(f"FAILED {name}: {error}", flush=True)
+            line = traceback.extract_tb(error.__traceback__)[-1]
+            print(f"FAILED {name}, line {line.lineno}: {error or line.line}", flush=True)
     shutil.rmtree(SCRATCH, ignore_errors=True)
     return 1 if failed else 0
 

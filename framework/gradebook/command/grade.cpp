@@ -165,7 +165,8 @@ bool grade(const GradeRequest& request) {
                     settings.course, judge, folder, stop);
   }
   std::optional<cli::ProgressBar> bar;
-  const ClassRun run{std::move(found.submissions), labs, request.milestones, request.jobs,
+  const bool milestones = request.milestones.value_or(settings.course.milestones_weight > 0);
+  const ClassRun run{std::move(found.submissions), labs, milestones, request.jobs,
                      [&bar](int done, int total) {
                        if (!bar && total > 0) bar.emplace(total, "lab");
                        if (bar) bar->show(done);

@@ -3,6 +3,7 @@
 /// Grading submissions: from files to records and reports.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct GradeRequest {
   std::filesystem::path out;
   std::string labs;  ///< "1-7", "3", "1,3-5"; empty: all
   int jobs = 1;
-  bool milestones = true;
+  std::optional<bool> milestones;  ///< by default whether they have a weight
   bool resume = false;
   std::filesystem::path roster, course;  ///< may be empty
   std::filesystem::path judge;           ///< the program grade_lab

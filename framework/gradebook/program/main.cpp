@@ -1,5 +1,6 @@
 // The program behind ./cs550 grade: grades the submissions of a class, and makes reports from records.
 #include <algorithm>
+#include <cstdint>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -95,8 +96,10 @@ void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
       ->check(CLI::Range(1, 256));
   app.add_flag("--resume", request.resume,
                "continue an interrupted run, or add submissions to a finished one");
-  app.add_flag("!--no-milestones", request.milestones,
-               "do not run the milestones, which take half a minute");
+  app.add_flag_function(
+      "--milestones,!--no-milestones",
+      [&request](std::int64_t count) { request.milestones = count > 0; },
+      "run the milestones, too; by default if the course file gives them a weight");
   app.add_option("--roster", request.roster, "students: CSV with the columns id, name, email")
       ->option_text("CSV")
       ->check(CLI::ExistingFile);
