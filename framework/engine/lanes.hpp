@@ -1,131 +1,129 @@
 #pragma once
 /// @file lanes.hpp
-/// Arithmetic on four constraints or bodies at a time. A *wide* number holds four, one for each of
-/// them, in the lanes of a vector register; a lane is one element of it. All operations act lane by lane,
-/// round as scalar ones do and keep the order in which Eigen evaluates them, so that each lane
-/// holds the bits of the teaching form.
+/// Arithmetic on eight constraints or bodies at a time. A *wide* number holds eight, one for each of
+/// them, in the lanes of vector registers; a lane is one element of it. All operations act lane by lane
+/// and round as scalar ones do.
 ///
-/// Why not Eigen::Array<Real, 4, 1>: a pass takes 1.3 times as long with it, since its select() is
-/// not vectorised, and its sqrt() rounds differently.
+/// SSE and NEON registers hold four floats: a wide number is two of them. That pays too, since a contact
+/// is one long chain of operations that wait for each other, and two registers are two such chains.
+/// AVX2 registers hold all eight (see begin_avx2.hpp). Both forms have the same layout in memory.
+///
+/// Why not Eigen::Array<Real, 8, 1>: its select() is not vectorised, and its sqrt() rounds
+/// differently.
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "cs550/math.hpp"
+#include "engine/lane_count.hpp"
 
-namespace cs550 {
+#ifndef CS550_LANES
+#define CS550_LANES lanes_of_four
+#define CS550_LANES_IN_A_REGISTER 4
+#endif
 
-inline constexpr std::size_t lane_count = 4;
+namespace cs550::CS550_LANES {
 
-/// A vector type of g++ and clang++; SSE and NEON registers hold four floats. Arithmetic and
-/// comparisons act on all lanes, `mask ? x : y` selects in each lane.
-using WideReal __attribute__((vector_size(lane_count * sizeof(Real)))) = Real;
-using WideMask = decltype(WideReal{} < WideReal{});
+inline constexpr std::size_t part_size = CS550_LANES_IN_A_REGISTER;
+inline constexpr std::size_t part_count = lane_count / part_size;
+
+/// One register: a vector type of g++ and clang++.
+using Part __attribute__((vector_size(part_size * sizeof(Real)))) = Real;
+using PartMask = decltype(Part{} < Part{});
+
+struct WideReal {
+  Part part[part_count];
+
+  Real operator[](std::size_t lane) const { return part[lane / part_size][lane % part_size]; }
+  void set(std::size_t lane, Real x) { part[lane / part_size][lane % part_size] = x; }
+};
+
+/// All bits of a lane are set, or none.
+struct WideMask {
+  PartMask part[part_count];
+
+  bool operator[](std::size_t lane) const { return part[lane / part_size][lane % part_size] != 0; }
+};
+
+/// Applies `operation` to the registers.
+/// @{
+template <class Operation>
+WideReal by_part(const Operation& operation) {
+  WideReal result;
+  for (std::size_t i = 0; i < part_count; ++i) result.part[i] = operation(i);
+  return result;
+}
+template <class Operation>
+WideMask mask_by_part(const Operation& operation) {
+  WideMask result;
+  for (std::size_t i = 0; i < part_count; ++i) result.part[i] = operation(i);
+  return result;
+}
+/// @}
+
+inline WideReal operator+(WideReal x, WideReal y) {
+  return by_part([&](std::size_t i) { return x.part[i] + y.part[i]; });
+}
+inline WideReal operator-(WideReal x, WideReal y) {
+  return by_part([&](std::size_t i) { return x.part[i] - y.part[i]; });
+}
+inline WideReal operator*(WideReal x, WideReal y) {
+  return by_part([&](std::size_t i) { return x.part[i] * y.part[i]; });
+}
+inline WideReal operator/(WideReal x, WideReal y) {
+  return by_part([&](std::size_t i) { return x.part[i] / y.part[i]; });
+}
+inline WideReal operator-(WideReal x) {
+  return by_part([&](std::size_t i) { return -x.part[i]; });
+}
+inline WideMask operator<(WideReal x, WideReal y) {
+  return mask_by_part([&](std::size_t i) { return x.part[i] < y.part[i]; });
+}
+inline WideMask operator>(WideReal x, WideReal y) { return y < x; }
+inline WideMask operator<=(WideReal x, WideReal y) {
+  return mask_by_part([&](std::size_t i) { return x.part[i] <= y.part[i]; });
+}
+inline WideMask operator==(WideReal x, WideReal y) {
+  return mask_by_part([&](std::size_t i) { return x.part[i] == y.part[i]; });
+}
+inline WideMask operator&(WideMask x, WideMask y) {
+  return mask_by_part([&](std::size_t i) { return x.part[i] & y.part[i]; });
+}
+inline WideMask operator|(WideMask x, WideMask y) {
+  return mask_by_part([&](std::size_t i) { return x.part[i] | y.part[i]; });
+}
+inline WideMask operator~(WideMask x) {
+  return mask_by_part([&](std::size_t i) { return ~x.part[i]; });
+}
 
 /// The same number in every lane.
-inline WideReal all_lanes(Real x) { return WideReal{x, x, x, x}; }
+inline WideReal all_lanes(Real x) {
+  return by_part([&](std::size_t) { return x - Part{}; });
+}
 
-inline bool any(WideMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
-inline bool all(WideMask mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
+/// x where the mask is set, otherwise y.
+inline WideReal select(WideMask mask, WideReal x, WideReal y) {
+  return by_part([&](std::size_t i) { return mask.part[i] ? x.part[i] : y.part[i]; });
+}
+
+inline bool any(WideMask mask) {
+  std::uint64_t words[sizeof mask / sizeof(std::uint64_t)];
+  std::memcpy(words, &mask, sizeof mask);
+  return (words[0] | words[1] | words[2] | words[3]) != 0;
+}
+inline bool all(WideMask mask) { return !any(~mask); }
 
 /// std::max(x, y) and std::min(x, y).
-inline WideReal larger(WideReal x, WideReal y) { return x < y ? y : x; }
-inline WideReal smaller(WideReal x, WideReal y) { return y < x ? y : x; }
+inline WideReal larger(WideReal x, WideReal y) { return select(x < y, y, x); }
+inline WideReal smaller(WideReal x, WideReal y) { return select(y < x, y, x); }
 
 inline WideReal square_root(WideReal x) {
-  return WideReal{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+  return by_part([&](std::size_t i) {
+    Part root = x.part[i];
+    for (std::size_t lane = 0; lane < part_size; ++lane) root[lane] = std::sqrt(root[lane]);
+    return root;
+  });
 }
 
-/// Rows to columns: w0 gets the first numbers of w0 to w3, w1 the second ones, and so on.
-inline void transpose(WideReal& w0, WideReal& w1, WideReal& w2, WideReal& w3) {
-  const WideReal low01 = __builtin_shufflevector(w0, w1, 0, 4, 1, 5);
-  const WideReal low23 = __builtin_shufflevector(w2, w3, 0, 4, 1, 5);
-  const WideReal high01 = __builtin_shufflevector(w0, w1, 2, 6, 3, 7);
-  const WideReal high23 = __builtin_shufflevector(w2, w3, 2, 6, 3, 7);
-  w0 = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
-  w1 = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
-  w2 = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
-  w3 = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
-}
-
-struct WideVec3 {
-  WideReal x, y, z;
-
-  WideReal dot(const WideVec3& o) const { return x * o.x + (y * o.y + z * o.z); }
-  WideVec3 cross(const WideVec3& o) const {
-    return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x};
-  }
-};
-
-inline WideVec3 operator+(const WideVec3& a, const WideVec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline WideVec3 operator-(const WideVec3& a, const WideVec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline WideVec3 operator-(const WideVec3& a) { return {-a.x, -a.y, -a.z}; }
-inline WideVec3 operator*(WideReal s, const WideVec3& a) { return {s * a.x, s * a.y, s * a.z}; }
-
-/// Elements in the order in which Eigen stores them, column by column.
-struct WideMat2 {
-  WideReal uu, vu, uv, vv;
-};
-
-struct WideMat3 {
-  WideVec3 column[3];
-
-  WideVec3 operator*(const WideVec3& a) const {
-    const auto& [c0, c1, c2] = column;
-    return {c0.x * a.x + (c1.x * a.y + c2.x * a.z), c0.y * a.x + (c1.y * a.y + c2.y * a.z),
-            c0.z * a.x + (c1.z * a.y + c2.z * a.z)};
-  }
-  WideMat3 operator*(const WideMat3& m) const {
-    return {{*this * m.column[0], *this * m.column[1], *this * m.column[2]}};
-  }
-  WideMat3 transpose() const {
-    const auto& [c0, c1, c2] = column;
-    return {{{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}, {c0.z, c1.z, c2.z}}};
-  }
-};
-
-struct WideQuat {
-  WideVec3 vec;
-  WideReal w;
-
-  WideQuat conjugate() const { return {-vec, w}; }
-
-  /// Rotates a vector.
-  WideVec3 operator*(const WideVec3& a) const {
-    const WideVec3 half = vec.cross(a);
-    const WideVec3 uv = half + half;
-    return a + w * uv + vec.cross(uv);
-  }
-  WideQuat operator*(const WideQuat& o) const {
-    const WideVec3& a = vec;
-    const WideVec3& b = o.vec;
-    return {{(a.x * o.w - a.z * b.y) + (a.y * b.z + w * b.x),
-             (a.y * o.w - a.x * b.z) + (a.z * b.x + w * b.y),
-             (a.z * o.w - a.y * b.x) + (a.x * b.y + w * b.z)},
-            (w * o.w - a.x * b.x) - (a.z * b.z + a.y * b.y)};
-  }
-  /// @pre not zero
-  WideQuat normalized() const {
-    const WideReal length = square_root((vec.x * vec.x + vec.z * vec.z) + (vec.y * vec.y + w * w));
-    return {{vec.x / length, vec.y / length, vec.z / length}, w / length};
-  }
-  WideMat3 rotation() const {
-    const WideReal one = all_lanes(1);
-    const WideVec3 t = all_lanes(2) * vec;
-    const WideVec3 tw = w * t;
-    const WideReal xx = t.x * vec.x;
-    const WideReal xy = t.y * vec.x;
-    const WideReal xz = t.z * vec.x;
-    const WideReal yy = t.y * vec.y;
-    const WideReal yz = t.z * vec.y;
-    const WideReal zz = t.z * vec.z;
-    return {{{one - (yy + zz), xy + tw.z, xz - tw.y},
-             {xy - tw.z, one - (xx + zz), yz + tw.x},
-             {xz + tw.y, yz - tw.x, one - (xx + yy)}}};
-  }
-};
-
-}  // namespace cs550
+}  // namespace cs550::CS550_LANES

@@ -50,12 +50,22 @@ Real sine(Real angle) { return static_cast<Real>(std::sin(static_cast<double>(an
 Real cosine(Real angle) { return static_cast<Real>(std::cos(static_cast<double>(angle))); }
 
 Quat rotation_exp(const Vec3& v) {
-  const Real half_angle = Real(0.5) * v.norm();
-  // sin(x)/x, by its series where the quotient would lose digits.
-  const Real sinc =
-      half_angle > Real(1e-3) ? sine(half_angle) / half_angle : 1 - half_angle * half_angle / 6;
+  const Real square = Real(0.25) * v.squaredNorm();  // of half the angle
+  Real sinc;                                         // sin(x)/x
+  Real cos;
+  if (square < Real(0.25)) {
+    // Series, which the engine can compute for many bodies at a time. The terms left out are below 2e-8.
+    sinc = 1 - square * (Real(1) / 6 - square * (Real(1) / 120 - square * (Real(1) / 5040)));
+    cos = 1 - square *
+                  (Real(1) / 2 -
+                   square * (Real(1) / 24 - square * (Real(1) / 720 - square * (Real(1) / 40320))));
+  } else {
+    const Real half_angle = std::sqrt(square);
+    sinc = sine(half_angle) / half_angle;
+    cos = cosine(half_angle);
+  }
   const Vec3 axis = (Real(0.5) * sinc) * v;
-  return {cosine(half_angle), axis.x(), axis.y(), axis.z()};
+  return {cos, axis.x(), axis.y(), axis.z()};
 }
 
 Vec3 any_perpendicular(const Vec3& n) {

@@ -11,6 +11,7 @@
 #include "cs550/broad_phase.hpp"
 #include "cs550/static_vector.hpp"
 #include "cs550/world.hpp"
+#include "engine/constraint_mirror.hpp"
 
 namespace cs550 {
 
@@ -95,16 +96,30 @@ class UnwrittenStages {
 };
 
 /// Contacts that are solved side by side, by their index in the list.
-using ContactGroup = StaticVector<Index, 4>;
+using ContactGroup = StaticVector<Index, lane_count>;
 
 /// The index of the constraint of each contact point, with the points of all contacts counted in
 /// turn; and the working storage of arrange_constraints().
 struct SolveOrder {
   std::vector<Index> place_of_point;
+  std::vector<Index> first_point;  ///< of each contact, and the number of all points
+  std::vector<Index> contacts;     ///< those with points
 
-  std::vector<Index> first_point;  ///< of each contact
+  /// The indices of a contact's constraints, in the order of its points.
+  std::span<const Index> places_of(Index contact) const {
+    return std::span(place_of_point)
+        .subspan(first_point[contact], first_point[contact + 1] - first_point[contact]);
+  }
+
   std::vector<ContactGroup> groups;
   std::vector<Index> group_after_body;
+};
+
+/// How far a body has turned, in terms of what a turn changes about its contacts.
+enum class TurnSize : char {
+  Small,
+  Far,           ///< their effective masses
+  PastThinness,  ///< their levers, too
 };
 
 /// A pair of bodies without impulses from the last step.
@@ -152,6 +167,9 @@ struct WorldState {
   // Working storage of a step, kept so that a steady-state step does not allocate.
   std::vector<SolverBody> solver_bodies;
   std::vector<ContactConstraint> constraints;
+  bool any_bounces = false;  ///< whether a constraint has restitution
+  ConstraintMirror mirror;
+  std::vector<TurnSize> turns;  ///< of each body
   SolveOrder solve_order;
   ColdStart cold_start;
   OverlapRecovery recovery;

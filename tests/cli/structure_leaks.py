@@ -26,6 +26,7 @@ INNOCENT = {
     "framework/engine/world/rigid_body.cpp": "turns velocities into momenta, as the fast sweeps do",
     "framework/engine/world/momentum_audit.cpp": "adds up impulses along n, u and v, as the header of L7.5 states",
     "framework/serialisation/contract_archive.hpp": "lists the members of every type",
+    "framework/serialisation/byte_archive.hpp": "reads and writes one type after the other",
     "docs/live/world_canvas.cpp": "collects the corners of the faces towards the camera",
     "docs/figures/collision_tables.cpp": "samples separations along arcs",
     "docs/figures/mass_figures.cpp": "picks the face towards the reader",

@@ -1,4 +1,4 @@
-// A pass over many constraints: the engine's kernel must give the same bits as solving one
+// Passes over many constraints: the engine's kernel must give the same bits as solving one
 // constraint after another.
 #include <gtest/gtest.h>
 
@@ -8,10 +8,29 @@
 #include <string>
 #include <vector>
 
-#include "cs550/constraint_solver.hpp"
+#include "engine/contacts/contact_passes.hpp"
+#include "engine/instruction_set.hpp"
 #include "helpers/random.hpp"
 
-namespace cs550::test {
+namespace cs550 {
+
+// The two forms of the kernel, by the size of the registers. Without solutions they are missing.
+namespace lanes_of_four {
+[[gnu::weak]] void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
+                              std::span<SolverBody> bodies, const ContactStep& step,
+                              const Passes& passes);
+[[gnu::weak]] void prepare_contacts(std::span<ContactConstraint> constraints,
+                                    std::span<const SolverBody> bodies, const ContactStep& step);
+}  // namespace lanes_of_four
+namespace lanes_of_eight {
+[[gnu::weak]] void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
+                              std::span<SolverBody> bodies, const ContactStep& step,
+                              const Passes& passes);
+[[gnu::weak]] void prepare_contacts(std::span<ContactConstraint> constraints,
+                                    std::span<const SolverBody> bodies, const ContactStep& step);
+}  // namespace lanes_of_eight
+
+namespace test {
 namespace {
 
 struct System {
@@ -71,6 +90,12 @@ System random_system(Random& random, const ContactStep& step) {
   return system;
 }
 
+void warm_start_one_by_one(System& system) {
+  for (const ContactConstraint& constraint : system.constraints) {
+    warm_start(constraint, system.bodies[constraint.body_a], system.bodies[constraint.body_b]);
+  }
+}
+
 /// L7.8 as its contract specifies it, with the functions of L7.6 and L7.7.
 void solve_one_by_one(System& system, const ContactStep& step) {
   const std::size_t count = system.constraints.size();
@@ -93,12 +118,19 @@ bool same_bits(const Vector& x, const Vector& y) {
   return std::equal(x.begin(), x.end(), y.begin(), [](Real a, Real b) { return same_bits(a, b); });
 }
 
-ContactStep step_of(ContactModel model, bool use_bias, bool backwards) {
+void run_one_by_one(System& system, ContactStep step, const Passes& passes) {
+  if (passes.warm_start) warm_start_one_by_one(system);
+  for (int pass = passes.first; pass < passes.first + passes.count; ++pass) {
+    step.backwards = pass % 2 == 1;
+    solve_one_by_one(system, step);
+  }
+}
+
+ContactStep step_of(ContactModel model, bool use_bias) {
   ContactStep step;
   step.h = Real(1) / 240;
   step.model = model;
   step.use_bias = use_bias;
-  step.backwards = backwards;
   step.soft = soft_contact(30, 4, step.h);
   step.soft_static = soft_contact(60, 2, step.h);
   step.slop = Real(0.005);
@@ -107,43 +139,164 @@ ContactStep step_of(ContactModel model, bool use_bias, bool backwards) {
   return step;
 }
 
+using RunPasses = void(ConstraintMirror&, std::span<ContactConstraint>, std::span<SolverBody>,
+                       const ContactStep&, const Passes&);
+
+/// Both forms of the kernel as far as they exist, and the one that the engine chooses.
+std::vector<std::pair<const char*, RunPasses*>> forms() {
+  std::vector<std::pair<const char*, RunPasses*>> forms;
+  forms.emplace_back("the engine's", &run_passes);
+  if (lanes_of_four::run_passes != nullptr) forms.emplace_back("four", &lanes_of_four::run_passes);
+#if CS550_HAS_AVX2_FORMS
+  if (lanes_of_eight::run_passes != nullptr && has_avx2()) {
+    forms.emplace_back("eight", &lanes_of_eight::run_passes);
+  }
+#endif
+  return forms;
+}
+
+void expect_same_bits(const System& actual, const System& expected) {
+  for (std::size_t i = 0; i < expected.constraints.size(); ++i) {
+    SCOPED_TRACE("constraint " + std::to_string(i));
+    const ContactConstraint& constraint = actual.constraints[i];
+    const ContactConstraint& alone = expected.constraints[i];
+    ASSERT_TRUE(same_bits(constraint.normal_impulse, alone.normal_impulse));
+    ASSERT_TRUE(same_bits(constraint.tangent_impulse, alone.tangent_impulse));
+    ASSERT_EQ(constraint.impact_handled, alone.impact_handled);
+  }
+  for (std::size_t i = 0; i < expected.bodies.size(); ++i) {
+    SCOPED_TRACE("body " + std::to_string(i));
+    ASSERT_TRUE(same_bits(actual.bodies[i].v, expected.bodies[i].v));
+    ASSERT_TRUE(same_bits(actual.bodies[i].w, expected.bodies[i].w));
+  }
+}
+
+/// How many constraints slide, and how many stick under load.
+struct Tried {
+  int slide = 0;
+  int stick = 0;
+
+  void count(const System& system) {
+    for (const ContactConstraint& constraint : system.constraints) {
+      const Real limit = constraint.friction * constraint.normal_impulse;
+      const bool slides = limit > 0 && constraint.tangent_impulse.norm() > Real(0.999) * limit;
+      if (slides) ++slide;
+      if (!slides && constraint.normal_impulse > 0) ++stick;
+    }
+  }
+};
+
+void expect_equal_forms(const ContactStep& step, const Passes& passes, Tried& tried) {
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const System system = random_system(random, step);
+    System one_by_one = system;
+    run_one_by_one(one_by_one, step, passes);
+    tried.count(one_by_one);
+    for (const auto& [form, run] : forms()) {
+      SCOPED_TRACE(form);
+      System at_once = system;
+      ConstraintMirror mirror;
+      run(mirror, at_once.constraints, at_once.bodies, step, passes);
+      expect_same_bits(at_once, one_by_one);
+    }
+  }
+}
+
 TEST(Passes, LeaveTheBitsOfOneConstraintAfterTheOther) {
-  int slides = 0;
-  int presses = 0;
+  Tried tried;
   for (const ContactModel model : {ContactModel::Soft, ContactModel::Baumgarte}) {
     for (const bool use_bias : {true, false}) {
-      for (const bool backwards : {true, false}) {
-        const ContactStep step = step_of(model, use_bias, backwards);
-        for (std::uint32_t seed = 1; seed <= 50; ++seed) {
-          SCOPED_TRACE("seed " + std::to_string(seed));
-          Random random(seed);
-          System at_once = random_system(random, step);
-          System in_turn = at_once;
-          solve_contacts(at_once.constraints, at_once.bodies, step);
-          solve_one_by_one(in_turn, step);
-          for (std::size_t i = 0; i < in_turn.constraints.size(); ++i) {
-            const ContactConstraint& constraint = at_once.constraints[i];
-            const ContactConstraint& expected = in_turn.constraints[i];
-            ASSERT_TRUE(same_bits(constraint.normal_impulse, expected.normal_impulse))
-                << "constraint " << i;
-            ASSERT_TRUE(same_bits(constraint.tangent_impulse, expected.tangent_impulse))
-                << "constraint " << i;
-            ASSERT_EQ(constraint.impact_handled, expected.impact_handled) << "constraint " << i;
-            const Real limit = constraint.friction * constraint.normal_impulse;
-            if (limit > 0 && constraint.tangent_impulse.norm() > Real(0.999) * limit) ++slides;
-            if (constraint.normal_impulse > 0) ++presses;
-          }
-          for (std::size_t i = 0; i < in_turn.bodies.size(); ++i) {
-            ASSERT_TRUE(same_bits(at_once.bodies[i].v, in_turn.bodies[i].v)) << "body " << i;
-            ASSERT_TRUE(same_bits(at_once.bodies[i].w, in_turn.bodies[i].w)) << "body " << i;
-          }
-        }
+      for (const Passes& passes : {Passes{false, 0, 1}, Passes{false, 1, 1}, Passes{true, 0, 3}}) {
+        expect_equal_forms(step_of(model, use_bias), passes, tried);
       }
     }
   }
-  EXPECT_GT(slides, 1000) << "the systems no longer try contacts that slide";
-  EXPECT_GT(presses - slides, 1000) << "the systems no longer try contacts that stick";
+  EXPECT_GT(tried.slide, 1000) << "the systems no longer try contacts that slide";
+  EXPECT_GT(tried.stick, 1000) << "the systems no longer try contacts that stick";
+}
+
+using PrepareContacts = void(std::span<ContactConstraint>, std::span<const SolverBody>,
+                             const ContactStep&);
+
+std::vector<std::pair<const char*, PrepareContacts*>> forms_of_preparing() {
+  std::vector<std::pair<const char*, PrepareContacts*>> forms;
+  forms.emplace_back("the engine's", &prepare_contacts);
+  if (lanes_of_four::prepare_contacts != nullptr) {
+    forms.emplace_back("four", &lanes_of_four::prepare_contacts);
+  }
+#if CS550_HAS_AVX2_FORMS
+  if (lanes_of_eight::prepare_contacts != nullptr && has_avx2()) {
+    forms.emplace_back("eight", &lanes_of_eight::prepare_contacts);
+  }
+#endif
+  return forms;
+}
+
+/// K = JM⁻¹Jᵀ of both tangents, in double precision.
+Eigen::Matrix2d tangent_response(const ContactConstraint& constraint, const SolverBody& a,
+                                 const SolverBody& b) {
+  Eigen::Matrix<double, 2, 12> jacobian;
+  Eigen::Matrix<double, 12, 12> inverse_mass = Eigen::Matrix<double, 12, 12>::Zero();
+  const Vec3 directions[] = {constraint.u, constraint.v()};
+  for (int row = 0; row < 2; ++row) {
+    const Eigen::Vector3d d = directions[row].cast<double>();
+    jacobian.row(row) << -d.transpose(), -constraint.r_a.cast<double>().cross(d).transpose(),
+        d.transpose(), constraint.r_b.cast<double>().cross(d).transpose();
+  }
+  inverse_mass.diagonal().segment<3>(0).setConstant(a.inverse_mass);
+  inverse_mass.block<3, 3>(3, 3) = a.world_inverse_inertia.cast<double>();
+  inverse_mass.diagonal().segment<3>(6).setConstant(b.inverse_mass);
+  inverse_mass.block<3, 3>(9, 9) = b.world_inverse_inertia.cast<double>();
+  return jacobian * inverse_mass * jacobian.transpose();
+}
+
+TEST(Passes, MassesAreThoseOfEachConstraint) {
+  const ContactStep step = step_of(ContactModel::Soft, true);
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const System system = random_system(random, step);
+    for (const auto& [form, prepare] : forms_of_preparing()) {
+      SCOPED_TRACE(form);
+      System prepared = system;
+      prepare(prepared.constraints, prepared.bodies, step);
+      for (const ContactConstraint& constraint : prepared.constraints) {
+        const SolverBody& a = prepared.bodies[constraint.body_a];
+        const SolverBody& b = prepared.bodies[constraint.body_b];
+        const ContactJacobian normal =
+            contact_jacobian(constraint.n, constraint.r_a, constraint.r_b);
+        ASSERT_TRUE(same_bits(constraint.normal_mass, constraint_mass(normal, a, b)));
+        // Well conditioned: the inertias of a body differ by less than 6. A few roundings.
+        const Eigen::Matrix2d product =
+            constraint.tangent_mass.cast<double>() * tangent_response(constraint, a, b);
+        ASSERT_NEAR((product - Eigen::Matrix2d::Identity()).norm(), 0, 1e-5);
+        const bool on_immovable = a.inverse_mass == 0 || b.inverse_mass == 0;
+        const Softness& softness = on_immovable ? step.soft_static : step.soft;
+        ASSERT_EQ(constraint.softness.bias_rate, softness.bias_rate);
+        ASSERT_EQ(constraint.softness.mass_scale, softness.mass_scale);
+        ASSERT_EQ(constraint.softness.impulse_scale, softness.impulse_scale);
+      }
+    }
+  }
+}
+
+TEST(Passes, AStaleMirrorIsBuiltAgain) {
+  Random random(1);
+  const ContactStep step = step_of(ContactModel::Soft, true);
+  System system = random_system(random, step);
+  ASSERT_FALSE(system.constraints.empty());
+  ConstraintMirror mirror;
+  run_passes(mirror, system.constraints, system.bodies, step, {false, 0, 1});
+  for (ContactConstraint& constraint : system.constraints) constraint.normal_mass *= 2;
+  mirror.stale = true;
+  System one_by_one = system;
+  run_passes(mirror, system.constraints, system.bodies, step, {true, 0, 2});
+  run_one_by_one(one_by_one, step, {true, 0, 2});
+  expect_same_bits(system, one_by_one);
 }
 
 }  // namespace
-}  // namespace cs550::test
+}  // namespace test
+}  // namespace cs550

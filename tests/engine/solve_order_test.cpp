@@ -95,7 +95,7 @@ void expect_full_lanes(const std::vector<Contact>& contacts, Index bodies_on_flo
 }
 
 TEST(SolveOrder, BoxesOnOneFloorFillTheirGroups) {
-  constexpr Index boxes = 8;
+  constexpr Index boxes = 2 * lane_count;
   std::vector<Contact> contacts;
   contacts.reserve(boxes);
   for (Index i = 0; i < boxes; ++i) contacts.push_back(contact_between(i, boxes, 4));
@@ -103,7 +103,7 @@ TEST(SolveOrder, BoxesOnOneFloorFillTheirGroups) {
 }
 
 TEST(SolveOrder, ContactsOfOnePointDoNotIdleBesideLongerOnes) {
-  constexpr Index bodies = 8;
+  constexpr Index bodies = 2 * lane_count;
   std::vector<Contact> contacts;
   contacts.reserve(bodies);
   for (Index i = 0; i < bodies; ++i) {

@@ -60,8 +60,8 @@ bool is_fresh(const WorldState& world, std::span<const Index> places) {
 void list_cold_pairs(WorldState& world) {
   world.cold_start.pairs.clear();
   const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
-  for_constraints_of_contacts(world, [&](const Contact&, std::span<const Index> places) {
-    if (places.empty() || !is_fresh(world, places)) return;
+  for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
+    if (!is_fresh(world, places)) return;
     const ContactConstraint middle = middle_constraint(world, places);
     if (std::abs(approach(world.solver_bodies, middle)) < slow) {
       world.cold_start.pairs.push_back({places, middle});

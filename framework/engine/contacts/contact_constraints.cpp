@@ -1,7 +1,6 @@
 #include "engine/contacts/contact_constraints.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/contacts/solve_order.hpp"
 
@@ -9,41 +8,66 @@ namespace cs550 {
 
 namespace {
 
-/// About the ratio of the smallest to the largest radius of gyration: 1/3 for a cube, 0.02 for a
-/// needle of 1 : 50. A needle that turns by its thinness moves its ends by its own thickness: the
+/// About the ratio of the largest to the smallest radius of gyration, squared: 9 for a cube, 2500 for
+/// a needle of 1 : 50. A needle that turns by its thinness moves its ends by its own thickness: the
 /// lever of a contact there about the needle's axis, and with it the effective mass, is another one.
-Real thinness(const RigidBody& body) {
+Real squared_slenderness(const RigidBody& body) {
   if (body.kind != BodyKind::Dynamic) return 1;
-  return 1 / std::sqrt(body.inertia.trace() * body.inverse_inertia.trace());
+  return body.inertia.trace() * body.inverse_inertia.trace();
 }
 
-/// Thicker bodies are not thin: the masses of their contacts change little with the levers.
-constexpr Real thin = Real(0.1);
+/// Thicker bodies are not slender: the masses of their contacts change little with the levers.
+constexpr Real slender = 100;
 
-/// The point where the impulses of a contact act on both bodies, so that they have one line of action
-/// and friction conserves angular momentum too.
+/// How far a body has turned since the step began.
+TurnSize turn_size(const RigidBody& body, const SolverBody& solver_body) {
+  constexpr Real far = Real(0.02);
+  const Real squared_turn = solver_body.delta_rotation.squaredNorm();
+  const Real slenderness = squared_slenderness(body);
+  if (slenderness > slender && squared_turn * slenderness > 1) return TurnSize::PastThinness;
+  return squared_turn > far * far ? TurnSize::Far : TurnSize::Small;
+}
+
+/// Of the two bodies of a contact.
+TurnSize larger_turn(const WorldState& world, std::span<const Index> places) {
+  const ContactConstraint& first = world.constraints[places[0]];
+  return std::max(world.turns[first.body_a], world.turns[first.body_b]);
+}
+
+/// Where the impulses of a contact act on both bodies, so that they have one line of action and
+/// friction conserves angular momentum too.
 ///
 /// It is halfway between the surfaces. But about the axis of a needle, half a gap or half a penetration
 /// is a lever many times the needle's thickness: the point is then on the surface of the thinner body.
-Vec3 acting_point(const RigidBody& a, const RigidBody& b, const Vec3& on_a, const Vec3& on_b) {
-  const Real thinness_a = thinness(a);
-  const Real thinness_b = thinness(b);
-  if (std::min(thinness_a, thinness_b) >= thin) return Real(0.5) * (on_a + on_b);
-  return thinness_a < thinness_b ? on_a : on_b;
-}
+class ActingPoint {
+ public:
+  ActingPoint(const RigidBody& a, const RigidBody& b) {
+    const Real slenderness_a = squared_slenderness(a);
+    const Real slenderness_b = squared_slenderness(b);
+    if (std::max(slenderness_a, slenderness_b) <= slender) return;
+    share_of_a_ = slenderness_a > slenderness_b ? Real(1) : Real(0);
+  }
 
-ContactConstraint make_constraint(const Contact& contact, const ContactPoint& point,
-                                  const RigidBody& a, const RigidBody& b) {
+  Vec3 between(const Vec3& on_a, const Vec3& on_b) const {
+    if (share_of_a_ == Real(0.5)) return Real(0.5) * (on_a + on_b);
+    return share_of_a_ == 1 ? on_a : on_b;
+  }
+
+ private:
+  Real share_of_a_ = Real(0.5);
+};
+
+ContactConstraint make_constraint(const Contact& contact, const ContactPoint& point, const Pose& a,
+                                  const Pose& b, const ActingPoint& acting_point) {
   const Manifold& manifold = contact.manifold;
-  const Vec3 acting =
-      acting_point(a, b, a.pose.to_world(point.anchor_a), b.pose.to_world(point.anchor_b));
+  const Vec3 acting = acting_point.between(a.to_world(point.anchor_a), b.to_world(point.anchor_b));
   ContactConstraint constraint;
   constraint.body_a = contact.body_a;
   constraint.body_b = contact.body_b;
   constraint.n = manifold.normal;
   constraint.u = manifold.tangent;
-  constraint.r_a = acting - a.pose.position;
-  constraint.r_b = acting - b.pose.position;
+  constraint.r_a = acting - a.position;
+  constraint.r_b = acting - b.position;
   constraint.separation = point.separation;
   constraint.friction = contact.friction;
   constraint.restitution = contact.restitution;
@@ -59,12 +83,13 @@ void move_levers(WorldState& world, const Contact& contact, std::span<const Inde
   const RigidBody& b = world.bodies[contact.body_b];
   const SolverBody& solver_a = world.solver_bodies[contact.body_a];
   const SolverBody& solver_b = world.solver_bodies[contact.body_b];
+  const ActingPoint acting_point(a, b);
   auto place = places.begin();
   for (const ContactPoint& point : contact.manifold.points) {
     ContactConstraint& constraint = world.constraints[*place++];
     const Vec3 on_a = a.pose.to_world(point.anchor_a);
     const Vec3 on_b = b.pose.to_world(point.anchor_b);
-    const Vec3 acting = acting_point(a, b, on_a, on_b);
+    const Vec3 acting = acting_point.between(on_a, on_b);
     constraint.r_a = acting - a.pose.position;
     constraint.r_b = acting - b.pose.position;
     const Vec3 moved = solver_b.delta_position + solver_b.delta_rotation.cross(constraint.r_b) -
@@ -77,6 +102,7 @@ void prepare_again(WorldState& world, const ContactStep& step, std::span<const I
   for (const Index place : places) {
     prepare_contacts({&world.constraints[place], 1}, world.solver_bodies, step);
   }
+  world.mirror.stale = true;
 }
 
 }  // namespace
@@ -88,42 +114,52 @@ void ContactConstraint::mark_impact() { impact_handled = impact_handled || norma
 void make_constraints(WorldState& world) {
   arrange_constraints(world.pairs.contacts, world.bodies, world.solve_order);
   world.constraints.resize(world.solve_order.place_of_point.size());
-  for_constraints_of_contacts(world, [&](const Contact& contact, std::span<const Index> places) {
+  world.mirror.stale = true;
+  world.any_bounces = false;
+  for_constraints_of_contacts(world, [&](Index i, std::span<const Index> places) {
+    const Contact& contact = world.pairs.contacts[i];
+    world.any_bounces = world.any_bounces || contact.restitution > 0;
     const RigidBody& a = world.bodies[contact.body_a];
     const RigidBody& b = world.bodies[contact.body_b];
+    const ActingPoint acting_point(a, b);
     auto place = places.begin();
     for (const ContactPoint& point : contact.manifold.points) {
-      world.constraints[*place++] = make_constraint(contact, point, a, b);
+      world.constraints[*place++] = make_constraint(contact, point, a.pose, b.pose, acting_point);
     }
   });
 }
 
 void refresh_masses(WorldState& world, const ContactStep& step) {
-  constexpr Real far = Real(0.02);
-  const auto turn = [&](Index i) { return world.solver_bodies[i].delta_rotation.norm(); };
-  const auto has_turned_far = [&](Index i) { return turn(i) > far; };
-  const auto has_turned_its_thinness = [&](Index i) {
-    const Real limit = thinness(world.bodies[i]);
-    return limit < thin && turn(i) > limit;
-  };
-  for_constraints_of_contacts(world, [&](const Contact& contact, std::span<const Index> places) {
-    const bool levers =
-        has_turned_its_thinness(contact.body_a) || has_turned_its_thinness(contact.body_b);
-    if (!levers && !has_turned_far(contact.body_a) && !has_turned_far(contact.body_b)) return;
+  bool any = false;
+  world.turns.resize(world.bodies.size());
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    world.turns[i] = turn_size(world.bodies[i], world.solver_bodies[i]);
+    any = any || world.turns[i] != TurnSize::Small;
+  }
+  if (!any) return;
+  for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
+    const TurnSize turn = larger_turn(world, places);
+    if (turn == TurnSize::Small) return;
     const double before = impulse_energy(world, places);
-    if (levers) move_levers(world, contact, places);
+    if (turn == TurnSize::PastThinness) move_levers(world, world.pairs.contacts[contact], places);
     prepare_again(world, step, places);
     limit_impulse_energy(world, step, places, before);
   });
 }
 
 void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step) {
-  const auto turns_far = [&](Index i) {
+  bool any = false;
+  world.turns.assign(world.bodies.size(), TurnSize::Small);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const RigidBody& body = world.bodies[i];
-    return step.h * body.angular_velocity.norm() > thinness(body) / 2;
-  };
-  for_constraints_of_contacts(world, [&](const Contact& contact, std::span<const Index> places) {
-    if (turns_far(contact.body_a) || turns_far(contact.body_b)) prepare_again(world, step, places);
+    const Real squared_turn = step.h * step.h * body.angular_velocity.squaredNorm();
+    if (squared_turn * squared_slenderness(body) <= Real(0.25)) continue;
+    world.turns[i] = TurnSize::PastThinness;
+    any = true;
+  }
+  if (!any) return;
+  for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
+    if (larger_turn(world, places) != TurnSize::Small) prepare_again(world, step, places);
   });
 }
 

@@ -47,16 +47,13 @@ void store_impulses(WorldState& world);
 /// Reports the pairs that began or ceased to touch in this step.
 void note_touching(WorldState& world);
 
-/// Calls `visit(contact, places)` for every contact. The places are the indices of its points'
-/// constraints, in the order of the points.
+/// Calls `visit(contact, places)` for every contact with points: its index, and the indices of its
+/// points' constraints, in the order of the points.
 /// @pre solve_order is that of the current contact points
 template <class Visit>
-void for_constraints_of_contacts(WorldState& world, const Visit& visit) {
-  std::span<const Index> places = world.solve_order.place_of_point;
-  for (Contact& contact : world.pairs.contacts) {
-    const std::size_t points = contact.manifold.points.size();
-    visit(contact, places.first(points));
-    places = places.subspan(points);
+void for_constraints_of_contacts(const WorldState& world, const Visit& visit) {
+  for (const Index contact : world.solve_order.contacts) {
+    visit(contact, world.solve_order.places_of(contact));
   }
 }
 

@@ -17,14 +17,15 @@ bool is_touching(const WorldState& world, const Contact& contact, std::span<cons
 }  // namespace
 
 void note_touching(WorldState& world) {
-  auto touched = world.pairs.touching.begin();
-  for_constraints_of_contacts(world, [&](const Contact& contact, std::span<const Index> places) {
-    const bool touching = is_touching(world, contact, places);
+  PairList& pairs = world.pairs;
+  for (Index i = 0; i < static_cast<Index>(pairs.size()); ++i) {
+    const Contact& contact = pairs.contacts[i];
+    const bool touching = is_touching(world, contact, world.solve_order.places_of(i));
     const ContactEvent event{world.id_at(contact.body_a), world.id_at(contact.body_b)};
-    if (touching && !*touched) world.began.push_back(event);
-    if (!touching && *touched) world.ended.push_back(event);
-    *touched++ = static_cast<char>(touching);
-  });
+    if (touching && !pairs.touching[i]) world.began.push_back(event);
+    if (!touching && pairs.touching[i]) world.ended.push_back(event);
+    pairs.touching[i] = static_cast<char>(touching);
+  }
 }
 
 }  // namespace cs550

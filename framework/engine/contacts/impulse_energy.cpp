@@ -7,7 +7,6 @@
 /// corner, the same impulse throws the bodies apart. The passes of a substep are too few to take that
 /// back, and the next step would carry even more.
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -27,10 +26,15 @@ double impulse_energy(const ContactConstraint& constraint) {
     const double impulse = constraint.normal_impulse;
     energy += impulse * impulse / (2 * static_cast<double>(constraint.normal_mass));
   }
-  const Eigen::Matrix2d mass = constraint.tangent_mass.cast<double>();
-  if (mass.determinant() > 0) {
-    const Eigen::Vector2d impulse = constraint.tangent_impulse.cast<double>();
-    energy += impulse.dot(mass.inverse() * impulse) / 2;
+  // ½·λᵀ·M⁻¹·λ of the symmetric 2 × 2 matrix M.
+  const double uu = constraint.tangent_mass(0, 0);
+  const double uv = constraint.tangent_mass(0, 1);
+  const double vv = constraint.tangent_mass(1, 1);
+  const double determinant = uu * vv - uv * uv;
+  if (determinant > 0) {
+    const double u = constraint.tangent_impulse.x();
+    const double v = constraint.tangent_impulse.y();
+    energy += (vv * u * u - 2 * uv * u * v + uu * v * v) / (2 * determinant);
   }
   return energy;
 }
@@ -66,9 +70,8 @@ void limit_impulse_energy(WorldState& world, const ContactStep& step, std::span<
 }
 
 void limit_carried_impulses(WorldState& world, const ContactStep& step) {
-  auto before = world.pairs.impulse_energy.begin();
-  for_constraints_of_contacts(world, [&](const Contact&, std::span<const Index> places) {
-    limit_impulse_energy(world, step, places, *before++);
+  for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
+    limit_impulse_energy(world, step, places, world.pairs.impulse_energy[contact]);
   });
 }
 

@@ -38,8 +38,9 @@ void slow_rotation(SolverBody& a, SolverBody& b, Real limit) {
 void resist_rolling(WorldState& world) {
   const Real lever = world.settings.rolling_resistance * world.settings.length_unit;
   if (lever == 0) return;
-  for_constraints_of_contacts(world, [&](const Contact& contact, std::span<const Index> places) {
-    slow_rotation(world.solver_bodies[contact.body_a], world.solver_bodies[contact.body_b],
+  for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
+    const ContactConstraint& first = world.constraints[places[0]];
+    slow_rotation(world.solver_bodies[first.body_a], world.solver_bodies[first.body_b],
                   lever * load(world, places));
   });
 }

@@ -44,34 +44,33 @@ void find_groups(std::span<const Contact> contacts, std::span<const RigidBody> b
                  SolveOrder& order) {
   Grouping grouping(contacts, order.groups);
   order.group_after_body.assign(bodies.size(), 0);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (point_count(contacts[i]) == 0) continue;
+  for (const Index i : order.contacts) {
     const Index a = contacts[i].body_a;
     const Index b = contacts[i].body_b;
     const Index earliest = std::max(order.group_after_body[a], order.group_after_body[b]);
-    const Index group = grouping.place(static_cast<Index>(i), earliest);
+    const Index group = grouping.place(i, earliest);
     if (bodies[a].kind == BodyKind::Dynamic) order.group_after_body[a] = group + 1;
     if (bodies[b].kind == BodyKind::Dynamic) order.group_after_body[b] = group + 1;
   }
 }
 
-/// Counts the points of all contacts and finds the number of each one's first point.
-Index number_points(std::span<const Contact> contacts, SolveOrder& order) {
-  order.first_point.clear();
-  Index points = 0;
-  for (const Contact& contact : contacts) {
-    order.first_point.push_back(points);
-    points += point_count(contact);
+void number_points(std::span<const Contact> contacts, SolveOrder& order) {
+  order.first_point.assign(1, 0);
+  order.contacts.clear();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Index points = point_count(contacts[i]);
+    if (points > 0) order.contacts.push_back(static_cast<Index>(i));
+    order.first_point.push_back(order.first_point.back() + points);
   }
-  return points;
 }
 
 }  // namespace
 
 void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
                          SolveOrder& order) {
+  number_points(contacts, order);
   find_groups(contacts, bodies, order);
-  order.place_of_point.resize(number_points(contacts, order));
+  order.place_of_point.resize(order.first_point.back());
   const auto points_of = [&](Index i) { return point_count(contacts[i]); };
   Index place = 0;
   for (ContactGroup& group : order.groups) {

@@ -74,15 +74,15 @@ void carry_impulses(const Manifold& before, Manifold& now) {
 }
 
 void store_impulses(WorldState& world) {
-  auto energy = world.pairs.impulse_energy.begin();
-  for_constraints_of_contacts(world, [&](Contact& contact, std::span<const Index> places) {
+  std::fill(world.pairs.impulse_energy.begin(), world.pairs.impulse_energy.end(), 0.0);
+  for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
     auto place = places.begin();
-    for (ContactPoint& point : contact.manifold.points) {
+    for (ContactPoint& point : world.pairs.contacts[contact].manifold.points) {
       const ContactConstraint& constraint = world.constraints[*place++];
       point.normal_impulse = constraint.normal_impulse;
       point.tangent_impulse = constraint.tangent_impulse;
     }
-    *energy++ = impulse_energy(world, places);
+    world.pairs.impulse_energy[contact] = impulse_energy(world, places);
   });
 }
 

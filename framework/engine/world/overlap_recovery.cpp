@@ -102,6 +102,7 @@ void begin_push(WorldState& world) {
   if (!world.recovery.any) return;
   world.recovery.bodies = world.bodies;
   world.recovery.constraints = world.constraints;
+  world.mirror.stale = true;
   for (ContactConstraint& constraint : world.constraints) {
     if (!recovers(world, constraint)) continue;
     constraint.friction = 0;
@@ -111,6 +112,7 @@ void begin_push(WorldState& world) {
 
 void end_push(WorldState& world) {
   if (!world.recovery.any || world.constraints.empty()) return;
+  world.mirror.stale = true;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.recovery.recovers[i]) return_momenta(world.bodies[i], world.recovery.bodies[i]);
   }
@@ -125,6 +127,7 @@ void end_push(WorldState& world) {
 
 void return_friction(WorldState& world) {
   if (!world.recovery.any) return;
+  world.mirror.stale = true;
   for (std::size_t i = 0; i < world.constraints.size(); ++i) {
     world.constraints[i].friction = world.recovery.constraints[i].friction;
   }
@@ -132,8 +135,9 @@ void return_friction(WorldState& world) {
 
 void restart_after_push(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step) {
   if (!world.recovery.any) return;
-  for_constraints_of_contacts(world, [&](const Contact&, std::span<const Index> places) {
-    if (places.empty() || !recovers(world, world.constraints[places[0]])) return;
+  world.mirror.stale = true;
+  for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
+    if (!recovers(world, world.constraints[places[0]])) return;
     const double before = impulse_energy(world, places);
     for (const Index place : places) prepare_contacts({&world.constraints[place], 1}, bodies, step);
     limit_impulse_energy(world, step, places, before);

@@ -3,6 +3,7 @@
 #include "cs550/naive_solver.hpp"
 #include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
+#include "engine/contacts/contact_passes.hpp"
 #include "engine/contacts/solver_bodies.hpp"
 #include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
@@ -18,6 +19,7 @@ bool is_soft(const WorldSettings& settings) {
 /// v_n⁰, before this substep's gravity and warm start. It stays what it is once the impact is
 /// handled.
 void measure_approach(WorldState& world) {
+  if (!world.any_bounces) return;
   for (ContactConstraint& constraint : world.constraints) {
     if (constraint.impact_handled || constraint.restitution == 0) continue;
     SolverBody a;
@@ -27,51 +29,49 @@ void measure_approach(WorldState& world) {
     constraint.approach_velocity =
         normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n);
   }
+  world.mirror.stale = true;
 }
 
-/// The substep starts with the impulses of the one before, or with none.
-void start_impulses(WorldState& world, std::span<SolverBody> bodies) {
-  const WorldSettings& settings = world.settings;
-  const bool warm = settings.warm_starting && settings.solver == SolverKind::Constraint;
+/// The naive solver starts from nothing, and so does the other one if the settings ask for it.
+void forget_impulses(WorldState& world) {
   for (ContactConstraint& constraint : world.constraints) {
-    if (warm) {
-      warm_start(constraint, bodies[constraint.body_a], bodies[constraint.body_b]);
-    } else {
-      constraint.normal_impulse = 0;
-      constraint.tangent_impulse.setZero();
-    }
+    constraint.normal_impulse = 0;
+    constraint.tangent_impulse.setZero();
   }
 }
 
-/// One pass of the chosen solver. The passes of a substep alternate in direction: two of them
-/// together are symmetric (see solve_contacts()).
-void solve_pass(WorldState& world, std::span<SolverBody> bodies, ContactStep step, int pass) {
-  if (world.settings.solver == SolverKind::Naive) {
+/// Passes of the chosen solver.
+void solve(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step,
+           const Passes& passes) {
+  if (world.settings.solver == SolverKind::Constraint) {
+    run_passes(world.mirror, world.constraints, bodies, step, passes);
+    return;
+  }
+  for (int pass = 0; pass < passes.count; ++pass) {
     resolve_contacts_naive(world.constraints, bodies);
-  } else {
-    step.backwards = pass % 2 == 1;
-    solve_contacts(world.constraints, bodies, step);
   }
 }
 
 void solve_with_bias(WorldState& world, const ContactStep& step) {
+  const WorldSettings& settings = world.settings;
   with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
     refresh_masses(world, step);
-    if (world.settings.solver == SolverKind::Constraint) begin_push(world);
-    start_impulses(world, bodies);
-    for (int pass = 0; pass < world.settings.iterations; ++pass) {
-      solve_pass(world, bodies, step, pass);
-    }
+    if (settings.solver == SolverKind::Constraint) begin_push(world);
+    const bool warm = settings.warm_starting && settings.solver == SolverKind::Constraint;
+    if (!warm) forget_impulses(world);
+    solve(world, bodies, step, {warm, 0, settings.iterations});
   });
 }
 
 /// Removes the velocity that the bias has added.
 void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
   step.use_bias = false;
-  const int first = world.settings.iterations;
-  for (int pass = first; pass < first + world.settings.relax_iterations; ++pass) {
-    solve_pass(world, bodies, step, pass);
-  }
+  solve(world, bodies, step, {false, world.settings.iterations, world.settings.relax_iterations});
+}
+
+/// What is left of apply_restitution() where nothing bounces.
+void mark_impacts(WorldState& world) {
+  for (ContactConstraint& constraint : world.constraints) constraint.mark_impact();
 }
 
 /// Impacts bounce here if contacts are soft. The other models bounce in their passes.
@@ -83,7 +83,11 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
       restart_after_push(world, bodies, step);
       resist_rolling(world);
       relax(world, bodies, step);
-      apply_restitution(world.constraints, bodies, step);
+      if (world.any_bounces) {
+        apply_restitution(world.constraints, bodies, step);
+      } else {
+        mark_impacts(world);
+      }
     });
   } else {
     if (world.settings.solver == SolverKind::Constraint) return_friction(world);

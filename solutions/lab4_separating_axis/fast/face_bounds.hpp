@@ -51,15 +51,15 @@ class FaceBounds {
 
   /// Four faces, one in each lane.
   struct FourFaces {
-    std::array<WideReal, capacity> distance;
-    WideReal smallest;
+    std::array<Four, capacity> distance;
+    Four smallest;
   };
 
-  static std::size_t lane_of(Index face) { return static_cast<std::size_t>(face) % lane_count; }
+  static std::size_t lane_of(Index face) { return static_cast<std::size_t>(face) % 4; }
   const FourFaces& block_of(Index face) const {
-    return blocks_[static_cast<std::size_t>(face) / lane_count];
+    return blocks_[static_cast<std::size_t>(face) / 4];
   }
-  FourFaces& block_of(Index face) { return blocks_[static_cast<std::size_t>(face) / lane_count]; }
+  FourFaces& block_of(Index face) { return blocks_[static_cast<std::size_t>(face) / 4]; }
 
   void scan(const HalfEdgeMesh& a, const Vec3& point) {
     constexpr Index few = 12;  // the search among four lanes takes longer than so few faces
@@ -88,14 +88,15 @@ class FaceBounds {
   }
 
   void scan_by_fours(const HalfEdgeMesh& a, const Vec3& point, std::size_t witness) {
-    constexpr auto four = static_cast<Index>(lane_count);
-    const WideVec3 wide_point = {all_lanes(point.x()), all_lanes(point.y()), all_lanes(point.z())};
+    constexpr Index four = 4;
+    const FourVectors wide_point = four_times(point);
     WideSearch search;
     for (Index f = 0; f < a.face_count(); f += four) {
       FourFaces& block = block_of(f);
-      const WideReal distance = four_distances(a, f, wide_point);
+      const Four distance = four_distances(a, f, wide_point);
       block.distance[witness] = distance;
-      block.smallest = witness == 0 ? distance : smaller(block.smallest, distance);
+      block.smallest =
+          witness == 0 ? distance : (distance < block.smallest ? distance : block.smallest);
       search.offer(block.smallest, f);
     }
     // Lanes past the last face repeat it. It was offered first, so it wins under its own number.
@@ -104,7 +105,7 @@ class FaceBounds {
 
   std::size_t count_ = 0;
   Index largest_ = 0;
-  std::array<FourFaces, max_shape_faces / lane_count + 1> blocks_;
+  std::array<FourFaces, max_shape_faces / 4 + 1> blocks_;
 };
 
 }  // namespace cs550

@@ -13,8 +13,7 @@ inline Index next_around_vertex(const HalfEdgeMesh& mesh, Index e) { return mesh
 
 /// The first vertex with the smallest dot(vertex, direction), of all vertices.
 inline Index lowest_of_all(const HalfEdgeMesh& mesh, const Vec3& direction) {
-  const WideVec3 wide_direction = {all_lanes(direction.x()), all_lanes(direction.y()),
-                                   all_lanes(direction.z())};
+  const FourVectors wide_direction = four_times(direction);
   WideSearch search;
   for_all_fours(mesh.vertex_count(),
                 [&](Index v) { search.offer(-four_vertices(mesh, v).dot(wide_direction), v); });

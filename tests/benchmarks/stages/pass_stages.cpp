@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "benchmarks/stages/stage.hpp"
-#include "cs550/constraint_solver.hpp"
+#include "engine/contacts/contact_passes.hpp"
 
 namespace cs550::bench {
 namespace {
@@ -27,10 +27,11 @@ Bricks cubes_on_the_ground(int count) {
     body.inverse_mass = 1;
     body.world_inverse_inertia = 6 * Mat3::Identity();
   }
+  constexpr auto lanes = static_cast<int>(lane_count);
   const Vec3 corners[] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}};
-  for (int first = 0; first < count; first += 4) {
+  for (int first = 0; first < count; first += lanes) {
     for (const Vec3& corner : corners) {
-      for (int i = first; i < std::min(first + 4, count); ++i) {
+      for (int i = first; i < std::min(first + lanes, count); ++i) {
         ContactConstraint constraint;
         constraint.body_a = count;
         constraint.body_b = i;
@@ -54,9 +55,10 @@ void push_down(Bricks& bricks) {
 
 void pass_at_once(benchmark::State& state, int cubes) {
   Bricks bricks = cubes_on_the_ground(cubes);
+  ConstraintMirror mirror;
   for ([[maybe_unused]] auto _ : state) {
     push_down(bricks);
-    solve_contacts(bricks.constraints, bricks.bodies, bricks.step);
+    run_passes(mirror, bricks.constraints, bricks.bodies, bricks.step, {false, 0, 1});
   }
 }
 

@@ -1,0 +1,44 @@
+#pragma once
+/// @file constraint_mirror.hpp
+/// A copy of the contact constraints in structure-of-arrays form, for passes that solve eight of them
+/// at a time. It holds only what passes read and do not change, so it stays valid from one pass to the
+/// next.
+
+#include <array>
+#include <vector>
+
+#include "cs550/math.hpp"
+#include "engine/lane_count.hpp"
+
+namespace cs550 {
+
+/// Up to eight pairs of bodies that share no movable body, and their constraints. Neighbours in the
+/// array of constraints are in the same group, and they keep their order: a *row* is one constraint of
+/// each pair, the next row has the next constraints.
+struct PairGroup {
+  std::array<Index, lane_count> bodies_a;  ///< no_index in unused lanes
+  std::array<Index, lane_count> bodies_b;
+  Index first_row = 0;
+  Index row_count = 0;
+};
+
+/// Where the constraints of a row are in the array.
+struct ConstraintRow {
+  Index first = 0;
+  Index count = 0;  ///< they fill the first lanes
+};
+
+/// A number of each constraint of a row.
+struct alignas(lane_count * sizeof(Real)) LaneNumbers {
+  Real lane[lane_count];
+};
+
+/// The mirror of an array of constraints.
+struct ConstraintMirror {
+  bool stale = true;  ///< set it whenever anything but a pass has changed the constraints
+  std::vector<PairGroup> groups;
+  std::vector<ConstraintRow> rows;
+  std::vector<LaneNumbers> numbers;  ///< of each row in turn, laid out by the passes
+};
+
+}  // namespace cs550

@@ -1,0 +1,21 @@
+#include "engine/contacts/contact_passes.hpp"
+
+namespace cs550 {
+
+[[gnu::weak]] void run_passes(ConstraintMirror& /*mirror*/,
+                              std::span<ContactConstraint> constraints,
+                              std::span<SolverBody> bodies, const ContactStep& step,
+                              const Passes& passes) {
+  if (passes.warm_start) {
+    for (const ContactConstraint& constraint : constraints) {
+      warm_start(constraint, bodies[constraint.body_a], bodies[constraint.body_b]);
+    }
+  }
+  ContactStep pass_step = step;
+  for (int pass = passes.first; pass < passes.first + passes.count; ++pass) {
+    pass_step.backwards = pass % 2 == 1;
+    solve_contacts(constraints, bodies, pass_step);
+  }
+}
+
+}  // namespace cs550

@@ -1,0 +1,83 @@
+#include "groups.hpp"
+
+namespace cs550 {
+
+namespace {
+
+/// Forms the groups, one pair of bodies after the other.
+class Grouping {
+ public:
+  Grouping(std::span<const ContactConstraint> constraints, std::span<const SolverBody> bodies)
+      : constraints_(constraints), bodies_(bodies) {}
+
+  /// The next group: as many consecutive constraints as possible make its first row.
+  PairGroup take() {
+    PairGroup group;
+    group.bodies_a.fill(no_index);
+    group.bodies_b.fill(no_index);
+    lanes_ = 0;
+    while (!done() && lanes_ < lane_count && !is_taken(group, next().body_a) &&
+           !is_taken(group, next().body_b)) {
+      group.bodies_a[lanes_] = next().body_a;
+      group.bodies_b[lanes_] = next().body_b;
+      ++lanes_;
+      ++next_;
+    }
+    return group;
+  }
+
+  /// The next row of the group: the constraints that follow belong to its pairs, lane by lane.
+  /// @returns how many
+  Index take_row(const PairGroup& group) {
+    std::size_t lane = 0;
+    while (!done() && lane < lanes_ && next().body_a == group.bodies_a[lane] &&
+           next().body_b == group.bodies_b[lane]) {
+      ++lane;
+      ++next_;
+    }
+    return static_cast<Index>(lane);
+  }
+
+  bool done() const { return next_ == constraints_.size(); }
+  Index taken() const { return static_cast<Index>(next_); }
+  Index lanes() const { return static_cast<Index>(lanes_); }
+
+ private:
+  const ContactConstraint& next() const { return constraints_[next_]; }
+
+  bool is_taken(const PairGroup& group, Index body) const {
+    if (bodies_[body].inverse_mass == 0) return false;
+    bool taken = false;
+    for (std::size_t i = 0; i < lanes_; ++i) {
+      taken |= group.bodies_a[i] == body || group.bodies_b[i] == body;
+    }
+    return taken;
+  }
+
+  std::span<const ContactConstraint> constraints_;
+  std::span<const SolverBody> bodies_;
+  std::size_t next_ = 0;
+  std::size_t lanes_ = 0;
+};
+
+}  // namespace
+
+void find_groups(std::span<const ContactConstraint> constraints, std::span<const SolverBody> bodies,
+                 ConstraintMirror& mirror) {
+  mirror.groups.clear();
+  mirror.rows.clear();
+  Grouping grouping(constraints, bodies);
+  while (!grouping.done()) {
+    ConstraintRow row{grouping.taken(), 0};
+    PairGroup group = grouping.take();
+    group.first_row = static_cast<Index>(mirror.rows.size());
+    for (row.count = grouping.lanes(); row.count > 0; row.count = grouping.take_row(group)) {
+      mirror.rows.push_back(row);
+      row.first += row.count;
+    }
+    group.row_count = static_cast<Index>(mirror.rows.size()) - group.first_row;
+    mirror.groups.push_back(group);
+  }
+}
+
+}  // namespace cs550

@@ -1,0 +1,27 @@
+#pragma once
+/// @file kernels.hpp
+/// run_passes() and prepare_contacts() in two forms that give the same bits.
+
+#include "engine/contacts/contact_passes.hpp"
+#include "engine/instruction_set.hpp"
+
+namespace cs550 {
+
+namespace lanes_of_four {
+void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
+                std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);
+void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
+                      const ContactStep& step);
+}  // namespace lanes_of_four
+
+#if CS550_HAS_AVX2_FORMS
+/// @pre has_avx2()
+namespace lanes_of_eight {
+void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
+                std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);
+void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
+                      const ContactStep& step);
+}  // namespace lanes_of_eight
+#endif
+
+}  // namespace cs550

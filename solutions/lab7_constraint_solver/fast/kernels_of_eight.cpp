@@ -1,0 +1,35 @@
+#include "kernels.hpp"
+
+#if CS550_HAS_AVX2_FORMS
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "groups.hpp"
+// After all others:
+#include "engine/begin_avx2.hpp"
+//
+#include "masses.hpp"
+#include "passes.hpp"
+
+namespace cs550::lanes_of_eight {
+
+void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
+                std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes) {
+  run_wide_passes(mirror, constraints, bodies, step, passes);
+}
+
+void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
+                      const ContactStep& step) {
+  prepare_all(constraints, bodies, step);
+}
+
+}  // namespace cs550::lanes_of_eight
+
+#include "engine/end_avx2.hpp"
+
+#endif

@@ -1,0 +1,116 @@
+#pragma once
+/// @file passes.hpp
+/// Passes over the rows of the mirror. Two source files include it, one for each width of register.
+///
+/// Bodies stay in registers while the rows of a group are solved. Eight chains of dependent
+/// operations then run at once. Each of them alone would leave the processor waiting most of the time.
+
+#include "engine/contacts/contact_passes.hpp"
+#include "groups.hpp"
+#include "wide_contact.hpp"
+
+namespace cs550::CS550_LANES {
+
+/// The bodies of a group. An unused lane holds a body of its own, at rest.
+class GroupBodies {
+ public:
+  GroupBodies(const PairGroup& group, std::span<SolverBody> bodies) {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const bool used = group.bodies_a[lane] != no_index;
+      a_[lane] = used ? &bodies[group.bodies_a[lane]] : &at_rest_;
+      b_[lane] = used ? &bodies[group.bodies_b[lane]] : &at_rest_;
+    }
+  }
+  GroupBodies(const GroupBodies&) = delete;
+  GroupBodies& operator=(const GroupBodies&) = delete;
+
+  WidePair load() const { return {WideBody(a_), WideBody(b_)}; }
+  void store(const WidePair& pair) const {
+    pair.a.store_velocities(a_);
+    pair.b.store_velocities(b_);
+  }
+
+ private:
+  PerLane<SolverBody> a_;
+  PerLane<SolverBody> b_;
+  SolverBody at_rest_;
+};
+
+inline std::span<WideConstraint> rows_of(const PairGroup& group, ConstraintMirror& mirror) {
+  return wide_constraints(mirror).subspan(group.first_row, group.row_count);
+}
+
+/// Calls `visit(row, constraints)` for every row. Unused lanes have an idle constraint.
+template <class Visit>
+void for_rows(std::span<ContactConstraint> constraints, ConstraintMirror& mirror,
+              const Visit& visit) {
+  ContactConstraint idle;
+  for (std::size_t i = 0; i < mirror.rows.size(); ++i) {
+    visit(wide_constraints(mirror)[i], lanes_of(constraints, mirror.rows[i], idle));
+  }
+}
+
+inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodies) {
+  for (const PairGroup& group : mirror.groups) {
+    const GroupBodies group_bodies(group, bodies);
+    WidePair pair = group_bodies.load();
+    for (const WideConstraint& constraint : rows_of(group, mirror)) warm_start(constraint, pair);
+    group_bodies.store(pair);
+  }
+}
+
+/// solve_contacts().
+[[gnu::flatten]] inline void solve_forwards(ConstraintMirror& mirror, std::span<SolverBody> bodies,
+                                            const ContactStep& step) {
+  for (const PairGroup& group : mirror.groups) {
+    const GroupBodies group_bodies(group, bodies);
+    WidePair pair = group_bodies.load();
+    for (WideConstraint& constraint : rows_of(group, mirror)) {
+      solve_normal(constraint, pair, step);
+      solve_friction(constraint, pair);
+    }
+    group_bodies.store(pair);
+  }
+}
+
+/// solve_contacts() with step.backwards.
+[[gnu::flatten]] inline void solve_backwards(ConstraintMirror& mirror, std::span<SolverBody> bodies,
+                                             const ContactStep& step) {
+  for (auto group = mirror.groups.rbegin(); group != mirror.groups.rend(); ++group) {
+    const GroupBodies group_bodies(*group, bodies);
+    WidePair pair = group_bodies.load();
+    const std::span<WideConstraint> rows = rows_of(*group, mirror);
+    for (auto constraint = rows.rbegin(); constraint != rows.rend(); ++constraint) {
+      solve_friction(*constraint, pair);
+      solve_normal(*constraint, pair, step);
+    }
+    group_bodies.store(pair);
+  }
+}
+
+/// run_passes().
+inline void run_wide_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
+                            std::span<SolverBody> bodies, const ContactStep& step,
+                            const Passes& passes) {
+  if (mirror.stale) {
+    find_groups(constraints, bodies, mirror);
+    mirror.numbers.resize(mirror.rows.size() * numbers_per_row);
+    for_rows(constraints, mirror,
+             [](WideConstraint& row, const auto& lanes) { copy_constants(lanes, row); });
+    mirror.stale = false;
+  }
+  for_rows(constraints, mirror,
+           [](WideConstraint& row, const auto& lanes) { load_impulses(lanes, row); });
+  if (passes.warm_start) warm_start_all(mirror, bodies);
+  for (int pass = passes.first; pass < passes.first + passes.count; ++pass) {
+    if (pass % 2 == 1) {
+      solve_backwards(mirror, bodies, step);
+    } else {
+      solve_forwards(mirror, bodies, step);
+    }
+  }
+  for_rows(constraints, mirror,
+           [](const WideConstraint& row, const auto& lanes) { store_impulses(row, lanes); });
+}
+
+}  // namespace cs550::CS550_LANES

@@ -1,0 +1,88 @@
+#pragma once
+/// @file wide_constraint.hpp
+/// The constraints of a row, one in each lane, as the mirror keeps them.
+
+#include <cstddef>
+#include <span>
+
+#include "cs550/contact_constraint.hpp"
+#include "engine/constraint_mirror.hpp"
+#include "engine/wide_structs.hpp"
+
+namespace cs550::CS550_LANES {
+
+/// Unused lanes hold a constraint without mass.
+struct WideConstraint {
+  WideVec3 n, u, r_a, r_b;
+  WideReal separation, friction, restitution, normal_mass;
+  WideMat2 tangent_mass;
+  WideReal bias_rate, mass_scale, impulse_scale, approach_velocity;
+  WideReal flag;  ///< the bits of impact_handled
+  WideReal normal_impulse, tangent_u, tangent_v;
+};
+
+inline constexpr std::size_t numbers_per_row = sizeof(WideConstraint) / sizeof(LaneNumbers);
+
+/// The rows of a mirror.
+inline std::span<WideConstraint> wide_constraints(ConstraintMirror& mirror) {
+  static_assert(alignof(WideConstraint) <= alignof(LaneNumbers));
+  return {reinterpret_cast<WideConstraint*>(mirror.numbers.data()), mirror.rows.size()};
+}
+
+/// The constraints of a row, and an idle one in the other lanes.
+template <class Constraint>
+PerLane<Constraint> lanes_of(std::span<Constraint> constraints, const ConstraintRow& row,
+                             Constraint& idle) {
+  PerLane<Constraint> lanes;
+  for (Index lane = 0; lane < static_cast<Index>(lane_count); ++lane) {
+    lanes[lane] = lane < row.count ? &constraints[row.first + lane] : &idle;
+  }
+  return lanes;
+}
+
+/// What passes do not change.
+inline void copy_constants(const PerLane<ContactConstraint>& constraints, WideConstraint& copy) {
+  using C = ContactConstraint;
+  constexpr std::size_t count =
+      (offsetof(C, approach_velocity) - offsetof(C, n)) / sizeof(Real) + 1;
+  const WideReals<C, count> constraint(constraints, &C::n);
+  copy.n = constraint(&C::n);
+  copy.u = constraint(&C::u);
+  copy.r_a = constraint(&C::r_a);
+  copy.r_b = constraint(&C::r_b);
+  copy.separation = constraint(&C::separation);
+  copy.friction = constraint(&C::friction);
+  copy.restitution = constraint(&C::restitution);
+  copy.normal_mass = constraint(&C::normal_mass);
+  copy.tangent_mass = constraint(&C::tangent_mass);
+  copy.bias_rate = constraint(&C::softness, &Softness::bias_rate);
+  copy.mass_scale = constraint(&C::softness, &Softness::mass_scale);
+  copy.impulse_scale = constraint(&C::softness, &Softness::impulse_scale);
+  copy.approach_velocity = constraint(&C::approach_velocity);
+}
+
+/// The four Reals of a constraint that hold the flag impact_handled and the three impulses.
+inline constexpr std::size_t before_impulses =
+    offsetof(ContactConstraint, normal_impulse) - sizeof(Real);
+static_assert(offsetof(ContactConstraint, impact_handled) >= before_impulses);
+static_assert(offsetof(ContactConstraint, tangent_impulse) == before_impulses + 2 * sizeof(Real));
+
+inline void load_impulses(const PerLane<ContactConstraint>& constraints, WideConstraint& copy) {
+  const FourReals four = FourReals::load(constraints, [](const ContactConstraint& constraint) {
+    return reinterpret_cast<const std::byte*>(&constraint) + before_impulses;
+  });
+  copy.flag = four.first;
+  copy.normal_impulse = four.second;
+  copy.tangent_u = four.third;
+  copy.tangent_v = four.fourth;
+}
+
+inline void store_impulses(const WideConstraint& copy,
+                           const PerLane<ContactConstraint>& constraints) {
+  FourReals{copy.flag, copy.normal_impulse, copy.tangent_u, copy.tangent_v}.store(
+      constraints, [](ContactConstraint& constraint) {
+        return reinterpret_cast<std::byte*>(&constraint) + before_impulses;
+      });
+}
+
+}  // namespace cs550::CS550_LANES

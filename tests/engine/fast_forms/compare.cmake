@@ -1,0 +1,12 @@
+# cmake -DFAST=... -DTEACHING=... -P compare.cmake
+# Checks that both programs print the same.
+cmake_minimum_required(VERSION 3.25)
+foreach(form FAST TEACHING)
+  execute_process(COMMAND "${${form}}" OUTPUT_VARIABLE hashes_${form} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+if(NOT hashes_FAST MATCHES "wall, game: [0-9a-f]+")
+  message(FATAL_ERROR "there is nothing to compare:\n${hashes_FAST}")
+endif()
+if(NOT hashes_FAST STREQUAL hashes_TEACHING)
+  message(FATAL_ERROR "fast forms:\n${hashes_FAST}\nteaching forms:\n${hashes_TEACHING}")
+endif()
