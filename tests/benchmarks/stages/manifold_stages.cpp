@@ -31,6 +31,7 @@ WorldState world_of(const HullPairs& hulls) {
     definition.shape = ShapePtr(ShapePtr(), posed.shape);  // owned by the pairs
     world.definitions.push_back(definition);
     world.bodies.emplace_back().pose = posed.pose;
+    world.slots.emplace_back().radius = posed.shape->radius;
     return static_cast<Index>(world.bodies.size() - 1);
   };
   world.pairs.memories.resize(hulls.pairs.size());
