@@ -67,6 +67,18 @@ TEST_F(ObjFile, WithNumbersThatWouldBeMisreadIsRefused) {
   expect_named(load_obj(path).error, "line 1: expected three coordinates");
 }
 
+TEST_F(ObjFile, WithACarriageReturnInALineIsRefused) {
+  write("v 0 0 0\nv 1 0 0\rv 1e39 0 1\nv 0 1 0\nf 1 2 3\n");
+  expect_named(load_obj(path).error, "line 2: expected a line feed");
+}
+
+TEST_F(ObjFile, MayEndItsLinesAsWindowsDoes) {
+  write("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n");
+  const SoupResult result = load_obj(path);
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(result.soup.triangles.size(), 1U);
+}
+
 /// The file of materials may have no end, as a device does, or belong to somebody else.
 TEST_F(ObjFile, IsTheOnlyFileThatIsRead) {
   write("mtllib /dev/zero\nusemtl stone\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -74,6 +74,15 @@ std::string face_fault(const std::vector<std::string>& words, int line, long lon
   return {};
 }
 
+/// The parser begins a new line after a carriage return, also in the middle of a line.
+std::string line_end_fault(const std::string& content, int line) {
+  const std::size_t place = content.find('\r');
+  if (place == std::string::npos || place + 1 == content.size()) return {};
+  return at_line(line,
+                 "expected a line feed at the end of a line, found a carriage return in it; "
+                 "replace each by a line feed");
+}
+
 }  // namespace
 
 std::string first_obj_fault(std::istream& text) {
@@ -81,6 +90,7 @@ std::string first_obj_fault(std::istream& text) {
   long long vertices = 0;
   std::string content;
   for (int line = 1; std::getline(text, content); ++line) {
+    if (std::string fault = line_end_fault(content, line); !fault.empty()) return fault;
     const std::vector<std::string> words = words_of(content.substr(0, content.find('#')));
     if (words.empty()) continue;
     std::string fault;
