@@ -69,7 +69,7 @@ class WorldCanvas {
   bool follows_ = false;
   Vec3 subject_ = Vec3::Zero();    ///< what the camera follows, as last seen (m)
   std::optional<Index> followed_;  ///< the selected body, if the camera follows that
-  Real followed_count_ = 0;        ///< bodies in the middle of which the camera is
+  Real followed_count_ = 0;        ///< bodies whose middle the camera follows
   Real depth_ = 1;                 ///< of the pulled point along the view (m)
   pages::Size canvas_ = {1, 1};
 

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "sweeps_in_lanes.hpp"
 #include "wide_momenta.hpp"
 #include "wide_turn.hpp"
 
@@ -37,8 +38,8 @@ PerLane<T> at(std::span<T> items, const std::array<std::size_t, lane_count>& ind
 }
 
 /// add_momentum_changes().
-[[gnu::flatten]] inline void add_changes(std::span<RigidBody> bodies,
-                                         std::span<const SolverBody> solver_bodies) {
+[[gnu::flatten]] void add_momentum_changes(std::span<RigidBody> bodies,
+                                           std::span<const SolverBody> solver_bodies) {
   RigidBody idle;
   const SolverBody idle_solver_body;
   for_moving_bodies(bodies, [&](const auto& indices, std::size_t count) {
@@ -49,8 +50,8 @@ PerLane<T> at(std::span<T> items, const std::array<std::size_t, lane_count>& ind
 }
 
 /// integrate_poses() for dynamic bodies with the implicit midpoint.
-[[gnu::flatten]] inline void turn_bodies(std::span<RigidBody> bodies,
-                                         std::span<SolverBody> solver_bodies, Real h) {
+[[gnu::flatten]] void turn_dynamic_bodies(std::span<RigidBody> bodies,
+                                          std::span<SolverBody> solver_bodies, Real h) {
   RigidBody idle;
   SolverBody idle_solver_body;
   for_moving_bodies(bodies, [&](const auto& indices, std::size_t count) {

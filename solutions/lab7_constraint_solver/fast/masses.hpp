@@ -4,6 +4,7 @@
 /// Two source files include it, one for each width of register.
 
 #include "cs550/constraint_solver.hpp"
+#include "kernels.hpp"
 #include "wide_body.hpp"
 
 namespace cs550::CS550_LANES {
@@ -85,9 +86,9 @@ struct WideMasses {
   }
 };
 
-[[gnu::flatten]] inline void prepare_all(std::span<ContactConstraint> constraints,
-                                         std::span<const SolverBody> bodies,
-                                         const ContactStep& step) {
+[[gnu::flatten]] void prepare_contacts(std::span<ContactConstraint> constraints,
+                                       std::span<const SolverBody> bodies,
+                                       const ContactStep& step) {
   ContactConstraint idle;
   const SolverBody at_rest;
   PerLane<ContactConstraint> lanes;

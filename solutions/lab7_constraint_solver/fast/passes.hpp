@@ -7,6 +7,7 @@
 
 #include "engine/contacts/contact_passes.hpp"
 #include "groups.hpp"
+#include "kernels.hpp"
 #include "wide_contact.hpp"
 
 namespace cs550::CS550_LANES {
@@ -89,9 +90,8 @@ inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodie
 }
 
 /// run_passes().
-inline void run_wide_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
-                            std::span<SolverBody> bodies, const ContactStep& step,
-                            const Passes& passes) {
+void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
+                std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes) {
   if (mirror.stale) {
     find_groups(constraints, bodies, mirror);
     mirror.numbers.resize(mirror.rows.size() * numbers_per_row);

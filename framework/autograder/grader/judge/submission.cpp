@@ -75,7 +75,7 @@ void judge(WorkerSettings settings) {
 void connect(int channel) {
   WorkerSettings settings;
   settings.connected = channel;
-  settings.per_test = std::chrono::hours(1);  // whoever started this process limits its time
+  settings.per_test = std::chrono::hours(1);  // the process that started this one limits its time
   only() = std::make_unique<Submission>(std::move(settings));
 }
 
