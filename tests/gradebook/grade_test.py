@@ -136,6 +136,7 @@ def test_the_first_labs_together_run_the_milestones(folder):
     assert [rows[name]["percent"] for name in ("ada", "bob", "eve")] == ["100.00", "50.00", "16.67"], rows
     assert "Engine: 1 of 3 milestones reached" in (out / "feedback/bob.md").read_text()
     assert "Engine: 1 of 3 milestones reached" in (out / "feedback/bob.html").read_text()
+    assert "Milestone.lab3_ghosts</td><td class=\"number\">1 of 3</td>" in (out / "class.html").read_text()
     assert "Engine" not in (out / "feedback/eve.md").read_text(), "no milestone can be run without lab 1"
     for name, options in (("one_lab", ["--labs", "3"]), ("no_weight", ["--labs", "1-3"])):
         grade(folder / "class", "--out", folder / name, *options)

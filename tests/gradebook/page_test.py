@@ -64,7 +64,8 @@ def make_class(folder):
     for i in range(40):
         lab = folder / "class" / f"student{i:02}" / "labs"
         fails = "// fake: fails FirstOfEqualVerticesWins\n" if i % 3 else ""
-        for name, text in (("lab3_hill_climbing/hill_climbing.cpp", fails + f"// {i}"),
+        for name, text in (("lab1_integration/integration.cpp", f"// {i}"),
+                           ("lab3_hill_climbing/hill_climbing.cpp", fails + f"// {i}"),
                            ("lab5_clipping/clipping.cpp", "// fake: no compile" if i % 7 == 0 else f"// {i % 20}")):
             (lab / name).parent.mkdir(parents=True)
             (lab / name).write_text(text)
@@ -75,7 +76,7 @@ def make_class(folder):
     (folder / "roster.csv").write_text("id,name\n" + "\n".join(rows) + "\n")
     (folder / "course.toml").write_text("title = \"Rigid bodies <script>document.title='hacked'</script>\"\n")
     subprocess.run([PROGRAM, "--judge", FAKE, folder / "class", "--out", folder / "out", "--roster",
-                    folder / "roster.csv", "--course", folder / "course.toml"], check=True, stdout=subprocess.DEVNULL,
+                    folder / "roster.csv", "--course", folder / "course.toml", "--milestones"], check=True, stdout=subprocess.DEVNULL,
                    env={**os.environ, "CS550_ROOT": str(ROOT)})
     return folder / "out"
 

@@ -1,4 +1,5 @@
 /// The reports that are made from records.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -229,6 +230,46 @@ TEST(Compare, PrintsWhatChanged) {
             "    Lab3.ClimbEndsOnAPlateau: failed -> passed (+24 points)\n"
             "eve: removed\n"
             "1 of 2 submissions changed.\n");
+}
+
+Record with_engine(Record record, const std::vector<const char*>& statuses) {
+  record.engine = LabRecord{};
+  record.engine->submitted = record.engine->compiled = true;
+  for (const char* status : statuses) {
+    const std::string name = fmt::format("Milestone.{}", record.engine->tests.size() + 1);
+    record.engine->tests.push_back({name, "L1", 0, 0, status, false, 0, "", ""});
+  }
+  return record;
+}
+
+TEST(Compare, PrintsMilestonesThatChanged) {
+  const Record ada = record_of("ada", lab_record(24, 0, 0));
+  const Record before = with_engine(ada, {"passed", "failed", "not_submitted"});
+  const Record after = with_engine(ada, {"failed", "passed", "passed"});
+  EXPECT_EQ(comparison({before}, {after}),
+            "ada, milestones: 1 of 3 reached -> 2 of 3 reached\n"
+            "    Milestone.1: reached -> not reached\n"
+            "    Milestone.2: not reached -> reached\n"
+            "    Milestone.3: not submitted -> reached\n"
+            "1 of 1 submissions changed.\n");
+  EXPECT_EQ(comparison({before}, {before}), "0 of 1 submissions changed.\n");
+  EXPECT_EQ(comparison({ada}, {after}),
+            "ada, milestones: not run -> 2 of 3 reached\n1 of 1 submissions changed.\n");
+}
+
+TEST(Reports, ClassPageShowsHowManyReachEachMilestone) {
+  const std::vector<Record> records{
+      with_engine(record_of("ada", lab_record(24, 0, 0)), {"passed", "passed"}),
+      with_engine(record_of("bob", lab_record(24, 0, 0)), {"passed", "failed"}),
+      record_of("eve", lab_record(24, 0, 0))};
+  const Course course = course_of("");
+  const std::string text = class_page(mark_class(assign({}, records), {3}, course), {3}, course);
+  EXPECT_NE(text.find("Milestone.1</td><td class=\"number\">2 of 2</td>"), std::string::npos);
+  EXPECT_NE(text.find("Milestone.2</td><td class=\"number\">1 of 2</td>"), std::string::npos);
+  EXPECT_NE(text.find("feedback/bob.html\">1 of 2</a>"), std::string::npos);
+  const std::vector<Record> without{records[2]};
+  EXPECT_EQ(class_page(mark_class(assign({}, without), {3}, course), {3}, course).find("ilestone"),
+            std::string::npos);
 }
 
 TEST(Merge, LabsOfOneSubmissionComeTogether) {

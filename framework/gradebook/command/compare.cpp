@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "gradebook/reports/shown.hpp"
+
 namespace cs550::gradebook {
 namespace {
 
@@ -53,6 +55,38 @@ std::string lab_changes(const std::string& name, int number, const LabRecord* be
                      points_of(after), is_new_content ? " (other files)" : "", tests);
 }
 
+/// "7 of 9 reached", or why none can be.
+std::string milestones_of(const LabRecord& engine) {
+  if (!engine.not_graded.empty()) return "not graded";
+  if (!engine.submitted) return "not submitted";
+  const auto reached = std::count_if(engine.tests.begin(), engine.tests.end(),
+                                     [](const auto& test) { return test.status == "passed"; });
+  return fmt::format("{} of {} reached", reached, engine.tests.size());
+}
+
+/// Of the milestones that both ran.
+std::string changed_milestones(const LabRecord& before, const LabRecord& after) {
+  std::string text;
+  for (const TestResult& milestone : after.tests) {
+    for (const TestResult& was : before.tests) {
+      if (was.name != milestone.name || was.status == milestone.status) continue;
+      text += fmt::format("    {}: {} -> {}\n", milestone.name, milestone_text(was),
+                          milestone_text(milestone));
+    }
+  }
+  return text;
+}
+
+std::string engine_changes(const Record& before, const Record& after) {
+  const std::string was = before.engine ? milestones_of(*before.engine) : "not run";
+  const std::string is = after.engine ? milestones_of(*after.engine) : "not run";
+  const std::string milestones = before.engine && after.engine
+                                     ? changed_milestones(*before.engine, *after.engine)
+                                     : std::string();
+  if (was == is && milestones.empty()) return {};
+  return fmt::format("{}, milestones: {} -> {}\n{}", after.name, was, is, milestones);
+}
+
 std::set<int> labs_of(const Record& a, const Record& b) {
   std::set<int> labs;
   for (const LabRecord& lab : a.labs) labs.insert(lab.lab);
@@ -77,6 +111,7 @@ std::string comparison(const std::vector<Record>& before, const std::vector<Reco
     for (const int lab : labs_of(*was, record)) {
       changes += lab_changes(record.name, lab, was->lab(lab), record.lab(lab));
     }
+    changes += engine_changes(*was, record);
     changed += changes.empty() ? 0 : 1;
     text += changes;
   }

@@ -81,6 +81,17 @@ std::string test_tables(const std::vector<TestStatistics>& tests) {
          (end < rows.size() ? details("All tests", table(headings, rows)) : "");
 }
 
+std::string milestone_table(const std::vector<MilestoneStatistics>& milestones) {
+  std::string rows;
+  for (const MilestoneStatistics& milestone : milestones) {
+    rows += fmt::format(
+        "<tr><td>{}</td><td class=\"number\">{} of {}</td><td class=\"number\">{:.0f}%</td></tr>\n",
+        html(milestone.name), milestone.reached, milestone.engines,
+        100.0 * milestone.reached / milestone.engines);
+  }
+  return table({"Milestone", "Reached", ""}, rows);
+}
+
 std::string failure_table(const std::vector<AlikeFailures>& failures) {
   constexpr std::size_t most = 30;
   std::string rows;
@@ -114,15 +125,27 @@ std::string mark_cell(const LabMark& lab) {
                      lab.late_days > 0 ? " <small>late</small>" : "");
 }
 
-std::string student_table(const std::vector<StudentMark>& marks, const std::vector<int>& labs) {
+/// The milestones that a student's engine reaches, linked to the feedback on that submission.
+std::string engine_cell(const EngineMark& engine) {
+  const std::string reached =
+      engine.record == nullptr ? "–"
+                               : fmt::format("<a href=\"feedback/{}.html\">{} of {}</a>",
+                                             html(engine.record->name), engine.reached, engine.of);
+  return "<td class=\"number\">" + reached + "</td>";
+}
+
+std::string student_table(const std::vector<StudentMark>& marks, const std::vector<int>& labs,
+                          bool has_engines) {
   std::vector<std::string> headings{"Student", "Total"};
   for (const int lab : labs) headings.push_back(fmt::format("Lab {}", lab));
+  if (has_engines) headings.emplace_back("Milestones");
   headings.emplace_back("");
   std::string rows;
   for (const StudentMark& mark : marks) {
     rows +=
         fmt::format("<tr><td>{}</td><td class=\"number\">{:.1f}%</td>", link(mark), mark.percent);
     for (const LabMark& lab : mark.labs) rows += mark_cell(lab);
+    if (has_engines) rows += engine_cell(mark.engine);
     rows += "<td>" + status(mark) + "</td></tr>\n";
   }
   return table(headings, rows);
@@ -158,11 +181,14 @@ std::string class_page(const std::vector<StudentMark>& marks, const std::vector<
                                  html(course.title), marks.size(), missing);
   body += "<h2>Distribution</h2>\n" + lab_cards(statistics.labs);
   body += "<h2>Hardest tests</h2>\n" + test_tables(statistics.tests);
+  if (!statistics.milestones.empty()) {
+    body += "<h2>Milestones</h2>\n" + milestone_table(statistics.milestones);
+  }
   if (!statistics.failures.empty()) {
     body += "<h2>Alike failures</h2>\n" + failure_table(statistics.failures);
   }
   body += oddities(statistics);
-  body += "<h2>Students</h2>\n" + student_table(marks, labs);
+  body += "<h2>Students</h2>\n" + student_table(marks, labs, !statistics.milestones.empty());
   return page(course.title, body);
 }
 

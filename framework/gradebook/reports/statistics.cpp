@@ -74,6 +74,24 @@ std::vector<TestStatistics> test_statistics(const std::vector<const LabMark*>& m
   return tests;
 }
 
+/// Over the engines that count. Every one lists the milestones of all labs that were graded.
+std::vector<MilestoneStatistics> milestone_statistics(const std::vector<StudentMark>& marks) {
+  std::vector<MilestoneStatistics> milestones;
+  for (const StudentMark& mark : marks) {
+    if (mark.engine.record == nullptr) continue;
+    for (const TestResult& test : mark.engine.record->engine->tests) {
+      auto found = std::find_if(milestones.begin(), milestones.end(),
+                                [&test](const auto& known) { return known.name == test.name; });
+      if (found == milestones.end()) {
+        found = milestones.insert(milestones.end(), MilestoneStatistics{test.name, 0, 0});
+      }
+      ++found->engines;
+      found->reached += test.status == "passed" ? 1 : 0;
+    }
+  }
+  return milestones;
+}
+
 /// The first line of a message that has text, with every number as #.
 std::string likeness(const std::string& message) {
   constexpr std::size_t longest = 120;
@@ -179,6 +197,7 @@ ClassStatistics statistics_of(const std::vector<StudentMark>& marks, const std::
     }
     for (EqualFiles& equal : equal_files(marks, lab)) result.equal.push_back(std::move(equal));
   }
+  result.milestones = milestone_statistics(marks);
   result.failures = alike_failures(marks);
   result.outliers = outliers_of(marks);
   return result;

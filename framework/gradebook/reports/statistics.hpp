@@ -33,6 +33,13 @@ struct TestStatistics {
   bool discriminates = false;  ///< whether the correlation is defined: both vary
 };
 
+/// How many students' engines reach a milestone.
+struct MilestoneStatistics {
+  std::string name;
+  int reached = 0;
+  int engines = 0;
+};
+
 /// Submissions that fail a test with the same message, numbers aside.
 struct AlikeFailures {
   std::string test;
@@ -54,6 +61,7 @@ struct Outlier {
 struct ClassStatistics {
   std::vector<LabStatistics> labs;
   std::vector<TestStatistics> tests;
+  std::vector<MilestoneStatistics> milestones;  ///< in order; empty if none were run
   std::vector<AlikeFailures> failures;  ///< the largest groups first; groups of at least two
   std::vector<EqualFiles> equal;
   std::vector<Outlier> outliers;
