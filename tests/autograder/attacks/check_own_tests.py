@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Students' own tests of lab 3 earn points for known mistakes that they find, and nothing if they ever fail on the
-reference, guess, leave early, or look for something that tells the mistakes from the reference."""
+"""Students' own tests earn points for known mistakes that they find, and nothing if they ever fail on the reference,
+guess, leave early, or look for something that tells the mistakes from the reference. Everything is tried on lab 3; of
+the other labs a good file (tests/autograder/own_tests/), and the same with a test that is wrong or leaves."""
 
 import argparse
 import json
@@ -11,13 +12,12 @@ from pathlib import Path
 
 from run_attacks import ROOT, become_subreaper, children
 
-LAB = 3
 START = '#include <gtest/gtest.h>\n#include "cs550/hill_climbing.hpp"\n#include "cs550/primitives.hpp"\n'
 BOX = """using namespace cs550;
 const std::vector<Vec3> points{{-3, 0, 0}, {1, 2, 0}, {1, 2, 0}, {0, 0, -1}, {2, -1, 5}};
 """
 
-# The source, and what it must earn: "some", "none", or "refused" where the reference fails.
+# Of lab 3: the source, and what it must earn: "some", "none", or "refused" where the reference fails.
 CASES = {
     "finds what is farthest": (BOX + """
 TEST(Mine, FindsTheFarthest) {
@@ -64,13 +64,30 @@ TEST(Mine, Remembers) {
 }
 
 
-def grade(build, source, isolation, scratch):
+# What is added to a good file of another lab, and what the whole must earn.
+ADDITIONS = {
+    "is good": ("", "some"),
+    "has a wrong test": ("TEST(Mine, IsWrong) { EXPECT_EQ(1, 2); }\n", "refused"),
+    "leaves at once": ("#include <unistd.h>\nconst bool gone = (_exit(0), true);\n", "none"),
+}
+
+
+def cases(build):
+    """Lab, name, source and what it must earn."""
+    for name, (source, expected) in CASES.items():
+        yield 3, name, START + source.replace("@ROOT@", str(ROOT)).replace("@BUILD@", str(build)), expected
+    for file in sorted((ROOT / "tests/autograder/own_tests").glob("lab*.cpp")):
+        for name, (addition, expected) in ADDITIONS.items():
+            yield int(file.stem.removeprefix("lab")), name, file.read_text() + addition, expected
+
+
+def grade(build, lab, source, isolation, scratch):
     submission = scratch / "submission"
     submission.mkdir()
-    (submission / "hill_climbing.cpp").write_text("#error the lab's own file is not compiled\n")
-    (submission / "my_tests.cpp").write_text(START + source.replace("@ROOT@", str(ROOT)).replace("@BUILD@", str(build)))
+    (submission / "lab.cpp").write_text("#error the lab's own file is not compiled\n")
+    (submission / "my_tests.cpp").write_text(source)
     results = scratch / "results.json"
-    subprocess.run([build / "bin/grade_lab", str(LAB), "--own-tests", "--submission", submission, "--work",
+    subprocess.run([build / "bin/grade_lab", str(lab), "--own-tests", "--submission", submission, "--work",
                     scratch / "work", "--results", results, "--isolation", isolation], check=True)
     return json.loads(results.read_text())
 
@@ -93,16 +110,19 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", type=Path, default=ROOT / "build/test")
     parser.add_argument("--isolation", default="auto", choices=["auto", "bubblewrap", "plain"])
+    parser.add_argument("--lab", type=int, help="only this lab")
     options = parser.parse_args()
     build = options.build.resolve()
     become_subreaper()
     faulty = 0
-    for name, (source, expected) in CASES.items():
+    for lab, name, source, expected in cases(build):
+        if options.lab not in (None, lab):
+            continue
         with tempfile.TemporaryDirectory() as scratch:
-            record = grade(build, source, options.isolation, Path(scratch))
+            record = grade(build, lab, source, options.isolation, Path(scratch))
         wrong = fault(record, expected)
         faulty += bool(wrong)
-        print(f"{name:30} {record['caught']:3} of {record['mistakes']}  {wrong or 'good'}", flush=True)
+        print(f"lab {lab} {name:30} {record['caught']:3} of {record['mistakes']}  {wrong or 'good'}", flush=True)
     return 1 if faulty else 0
 
 
