@@ -40,7 +40,8 @@ target_link_libraries(lab_worker PRIVATE cs550_given cs550_isolation cs550_warni
                       PkgConfig::seccomp ${CMAKE_DL_LIBS})
 
 # The same options as for a student's own build.
-set(lab_options -std=c++20 ${CMAKE_CXX_FLAGS_DEBUG} -fPIC -ffp-contract=off -DEIGEN_MAX_ALIGN_BYTES=16
+separate_arguments(debug_flags UNIX_COMMAND "${CMAKE_CXX_FLAGS_DEBUG}")
+set(lab_options -std=c++20 ${debug_flags} -fPIC -ffp-contract=off -DEIGEN_MAX_ALIGN_BYTES=16
     -DEIGEN_MPL2_ONLY -isystem ${EIGEN3_INCLUDE_DIRS} -Wall -Wextra -Werror=missing-declarations)
 if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
   list(APPEND lab_options -DEIGEN_DONT_VECTORIZE)
@@ -171,7 +172,8 @@ function(cs550_register_judged_tests number)
            COMMAND "${CMAKE_COMMAND}" -DLAB=${number} "-DBUILD=${PROJECT_BINARY_DIR}" "-DRECORD=${record}"
                    "-DGRADE_LAB=$<TARGET_FILE:grade_lab>"
                    "-DFILES=${PROJECT_SOURCE_DIR}/labs/${CS550_LAB${number}_NAME}"
-                   -P "${grader_folder}/ctest/judge_lab.cmake")
+                   -P "${grader_folder}/ctest/judge_lab.cmake"
+           WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")  # CS550_SUBMISSION is typed there
   set_tests_properties(judged.Lab${number} PROPERTIES FIXTURES_SETUP judged_lab${number} TIMEOUT 7200
                        RESOURCE_LOCK build_folder LABELS "lab${number};student")
   foreach(test IN LISTS CS550_LAB${number}_TESTS)

@@ -136,6 +136,16 @@ if(TARGET grade_lab)
   set_tests_properties(grader.survives_some_attacks grader.ends_on_request grader.gives_ctest_its_verdicts
                        PROPERTIES FIXTURES_REQUIRED grader)
 
+  # ctest --preset labN builds the judge with the flags of `student`, of which there are several.
+  add_test(NAME grader.precompiles_as_students_compile
+           COMMAND "${CMAKE_CTEST_COMMAND}" --build-and-test "${PROJECT_SOURCE_DIR}"
+                   "${PROJECT_BINARY_DIR}/precompiles" --build-generator "${CMAKE_GENERATOR}" --build-noclean
+                   --build-target labs/precompiled/lab.hpp.gch
+                   --build-options -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1"
+                                   "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
+                                   "-DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}")
+  set_tests_properties(grader.precompiles_as_students_compile PROPERTIES LABELS autograder TIMEOUT 300)
+
   # These expect that `judges` and `mistakes` are built.
   foreach(isolation bubblewrap plain)
     cs550_test_grader(survives_attacks.${isolation} attack "${scripts}/attacks/run_attacks.py"

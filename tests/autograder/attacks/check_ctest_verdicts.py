@@ -24,7 +24,7 @@ def verdicts(build, submission):
     # From a folder of its own: in the build folder the log of an outer ctest would be overwritten.
     (submission.parent / "CTestTestfile.cmake").write_text(f'subdirs("{build}")')
     subprocess.run(["ctest", "--test-dir", submission.parent, "-R", TESTS, "--output-junit", junit],
-                   env={**os.environ, "CS550_SUBMISSION": str(submission)}, stdout=subprocess.DEVNULL)
+                   env={**os.environ, "CS550_SUBMISSION": os.path.relpath(submission, ROOT)}, stdout=subprocess.DEVNULL)
     found = {}
     for case in ElementTree.parse(junit).getroot().iter("testcase"):
         if re.match(TESTS, case.get("name")):
