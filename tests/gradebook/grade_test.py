@@ -381,6 +381,17 @@ def test_the_documented_commands_work(folder):
         assert run.returncode == 0, f"{line}\n{run.stdout}{run.stderr}"
 
 
+def test_settings_are_named_or_those_of_the_run(folder):
+    pack(folder / "class/ada.zip", {HILL: "// right"})
+    (folder / "course.toml").write_text("[lab.3]\npoints = 100\n")
+    (folder / "roster.csv").write_text("id\nbob\n")
+    grade(folder / "class", "--out", folder / "out", "--labs", "3", cwd=folder)
+    assert grades(folder / "out").keys() == {"ada"} and grades(folder / "out")["ada"]["lab3"] == "60"
+    grade(folder / "class", "--out", folder / "named", "--labs", "3", "--course", "course.toml", cwd=folder)
+    grade(folder / "class", "--out", folder / "named", "--labs", "3", "--resume")
+    assert grades(folder / "named")["ada"]["lab3"] == "100", "a resumed run keeps its settings"
+
+
 def test_wrong_usage(folder):
     pack(folder / "ada.zip", {HILL: ""})
     (folder / "bad.toml").write_text("[late]\nclock = 'sun'\n")

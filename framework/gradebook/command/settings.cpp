@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 constexpr const char* course_copy = "course.toml";
 constexpr const char* roster_copy = "roster.csv";
 
-/// The file that was named, else the copy if there is one.
-fs::path chosen(const fs::path& named, const fs::path& copy) {
+/// The file that was named, else the folder's copy, if there is one.
+fs::path chosen(const fs::path& named, const fs::path& folder, const char* copy) {
   if (!named.empty()) return named;
-  return fs::exists(copy) ? copy : fs::path();
+  return !folder.empty() && fs::exists(folder / copy) ? folder / copy : fs::path();
 }
 
 void keep(const std::string& text, const fs::path& file) {
@@ -34,11 +34,11 @@ Settings read_settings(const fs::path& root, const fs::path& course, const fs::p
                        const fs::path& folder) {
   Settings settings;
   settings.catalogue = read_catalogue(root);
-  if (const fs::path file = chosen(course, folder / course_copy); !file.empty()) {
+  if (const fs::path file = chosen(course, folder, course_copy); !file.empty()) {
     settings.course_text = cli::read_text(file);
     settings.course = parse_course(settings.course_text, file.string(), settings.catalogue);
   }
-  if (const fs::path file = chosen(roster, folder / roster_copy); !file.empty()) {
+  if (const fs::path file = chosen(roster, folder, roster_copy); !file.empty()) {
     settings.roster_text = cli::read_text(file);
     settings.roster = parse_roster(settings.roster_text, file.string());
   }
