@@ -18,6 +18,10 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/students_copy"
                    "${CMAKE_CXX_COMPILER_LAUNCHER}")
   set_tests_properties(cli.students_copy PROPERTIES LABELS "starter;long" TIMEOUT 900)
+  add_test(NAME cli.course_update
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/course_update_test.sh" "$<TARGET_FILE:cs550_cli>"
+                   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/course_update")
+  set_tests_properties(cli.course_update PROPERTIES LABELS cli TIMEOUT 120)
   add_test(NAME cli.use_solution
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/use_solution_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/use_solution")

@@ -138,7 +138,7 @@ void start_history(const fs::path& folder) {
 
 /// What an update did.
 struct CopyUpdate {
-  int files_replaced = 0;
+  std::vector<std::string> replaced, removed;
   std::vector<std::string> kept;       ///< lab files that the student has changed
   std::vector<std::string> conflicts;  ///< among them, those whose starter has changed as well
 };
@@ -148,6 +148,7 @@ std::vector<std::string> files_of_copy(const fs::path& copy) {
   std::istringstream lines(read_text(copy / file_list));
   std::vector<std::string> files;
   for (std::string line; std::getline(lines, line);) files.push_back(line);
+  std::sort(files.begin(), files.end());  // paths sort otherwise: a/b before a.b
   return files;
 }
 
@@ -197,12 +198,12 @@ CopyUpdate update_copy(const fs::path& copy, const fs::path& fresh) {
   for (const std::string& file : new_files) {
     if (is_lab_file(file) || same_text(copy / file, fresh / file)) continue;
     replace(copy / file, fresh / file);
-    ++update.files_replaced;
+    update.replaced.push_back(file);
   }
   for (const std::string& file : old_files) {
     if (!is_lab_file(file) && !std::binary_search(new_files.begin(), new_files.end(), file)) {
       fs::remove(copy / file);
-      ++update.files_replaced;
+      update.removed.push_back(file);
     }
   }
   replace(copy / file_list, fresh / file_list);
@@ -248,10 +249,13 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   write_students_copy(draft.path(), options.released);
   const CopyUpdate update = update_copy(folder, draft.path());
   warn_of_uncommitted_changes();
+  for (const std::string& file : update.replaced) std::cout << "replaced: " << file << '\n';
+  for (const std::string& file : update.removed) std::cout << "removed: " << file << '\n';
   std::cout << fmt::format(
-      "Updated from version {} to {}: {} files replaced, {} changed lab files "
-      "kept.\nNothing was committed.\n",
-      old_version, starter_version(folder), update.files_replaced, update.kept.size());
+      "Updated from version {} to {}: {} files replaced, {} removed, {} changed lab files kept.\n"
+      "Nothing was committed.\n",
+      old_version, starter_version(folder), update.replaced.size(), update.removed.size(),
+      update.kept.size());
   for (const std::string& file : update.conflicts) {
     std::cout << fmt::format(
         "conflict: {} was changed, and so was its starter.\n"

@@ -1,0 +1,41 @@
+#!/bin/sh
+# course_update_test.sh PROGRAM ROOT SCRATCH
+# A published copy is updated, and a student with work in a clone of it pulls: files that were corrected are
+# replaced, those that are gone are removed, all others and the student's work stay.
+set -eu
+program=$1 root=$2 scratch=$3
+rm -rf "$scratch"
+mkdir -p "$scratch"
+export CS550_ROOT="$root" GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
+copy=$scratch/copy student=$scratch/student printed=$scratch/printed
+handout=labs/lab3_hill_climbing/README.md work=labs/lab3_hill_climbing/hill_climbing.cpp
+
+wrong() { echo "WRONG: $1" >&2; exit 1; }
+"$program" starter "$copy" >/dev/null 2>&1
+"$program" starter --update "$copy" >"$printed" 2>/dev/null
+[ -z "$(git -C "$copy" status --porcelain)" ] || wrong "an update to the same version changes the copy"
+grep -qF "0 files replaced, 0 removed" "$printed" || wrong "it must replace nothing"
+
+# As if the copy were an older version.
+echo 'an old handout' >"$copy/$handout"
+echo 'an old page' >"$copy/docs/old_page.md"
+echo docs/old_page.md >>"$copy/.starters/files.txt"
+git -C "$copy" add --all
+git -C "$copy" commit --quiet --message 'As published'
+git clone --quiet "$copy" "$student"
+echo '// my work' >>"$student/$work"
+git -C "$student" commit --quiet --all --message 'My work'
+
+"$program" starter --update "$copy" >"$printed" 2>/dev/null
+grep -qxF "replaced: $handout" "$printed" || wrong "it must list what it replaces"
+grep -qxF "removed: docs/old_page.md" "$printed" || wrong "it must list what it removes"
+git -C "$copy" add --all
+git -C "$copy" commit --quiet --message 'A corrected handout'
+git -C "$student" pull --quiet --no-rebase --no-edit
+git -C "$student" diff --quiet HEAD || wrong "the pull leaves changes"
+cmp "$student/$handout" "$root/$handout" || [ -n "$(git -C "$root" status --porcelain "$handout")" ] ||
+  wrong "the student has not received the handout"
+[ ! -e "$student/docs/old_page.md" ] || wrong "the student still has the page"
+tail -n 1 "$student/$work" | grep -qxF '// my work' || wrong "the student's work is lost"
+[ "$(git -C "$student" ls-files | wc -l)" = "$(git -C "$copy" ls-files | wc -l)" ] || wrong "files are missing"
+rm -rf "$scratch"
