@@ -70,10 +70,12 @@ add_custom_command(OUTPUT "${precompiled_header}"
           -o "${precompiled_header}"
   DEPENDS "${precompiled_folder}/lab.hpp" "${precompiled_folder}/common_expressions.hpp" ${contract}
   WORKING_DIRECTORY "${lab_folder}" VERBATIM)
+add_custom_target(precompiled_contract DEPENDS "${precompiled_header}")
 
 list(JOIN lab_options " " lab_options)
 file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/grade_lab/*.cpp")
-add_executable(grade_lab EXCLUDE_FROM_ALL ${sources} "${precompiled_header}")
+add_executable(grade_lab EXCLUDE_FROM_ALL ${sources})
+add_dependencies(grade_lab precompiled_contract)
 target_link_libraries(grade_lab PRIVATE cs550_grader CLI11::CLI11 cs550_warnings)
 target_compile_definitions(grade_lab PRIVATE
   CS550_COMPILER="${CMAKE_CXX_COMPILER}"

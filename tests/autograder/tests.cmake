@@ -140,7 +140,7 @@ if(TARGET grade_lab)
   add_test(NAME grader.precompiles_as_students_compile
            COMMAND "${CMAKE_CTEST_COMMAND}" --build-and-test "${PROJECT_SOURCE_DIR}"
                    "${PROJECT_BINARY_DIR}/precompiles" --build-generator "${CMAKE_GENERATOR}" --build-noclean
-                   --build-target labs/precompiled/lab.hpp.gch
+                   --build-target precompiled_contract
                    --build-options -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1"
                                    "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
                                    "-DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}")
