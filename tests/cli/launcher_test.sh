@@ -41,6 +41,23 @@ touch -d '+1 minute' "$project/framework/cli/verbs.def"
 runs_after_build yes
 rm -r "$project/build/student"
 
+# An edit counts by its bytes. A file from a backup has its old time, and so has one after the clock was set back.
+for lab in 3 4; do
+  mkdir -p "$project/labs/lab${lab}_topic" "$project/build/test/lab${lab}_student_code.dir"
+  echo written >"$project/labs/lab${lab}_topic/topic.cpp"
+done
+compiled() { for lab in 3 4; do : >"$project/build/test/lab${lab}_student_code.dir/topic.cpp.o"; done; }
+objects() { (cd "$project/build/test" && echo lab*_student_code.dir/*.o); }
+"$project/cs550" build test
+compiled
+"$project/cs550" build test
+both='lab3_student_code.dir/topic.cpp.o lab4_student_code.dir/topic.cpp.o'
+[ "$(objects)" = "$both" ] || wrong "without an edit, the objects are: $(objects)"
+echo restored >"$project/labs/lab3_topic/topic.cpp"
+touch -d 2001-01-01 "$project/labs/lab3_topic/topic.cpp"
+"$project/cs550" build test
+[ "$(objects)" = "${both#* }" ] || wrong "after an edit of lab 3 with an old time, the objects are: $(objects)"
+
 # A second build waits for the first, and then succeeds.
 mkfifo "$scratch/pipe"
 exec 8>"$project/build/test/.lock"
