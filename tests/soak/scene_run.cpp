@@ -23,13 +23,10 @@ bool is_needle(const RigidBody& body) {
          body.inertia.trace() * body.inverse_inertia.trace() > 1 / (thin * thin);
 }
 
-/// Restitution in the bias of one pass, and that of the naive solver, satisfies one corner after the
-/// other, so that a body with several corners in contact may gain energy.
+/// Restitution in the passes of the naive solver satisfies one corner after the other, so that a body with
+/// several corners in contact may gain energy.
 bool bounces_in_passes(const World& world) {
-  const WorldSettings& settings = world.settings();
-  if (settings.solver == SolverKind::Constraint && settings.contact_model == ContactModel::Soft) {
-    return false;
-  }
+  if (world.settings().solver == SolverKind::Constraint) return false;
   for (Index i = 0; i < static_cast<Index>(world.bodies().size()); ++i) {
     if (world.definition(world.id_at(i)).restitution > 0) return true;
   }

@@ -29,7 +29,7 @@ struct WorldSettings {
   Real length_unit = 1;                ///< the size of a typical body (m)
 
   int substeps = 8;          ///< per step
-  int iterations = 1;        ///< solver passes with bias per substep
+  int iterations = 1;        ///< solver passes with bias per substep without impacts
   int relax_iterations = 2;  ///< relax passes (without bias) per substep, soft contacts only
   SolverKind solver = SolverKind::Constraint;                  ///< the contact solver
   ContactModel contact_model = ContactModel::Soft;             ///< how penetration is corrected
@@ -46,7 +46,7 @@ struct WorldSettings {
   Real slop = Real(1e-3);                  ///< length units
   Real max_push_speed = 3;                 ///< length units per second
   Real restitution_threshold = Real(0.5);  ///< length units per second
-  int restitution_iterations = 8;          ///< sweeps of apply_restitution()
+  int restitution_iterations = 8;  ///< sweeps over impacts: apply_restitution(), Baumgarte's passes
   /// Soft contacts resist rolling and spinning with a torque of at most this lever (length units)
   /// times the normal force.
   Real rolling_resistance = 0;
