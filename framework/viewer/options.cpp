@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "cs550/excerpt.hpp"
+#include "files/path_argument.hpp"
 #include "pages/base/camera.hpp"
 
 namespace cs550::viewer {
@@ -59,6 +60,7 @@ void declare(CLI::App& app, Options& options) {
                  "show the case in which a test failed, as in\n"
                  "--failure Lab4.AxisMatchesBruteForce")
       ->option_text("TEST")
+      ->check(files::fault_of_path)
       ->excludes(lab);
   app.add_flag("--student", options.student, "run your own code in labs/ instead of the reference");
   app.add_option("--steps", options.steps, "steps to take before the first picture")
@@ -91,16 +93,19 @@ void declare(CLI::App& app, Options& options) {
       ->option_text("on|off");
   app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window")
       ->option_text("FILE")
-      ->check(ends_in(".png"));
+      ->check(ends_in(".png"))
+      ->check(files::fault_of_path);
   app.add_option("--frames", options.frames,
                  "write 0000.png, 0001.png, ... to this folder, one per\n"
                  "step")
-      ->option_text("FOLDER");
+      ->option_text("FOLDER")
+      ->check(files::fault_of_path);
   app.add_option("--gif", options.gif,
                  "write an animation, one frame per step (needs ffmpeg\n"
                  "or ImageMagick)")
       ->option_text("FILE")
-      ->check(ends_in(".gif"));
+      ->check(ends_in(".gif"))
+      ->check(files::fault_of_path);
   app.add_option("--frame-count", options.frame_count,
                  "frames for --frames and --gif; by default all steps of\n"
                  "the page, or 120")

@@ -30,7 +30,9 @@ misused() {
   code=0
   demo "$1" "$2" || code=$?
   [ $code = 2 ] || wrong "demo $1 $2 exited with code $code, expected 2"
-  grep -qF "$3" printed || wrong "expected in the message: $3"
+  grep -qF -- "$3" printed || wrong "expected in the message: $3"
 }
 misused --sleeping maybe "'maybe' is neither on nor off"
 misused --quality best "'best' is neither accurate nor game"
+misused --csv "" "--csv: expected the path of a file or folder, found an empty text"
+misused --csv "$(printf 'x%.0s' $(seq 300))" "found 300 letters"

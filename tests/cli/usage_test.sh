@@ -18,7 +18,7 @@ refuses() {
   ! grep -qE '^.{81}' "$scratch/printed" || wrong "'$*' printed a line of more than 80 columns"
   [ -z "$(ls -A .)" ] || wrong "'$*' left $(ls -A .)"
 }
-prints() { grep -qF "$1" "$scratch/printed" || wrong "expected in the message: $1"; }
+prints() { grep -qF -- "$1" "$scratch/printed" || wrong "expected in the message: $1"; }
 
 refuses lab
 refuses lab three
@@ -41,6 +41,14 @@ refuses submit 3 --out .
 prints "is a folder"
 refuses submit 3 --out absent/lab3.zip
 prints "there is no folder"
+long=$(printf 'x%.0s' $(seq 300))
+for path in "" "$long" "$long/a"; do
+  refuses submit 3 --out "$path"
+  prints "--out: expected "
+  refuses starter "$path"
+  prints "DIR: expected "
+done
+prints "302 letters"
 refuses starter
 refuses starter --release-solutions many copy
 refuses progress --lsit

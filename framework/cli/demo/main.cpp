@@ -13,6 +13,7 @@
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "cli/system/viewer.hpp"
+#include "files/path_argument.hpp"
 
 namespace {
 
@@ -117,6 +118,7 @@ void declare(CLI::App& app, DemoOptions& options) {
   app.add_option("SCENE", options.scene,
                  "name of a shipped scene, or a scene file; by default wall");
   app.add_option("--csv", options.csv, "write the trajectory of every moving body to a file")
+      ->check(files::fault_of_path)
       ->option_text("FILE");
   app.add_option("--steps", options.steps, "number of steps; by default the scene's own")
       ->option_text("N")

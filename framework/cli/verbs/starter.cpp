@@ -18,6 +18,7 @@
 #include "cli/system/project.hpp"
 #include "cli/verb.hpp"
 #include "files/output_file.hpp"
+#include "files/path_argument.hpp"
 
 namespace cs550::cli {
 
@@ -277,7 +278,9 @@ int run_starter(const StarterOptions& options) {
 
 Action declare_starter(CLI::App& app) {
   const auto options = std::make_shared<StarterOptions>();
-  app.add_option("DIR", options->folder, "folder of the copy, new or empty")->required();
+  app.add_option("DIR", options->folder, "folder of the copy, new or empty")
+      ->required()
+      ->check(files::fault_of_path);
   app.add_option("--release-solutions", options->released, "include the solutions of labs 1 to K")
       ->option_text("K")
       ->check(CLI::Range(0, 99));

@@ -14,6 +14,7 @@
 #include "cli/system/project.hpp"
 #include "cli/verb.hpp"
 #include "files/output_file.hpp"
+#include "files/path_argument.hpp"
 
 namespace cs550::cli {
 
@@ -155,7 +156,8 @@ Action declare_submit(CLI::App& app) {
   app.add_option("N", options->lab, "number of the lab; by default every lab that was begun")
       ->check(fault_of_lab_number);
   app.add_option("--out", options->out, "zip file to write; by default labN.zip or labs.zip")
-      ->option_text("FILE");
+      ->option_text("FILE")
+      ->check(files::fault_of_path);
   app.add_option("--student", options->student, "your name or student number; it is remembered")
       ->option_text("NAME");
   app.add_flag("--force", options->force, "pack a lab even if it is the unchanged starter");

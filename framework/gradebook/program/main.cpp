@@ -10,6 +10,7 @@
 #include "cli/command_line.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/system/project.hpp"
+#include "files/path_argument.hpp"
 #include "gradebook/command/compare.hpp"
 #include "gradebook/command/export_sources.hpp"
 #include "gradebook/command/grade.hpp"
@@ -87,8 +88,11 @@ int run_grade(const GradeOptions& options) {
 void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
   app.add_option("SUBMISSION", request.submissions,
                  "zip, tar.gz or folder of a student, or a folder of such submissions")
-      ->option_text("...");
-  app.add_option("--out", request.out, "folder for records and reports")->option_text("DIR");
+      ->option_text("...")
+      ->check(files::fault_of_path);
+  app.add_option("--out", request.out, "folder for records and reports")
+      ->option_text("DIR")
+      ->check(files::fault_of_path);
   app.add_option("--labs", request.labs, "labs to grade, such as 3, 1-7 or 1,3-5; by default all")
       ->option_text("LIST");
   app.add_option("--jobs", request.jobs, "labs graded at the same time; by default one per core")
@@ -128,10 +132,12 @@ void declare(CLI::App& app, GradeOptions& options) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--export-jplag", options.export_folder,
                  "write the submissions as JPlag and MOSS expect them, and grade nothing")
-      ->option_text("FOLDER");
+      ->option_text("FOLDER")
+      ->check(files::fault_of_path);
   app.add_option("--gradescope-zip", options.gradescope_zip,
                  "write the autograder of --labs, with --course, for an upload to Gradescope")
-      ->option_text("FILE");
+      ->option_text("FILE")
+      ->check(files::fault_of_path);
 }
 
 }  // namespace
