@@ -8,11 +8,12 @@ from pathlib import Path
 
 from book import Book
 
+FORMULA = re.compile(r"\\\(.*?\\\)|\\\[.*?\\\]", re.S)
 VOID = {"img", "br", "input", "hr", "link", "meta", "area", "source", "wbr", "col"}
 
 
 class Sections(HTMLParser):
-    """The sections of a page: [anchor, heading, text]. Formulas are kept as TeX."""
+    """The sections of a page: [anchor, heading, text]."""
 
     def __init__(self, html, title):
         super().__init__()
@@ -44,12 +45,17 @@ class Sections(HTMLParser):
             self.found[-1][1 if self.heading else 2] += data
 
 
+def readable(formula):
+    """A formula in TeX without its delimiters, spaces, braces and backslashes."""
+    return re.sub(r"\\[,;! ]|[{}\\]", "", formula[2:-2])
+
+
 def passages(book, folder):
     for page in book.pages:
         if page.is_reference or page.name == "search":
             continue
         for anchor, heading, text in Sections((folder / page.html).read_text(), page.label).found:
-            text = re.sub(r"\s+", " ", text).strip()
+            text = re.sub(r"\s+", " ", FORMULA.sub(lambda formula: readable(formula[0]), text)).strip()
             name = page.label if not anchor else f"{page.label}: {heading.strip()}"
             if text:
                 yield {"address": page.html + anchor, "heading": name, "text": text}
