@@ -71,6 +71,8 @@ Plot plot_steps(const json& report) {
   return plot;
 }
 
+constexpr drawing::Size third_of_a_page = {290, 290};
+
 drawing::Page cost_against_n(const json& report) {
   constexpr Family supports[] = {{"support/all", "all vertices"},
                                  {"support/climb", "climb"},
@@ -81,6 +83,7 @@ drawing::Page cost_against_n(const json& report) {
                               {"axis/crossed_prisms", "edges of crossed prisms"}};
   drawing::Page page;
   page.alt_text = "Three plots with logarithmic axes: support, pairs, steps";
+  page.panel_size = third_of_a_page;
   page.panels = {plot_stages(report, "Support", supports),
                  plot_stages(report, "A pair of hulls", pairs), plot_steps(report)};
   return page;
@@ -115,6 +118,7 @@ drawing::Page frontier_of(const json& report, const Measure& measure) {
   drawing::Page page;
   page.alt_text =
       std::string(measure.label) + " over milliseconds per step, a curve for each engine";
+  page.panel_size = third_of_a_page;
   for (const json& frontier : report.at("frontiers")) {
     Plot plot = plot_frontier(frontier, measure);
     if (!plot.series.empty()) page.panels.emplace_back(std::move(plot));

@@ -85,6 +85,13 @@ class Book:
         """Pictures of the viewer may be missing; all others were made, or the build has ended."""
         return kind == "svg" or (self.figure_folder / f"{name}.png").exists()
 
+    def figure_width(self, key, kind):
+        """As drawn, in pixels."""
+        data = (self.figure_folder / f"{key}.{kind}").read_bytes()
+        if kind == "png":
+            return int.from_bytes(data[16:20], "big")
+        return float(re.search(rb'viewBox="[\d.-]+ [\d.-]+ ([\d.]+)', data)[1])
+
     def test_address(self, name):
         source, line = self.tests[name]
         return f"{listing_name(source)}.html#l{line:05}"

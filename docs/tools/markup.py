@@ -29,6 +29,7 @@ from pathlib import Path
 from book import FIGURE, figure_key, is_of_handout, listing_name
 from listing import find_function
 
+WIDE = 720  # pixels: a phone scrolls such a figure instead of making its letters unreadable
 CODE_OR_TEXT = re.compile(r"(^```.*?^```[^\n]*\n?|``[^`]+``|`[^`]+`)", re.M | re.S)
 FENCE_OR_HEADING = re.compile(r"(^```.*?^```)|^(##+) ([^\n]*)$", re.M | re.S)
 BOLD = re.compile(r"\*\*(.+?)\*\*", re.S)
@@ -107,7 +108,8 @@ class Markup:
         text = self.inline_html(caption or alt + ".")
         live = f' data-live="{escape(self.book.live_figures[name])}"' if name in self.book.live_figures else ""
         live += " data-start" if live and self.page.name == "index" else ""  # the first page opens on a live scene
-        return raw(f'<figure id="fig_{key}"{live}><img src="figures/{key}.{kind}" alt="{escape(" ".join(alt.split()))}"/>'
+        wide = ' class="wide"' if self.book.figure_width(key, kind) > WIDE else ""
+        return raw(f'<figure id="fig_{key}"{live}{wide}><img src="figures/{key}.{kind}" alt="{escape(" ".join(alt.split()))}"/>'
                    f"<figcaption><b>Figure {number}.</b> {text}</figcaption></figure>")
 
     def listing(self, place, name, form):

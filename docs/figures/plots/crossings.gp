@@ -1,4 +1,5 @@
 set logscale xy
+set format y "10^{%T}"
 set xlabel "vertices n of each hull"
 set ylabel "pairs of edges"
 plot file using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 2 linecolor rgb faint title "all pairs", \
