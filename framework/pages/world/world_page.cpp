@@ -1,6 +1,7 @@
 #include "pages/world/world_page.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pages/base/colours.hpp"
 #include "pages/base/cutaway.hpp"
@@ -92,6 +93,22 @@ void WorldPage::receive(const WorldFrame& frame) {
   find_focus();
 }
 
+/// Bodies fall, and should still be in view when they land: a box that is above an immovable body is extended down to
+/// its top.
+Bounds WorldPage::down_to_the_ground(Bounds box) const {
+  Real ground = -HUGE_VALF;
+  for (std::size_t i = 0; i < frame_.bodies.size(); ++i) {
+    const Bounds& other = frame_.bounds[i];
+    const bool is_below = other.upper.z() < box.center().z() &&
+                          (other.lower.head<2>().array() < box.upper.head<2>().array()).all() &&
+                          (other.upper.head<2>().array() > box.lower.head<2>().array()).all();
+    if (is_below && frame_.bodies[i].kind != BodyKind::Dynamic)
+      ground = std::max(ground, other.upper.z());
+  }
+  if (std::isfinite(ground)) box.lower.z() = std::min(box.lower.z(), ground);
+  return box;
+}
+
 /// The movable bodies, except a few that are far from the rest. All bodies if none is movable.
 void WorldPage::find_focus() {
   Bounds all;
@@ -112,7 +129,7 @@ void WorldPage::find_focus() {
       core.upper[axis] = std::max(core.upper[axis], frame_.bounds[moving[i]].upper[axis]);
     }
   }
-  const Bounds& shown = moving.empty() ? all : core;
+  const Bounds shown = moving.empty() ? all : down_to_the_ground(core);
   if ((shown.lower.array() < shown.upper.array()).all()) focus_ = focus_of(shown);
   focus_.radius *= Real(1.06);  // margin
 }

@@ -58,6 +58,7 @@ class WorldPage final : public Page {
  private:
   void ask(const WorldRequest& request);
   void receive(const WorldFrame& frame);
+  Bounds down_to_the_ground(Bounds box) const;
   void find_focus();
   std::vector<Solid> solids() const;
   std::vector<Fact> facts() const;
