@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "cs550/clipping.hpp"
 #include "cs550/separating_axis.hpp"
 #include "figure.hpp"
 #include "sketch.hpp"
@@ -17,8 +18,22 @@ std::ostream& write(std::ostream& out, const Vec3& v) {
   return out << v.x() << ' ' << v.y() << ' ' << v.z();
 }
 
+constexpr Real manifold_margin = Real(0.05);  // m
+
+/// the kind of the reference feature, the normal, the number of points; per point, up to four, the points on A and on
+/// B in the world and the kind of the feature
+void write_manifold(std::ostream& out, const Manifold& manifold, const Pose& a, const Pose& b) {
+  out << static_cast<int>(manifold.reference) << ' ';
+  write(out, manifold.normal) << ' ' << manifold.points.size();
+  for (int i = 0; i < max_manifold_points; ++i) {
+    const ContactPoint point = i < manifold.points.size() ? manifold.points[i] : ContactPoint{};
+    write(out << ' ', a.to_world(point.anchor_a));
+    write(out << ' ', b.to_world(point.anchor_b)) << ' ' << static_cast<int>(point.feature.kind());
+  }
+}
+
 /// per pair of boxes: half-extents, position and orientation (w x y z) of A, the same of B; then the kind of
-/// the features (1 face of A, 2 face of B, 3 edges), the axis and the separation
+/// the features (1 face of A, 2 face of B, 3 edges), the axis, the separation, and the manifold
 void rebuild_boxes(std::ostream& out) {
   constexpr int pairs = 400;
   Sequence random(23);
@@ -38,7 +53,10 @@ void rebuild_boxes(std::ostream& out) {
       write(out, bodies.at(k).pose.position) << ' ' << bodies.at(k).pose.orientation << ' ';
     }
     out << static_cast<int>(found.feature) << ' ';
-    write(out, found.axis) << ' ' << found.separation << '\n';
+    write(out, found.axis) << ' ' << found.separation << ' ';
+    const Manifold manifold = build_manifold(bodies[0], bodies[1], found, manifold_margin);
+    write_manifold(out, manifold, bodies[0].pose, bodies[1].pose);
+    out << '\n';
   }
 }
 

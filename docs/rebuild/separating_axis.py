@@ -32,7 +32,7 @@ def rotation(q):
 
 
 class Box:
-    """Vertices, face normals and offsets in the world, and edges: (vector, a point, the two normals beside it)."""
+    """Vertices, face normals and offsets in the world, and edges: (half of it, its middle, the two normals beside it)."""
 
     def __init__(self, half, position, quaternion):
         axes = rotation(quaternion).T  # row k: the box's axis k in the world
@@ -46,7 +46,7 @@ class Box:
             u, v = [k for k in range(3) if k != along]
             for su, sv in itertools.product((-1, 1), repeat=2):
                 middle = position + su * half[u] * axes[u] + sv * half[v] * axes[v]
-                self.edges.append((axes[along], middle, su * axes[u], sv * axes[v]))
+                self.edges.append((half[along] * axes[along], middle, su * axes[u], sv * axes[v]))
 
 
 def query_faces(a, b):
@@ -63,25 +63,27 @@ def arcs_cross(a, b, c, d):
 
 
 def query_edges(a, b):
-    """The largest s = n · (p_B − p_A) over the pairs of edges whose arcs cross."""
-    best, axis = -np.inf, None
-    for (e_a, p_a, f_a, g_a), (e_b, p_b, f_b, g_b) in itertools.product(a.edges, b.edges):
-        n = np.cross(e_a, e_b)  # the edge vectors are unit here, so that this is the sine
-        if np.linalg.norm(n) < PARALLEL_SINE or not arcs_cross(f_a, g_a, -f_b, -g_b):
+    """The largest s = n · (p_B − p_A) over the pairs of edges whose arcs cross, its axis and its pair."""
+    best, axis, pair = -np.inf, None, None
+    for edge_a, edge_b in itertools.product(a.edges, b.edges):
+        (e_a, p_a, f_a, g_a), (e_b, p_b, f_b, g_b) = edge_a, edge_b
+        n = np.cross(e_a, e_b)
+        parallel = np.linalg.norm(n) < PARALLEL_SINE * np.linalg.norm(e_a) * np.linalg.norm(e_b)
+        if parallel or not arcs_cross(f_a, g_a, -f_b, -g_b):
             continue
         n /= np.linalg.norm(n)
         if n @ (f_a + g_a) < 0:
             n = -n
         if n @ (p_b - p_a) > best:
-            best, axis = n @ (p_b - p_a), n
-    return best, axis
+            best, axis, pair = n @ (p_b - p_a), n, (edge_a, edge_b)
+    return best, axis, pair
 
 
 def find_separating_axis(a, b):
     """Kind, axis from A to B, separation: of the kinds within the tolerance of the best, the first."""
     s_a, n_a = query_faces(a, b)
     s_b, n_b = query_faces(b, a)
-    s_e, n_e = query_edges(a, b)
+    s_e, n_e, _ = query_edges(a, b)
     tolerance = TIE_TOLERANCE * min(a.radius, b.radius)
     best = max(s_a, s_b, s_e)
     for kind, axis, separation in ((FACE_A, n_a, s_a), (FACE_B, -n_b, s_b), (EDGES, n_e, s_e)):

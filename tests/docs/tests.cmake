@@ -36,8 +36,10 @@ if(CS550_SYSTEM_PYTHON AND rebuild_scripts)
   set(rebuild "${PROJECT_SOURCE_DIR}/docs/rebuild")
   add_test(NAME docs.rebuild.SeparatingAxis COMMAND "${CS550_SYSTEM_PYTHON}" "${rebuild}/separating_axis.py"
            "${PROJECT_SOURCE_DIR}/build/docs/data/rebuild_boxes.dat")
+  add_test(NAME docs.rebuild.ContactManifold COMMAND "${CS550_SYSTEM_PYTHON}" "${rebuild}/contact_manifold.py"
+           "${PROJECT_SOURCE_DIR}/build/docs/data/rebuild_boxes.dat")
   add_test(NAME docs.rebuild.Stack COMMAND "${CS550_SYSTEM_PYTHON}" "${rebuild}/compare_stack.py"
            $<TARGET_FILE:cs550_demo>)
-  set_tests_properties(docs.rebuild.SeparatingAxis docs.rebuild.Stack PROPERTIES LABELS docs SKIP_RETURN_CODE 77
-                       TIMEOUT 120)
+  set_tests_properties(docs.rebuild.SeparatingAxis docs.rebuild.ContactManifold docs.rebuild.Stack
+                       PROPERTIES LABELS docs SKIP_RETURN_CODE 77 TIMEOUT 120)
 endif()
