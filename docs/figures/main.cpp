@@ -5,16 +5,20 @@
 ///   book_figures --live DESCRIPTION --output FILE
 ///   book_figures --hulls CLOUDS --output FILE
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
 
 #include "benchmark_figures.hpp"
 #include "cloud_hulls.hpp"
-#include "cs550/not_implemented.hpp"
 #include "figure.hpp"
 #include "live_figure.hpp"
 
@@ -60,42 +64,84 @@ std::vector<Table> all_tables() {
   return all;
 }
 
-/// Where a lab is not written yet, as in a students' copy, its figure says so.
-drawing::Page unwritten(const NotImplemented& missing) {
+constexpr rlim_t most_seconds = 30;  // of processor time for one figure
+constexpr const char* never_ends =
+    "It crashed, or did not end within 30 s of processor time. See ./cs550 lab N.";
+
+/// Runs a task in a process of its own: a student's function may crash or never end.
+/// @return whether it ended @throws std::runtime_error if it threw, after it has printed what
+bool ends(const std::function<void()>& task) {
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("cannot start a process");
+  if (child == 0) {
+    const rlimit limit{most_seconds, most_seconds};
+    setrlimit(RLIMIT_CPU, &limit);
+    try {
+      task();
+    } catch (const std::exception& error) {
+      std::cerr << "book_figures: " << error.what() << '\n';
+      _exit(1);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFEXITED(status) && WEXITSTATUS(status) != 0) throw std::runtime_error("a figure failed");
+  return WIFEXITED(status);
+}
+
+/// What a figure shows whose lab is not written yet, is wrong or does not end.
+drawing::Page unwritten(const std::string& reason) {
   drawing::Drawing note;
   note.title = "This figure is drawn by your own code.";
-  note.notes = {missing.what()};
+  note.notes = {reason};
   drawing::Page page;
   page.panels = {drawing::Scene{note, drawing::view_from_above()}};
   page.panel_size = {640, 60};
   return page;
 }
 
+/// Writes a file by a task, or by `instead` with the reason why a student's code cannot do it.
+void write(const fs::path& path, const std::function<void(std::ostream&)>& task,
+           const std::function<void(std::ostream&, const std::string&)>& instead) {
+  const auto write_by = [&](const std::function<void(std::ostream&)>& writer) {
+    std::ofstream file(path);
+    file.precision(9);
+    writer(file);
+    if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+  };
+  const auto explain = [&](const std::string& reason) {
+    write_by([&](std::ostream& file) { instead(file, reason); });
+  };
+  const bool has_ended = ends([&] {
+    try {
+      write_by(task);
+    } catch (const std::exception& error) {
+      explain(error.what());
+    }
+  });
+  if (!has_ended) explain(never_ends);
+}
+
+void explain_picture(std::ostream& file, const std::string& reason) {
+  file << drawing::write_svg(unwritten(reason));
+}
+
 void draw(const Figure& figure, const fs::path& folder) {
-  std::ofstream file(folder / (figure.name + ".svg"));
-  try {
-    file << drawing::write_svg(figure.draw());
-  } catch (const NotImplemented& missing) {
-    file << drawing::write_svg(unwritten(missing));
-  }
-  if (!file.flush()) throw std::runtime_error("cannot write " + figure.name);
+  const auto picture = [&](std::ostream& file) { file << drawing::write_svg(figure.draw()); };
+  write(folder / (figure.name + ".svg"), picture, explain_picture);
 }
 
 void measure(const Table& table, const fs::path& folder) {
-  std::ofstream file(folder / (table.name + ".dat"));
-  file.precision(9);
-  try {
-    table.measure(file);
-  } catch (const NotImplemented& missing) {
-    file << "# " << missing.what() << "\n0 0 0 0 0 0 0 0\n1 1 1 1 1 1 1 1\n";
-  }
-  if (!file.flush()) throw std::runtime_error("cannot write " + table.name);
+  write(folder / (table.name + ".dat"), table.measure,
+        [](std::ostream& file, const std::string& reason) {
+          file << "# " << reason << "\n0 0 0 0 0 0 0 0\n1 1 1 1 1 1 1 1\n";
+        });
 }
 
 void draw_live(const std::string& description, const std::string& name) {
-  std::ofstream file(name);
-  file << live::LiveFigure(description).svg();
-  if (!file.flush()) throw std::runtime_error("cannot write " + name);
+  const auto picture = [&](std::ostream& file) { file << live::LiveFigure(description).svg(); };
+  write(name, picture, explain_picture);
 }
 
 }  // namespace
