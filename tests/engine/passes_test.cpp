@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "engine/contacts/contact_passes.hpp"
+#include "engine/contacts/rolling_resistance.hpp"
+#include "engine/contacts/solve_order.hpp"
 #include "engine/instruction_set.hpp"
 #include "helpers/random.hpp"
 
@@ -21,6 +23,9 @@ namespace lanes_of_four {
                               const Passes& passes);
 [[gnu::weak]] void prepare_contacts(std::span<ContactConstraint> constraints,
                                     std::span<const SolverBody> bodies, const ContactStep& step);
+[[gnu::weak]] void resist_rolling(const SolveOrder& order,
+                                  std::span<const ContactConstraint> constraints,
+                                  std::span<SolverBody> bodies, Real lever);
 }  // namespace lanes_of_four
 namespace lanes_of_eight {
 [[gnu::weak]] void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
@@ -28,6 +33,9 @@ namespace lanes_of_eight {
                               const Passes& passes);
 [[gnu::weak]] void prepare_contacts(std::span<ContactConstraint> constraints,
                                     std::span<const SolverBody> bodies, const ContactStep& step);
+[[gnu::weak]] void resist_rolling(const SolveOrder& order,
+                                  std::span<const ContactConstraint> constraints,
+                                  std::span<SolverBody> bodies, Real lever);
 }  // namespace lanes_of_eight
 
 namespace test {
@@ -295,6 +303,109 @@ TEST(Passes, AStaleMirrorIsBuiltAgain) {
   run_passes(mirror, system.constraints, system.bodies, step, {true, 0, 2});
   run_one_by_one(one_by_one, step, {true, 0, 2});
   expect_same_bits(system, one_by_one);
+}
+
+/// Contacts of one to four points with loads, some of them zero, in the order of the world.
+struct RollingSystem {
+  std::vector<Contact> contacts;
+  SolveOrder order;
+  std::vector<ContactConstraint> constraints;
+  std::vector<SolverBody> bodies;
+};
+
+RollingSystem random_rolling_system(Random& random) {
+  RollingSystem system;
+  const Index count = random.integer(2, 40);
+  const Index movable = std::max(Index(1), count * 4 / 5);
+  std::vector<RigidBody> kinds(count);
+  for (Index i = 0; i < count; ++i) {
+    kinds[i].kind = i < movable ? BodyKind::Dynamic : BodyKind::Static;
+    system.bodies.push_back(random_body(random, i < movable));
+    if (random.real(0, 1) < Real(0.2)) system.bodies.back().w.setZero();
+  }
+  for (Index i = random.integer(0, 100); i > 0; --i) {
+    Contact contact;
+    contact.body_a = random.integer(0, movable - 1);
+    contact.body_b = random.integer(0, count - 1);
+    for (Index k = random.integer(1, 4); k > 0; --k) {
+      contact.manifold.points.push_back({});
+      contact.manifold.points.back().normal_impulse = std::max(Real(0), random.real(-1, 2));
+    }
+    if (contact.body_a != contact.body_b) system.contacts.push_back(contact);
+  }
+  arrange_constraints(system.contacts, kinds, system.order);
+  system.constraints.resize(system.order.place_of_point.size());
+  for (const Index i : system.order.contacts) {
+    const Contact& contact = system.contacts[i];
+    auto place = system.order.places_of(i).begin();
+    for (const ContactPoint& point : contact.manifold.points) {
+      ContactConstraint& constraint = system.constraints[*place++];
+      constraint.body_a = contact.body_a;
+      constraint.body_b = contact.body_b;
+      constraint.normal_impulse = point.normal_impulse;
+    }
+  }
+  return system;
+}
+
+/// Friction against relative rotation: it takes energy, never reverses the rotation, and is at most
+/// the lever times the load. @returns how many contacts it brought to rest
+int resist_one_by_one(RollingSystem& system, Real lever) {
+  int stopped = 0;
+  for (const Contact& contact : system.contacts) {
+    Real load = 0;
+    for (const ContactPoint& point : contact.manifold.points) load += point.normal_impulse;
+    SolverBody& a = system.bodies[contact.body_a];
+    SolverBody& b = system.bodies[contact.body_b];
+    const Vec3 relative = b.w - a.w;
+    const Real speed = relative.norm();
+    if (speed == 0) continue;
+    const Vec3 axis = relative / speed;
+    const Vec3 response_a = a.world_inverse_inertia * axis;
+    const Vec3 response_b = b.world_inverse_inertia * axis;
+    const Real response = axis.dot(response_a + response_b);
+    if (response <= 0) continue;
+    if (speed / response < lever * load) ++stopped;
+    const Real impulse = std::min(lever * load, speed / response);
+    a.w += impulse * response_a;
+    b.w -= impulse * response_b;
+  }
+  return stopped;
+}
+
+using ResistRolling = void(const SolveOrder&, std::span<const ContactConstraint>,
+                           std::span<SolverBody>, Real);
+
+TEST(RollingInLanes, LeavesTheBitsOfOneContactAfterTheOther) {
+  std::vector<std::pair<const char*, ResistRolling*>> forms;
+  forms.emplace_back("the engine's", &resist_rolling);
+  if (lanes_of_four::resist_rolling != nullptr) {
+    forms.emplace_back("four", &lanes_of_four::resist_rolling);
+  }
+#if CS550_HAS_AVX2_FORMS
+  if (lanes_of_eight::resist_rolling != nullptr && has_avx2()) {
+    forms.emplace_back("eight", &lanes_of_eight::resist_rolling);
+  }
+#endif
+  int stopped = 0;
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const RollingSystem system = random_rolling_system(random);
+    RollingSystem one_by_one = system;
+    stopped += resist_one_by_one(one_by_one, Real(0.3));
+    for (const auto& [form, resist] : forms) {
+      SCOPED_TRACE(form);
+      std::vector<SolverBody> bodies = system.bodies;
+      resist(system.order, system.constraints, bodies, Real(0.3));
+      for (std::size_t i = 0; i < bodies.size(); ++i) {
+        SCOPED_TRACE("body " + std::to_string(i));
+        ASSERT_TRUE(same_bits(bodies[i].w, one_by_one.bodies[i].w));
+        ASSERT_TRUE(same_bits(bodies[i].v, one_by_one.bodies[i].v));
+      }
+    }
+  }
+  EXPECT_GT(stopped, 100) << "the systems no longer try contacts that stop";
 }
 
 }  // namespace

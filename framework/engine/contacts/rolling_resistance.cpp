@@ -3,6 +3,8 @@
 /// points. A hull that touches its neighbours with two corners swings about the line through them
 /// for minutes: the impulses at the two corners have no lever about that line.
 
+#include "engine/contacts/rolling_resistance.hpp"
+
 #include <algorithm>
 
 #include "engine/contacts/contact_constraints.hpp"
@@ -11,9 +13,9 @@ namespace cs550 {
 
 namespace {
 
-Real load(const WorldState& world, std::span<const Index> places) {
+Real load(std::span<const ContactConstraint> constraints, std::span<const Index> places) {
   Real sum = 0;
-  for (const Index place : places) sum += world.constraints[place].normal_impulse;
+  for (const Index place : places) sum += constraints[place].normal_impulse;
   return sum;
 }
 
@@ -35,14 +37,20 @@ void slow_rotation(SolverBody& a, SolverBody& b, Real limit) {
 
 }  // namespace
 
+[[gnu::weak]] void resist_rolling(const SolveOrder& order,
+                                  std::span<const ContactConstraint> constraints,
+                                  std::span<SolverBody> bodies, Real lever) {
+  for (const Index contact : order.contacts) {
+    const std::span<const Index> places = order.places_of(contact);
+    const ContactConstraint& first = constraints[places[0]];
+    slow_rotation(bodies[first.body_a], bodies[first.body_b], lever * load(constraints, places));
+  }
+}
+
 void resist_rolling(WorldState& world) {
   const Real lever = world.settings.rolling_resistance * world.settings.length_unit;
   if (lever == 0) return;
-  for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
-    const ContactConstraint& first = world.constraints[places[0]];
-    slow_rotation(world.solver_bodies[first.body_a], world.solver_bodies[first.body_b],
-                  lever * load(world, places));
-  });
+  resist_rolling(world.solve_order, world.constraints, world.solver_bodies, lever);
 }
 
 }  // namespace cs550

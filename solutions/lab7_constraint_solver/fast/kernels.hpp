@@ -1,8 +1,9 @@
 #pragma once
 /// @file kernels.hpp
-/// run_passes() and prepare_contacts() in two forms that give the same bits.
+/// run_passes(), prepare_contacts() and resist_rolling() in two forms that give the same bits.
 
 #include "engine/contacts/contact_passes.hpp"
+#include "engine/contacts/rolling_resistance.hpp"
 #include "engine/instruction_set.hpp"
 
 namespace cs550 {
@@ -12,6 +13,8 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);
 void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
                       const ContactStep& step);
+void resist_rolling(const SolveOrder& order, std::span<const ContactConstraint> constraints,
+                    std::span<SolverBody> bodies, Real lever);
 }  // namespace lanes_of_four
 
 #if CS550_HAS_AVX2_FORMS
@@ -21,6 +24,8 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);
 void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
                       const ContactStep& step);
+void resist_rolling(const SolveOrder& order, std::span<const ContactConstraint> constraints,
+                    std::span<SolverBody> bodies, Real lever);
 }  // namespace lanes_of_eight
 #endif
 

@@ -15,6 +15,7 @@
 //
 #include "masses.hpp"
 #include "passes.hpp"
+#include "wide_rolling.hpp"
 
 #include "engine/end_avx2.hpp"
 

@@ -1,3 +1,4 @@
 #include "kernels.hpp"
 #include "masses.hpp"
 #include "passes.hpp"
+#include "wide_rolling.hpp"

@@ -1,0 +1,16 @@
+/// @file rolling_resistance.cpp
+/// Rolling resistance for the engine: eight contacts at a time, with the bits of given code's form.
+
+#include "kernels.hpp"
+
+namespace cs550 {
+
+void resist_rolling(const SolveOrder& order, std::span<const ContactConstraint> constraints,
+                    std::span<SolverBody> bodies, Real lever) {
+#if CS550_HAS_AVX2_FORMS
+  if (has_avx2()) return lanes_of_eight::resist_rolling(order, constraints, bodies, lever);
+#endif
+  lanes_of_four::resist_rolling(order, constraints, bodies, lever);
+}
+
+}  // namespace cs550
