@@ -26,6 +26,17 @@ done
 demo --sleeping off || wrong "demo --sleeping off failed"
 if grep -q "^asleep" printed; then wrong "nothing sleeps with --sleeping off"; fi
 
+# --quality determines the settings as "quality" in the scene does.
+hash_of() { demo --sleeping off "$@" || wrong "demo $* failed"; sed -n 's/^state hash  *//p' printed; }
+own=$(hash_of)
+game=$(hash_of --quality game)
+[ -n "$own" ] || wrong "expected a state hash"
+[ "$(hash_of --quality accurate)" = "$own" ] || wrong "accurate is the default"
+[ "$game" != "$own" ] || wrong "--quality game changed nothing"
+sed -i 's/"steps": 60,/"steps": 60, "world": { "quality": "game" },/' scene.json
+[ "$(hash_of)" = "$game" ] || wrong "a scene of quality game and --quality game should do the same"
+[ "$(hash_of --quality accurate)" = "$own" ] || wrong "--quality should win over the scene's"
+
 misused() {
   code=0
   demo "$1" "$2" || code=$?
