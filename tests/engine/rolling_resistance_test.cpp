@@ -71,5 +71,38 @@ TEST(RollingResistance, TakesNoEnergyFromAFreeBody) {
   EXPECT_EQ(without.state_hash(), with.state_hash());
 }
 
+struct Tilt {
+  double after_two_seconds, after_six_seconds;  // rad
+};
+
+/// Of a cube on a table, with its centre of mass 2 mm beyond the edge.
+Tilt tilt_of_overhanging_cube(Real rolling_resistance) {
+  WorldSettings settings = game_settings();
+  settings.rolling_resistance = rolling_resistance;
+  World world(settings);
+  BodyDef table = body_at(box_shape({1, 1, Real(0.5)}), {0, 0, Real(-0.5)});
+  table.kind = BodyKind::Static;
+  world.add_body(table);
+  world.add_body(body_at(box_shape(Vec3::Constant(edge / 2)), {Real(1.002), 0, edge / 2}));
+  const auto tilt_after = [&](int steps) -> double {
+    run(world, steps);
+    return std::abs(world.bodies()[1].pose.orientation.angularDistance(Quat::Identity()));
+  };
+  const double after_two_seconds = tilt_after(120);
+  return {after_two_seconds, tilt_after(240)};
+}
+
+/// The torque of gravity is the overhang times the weight. The cube is put down at once, so its springs
+/// yield twice as far as under a load that grows slowly: the lever must be more than twice the overhang.
+TEST(RollingResistance, BalancesATorqueWithoutCreep) {
+  EXPECT_GT(tilt_of_overhanging_cube(0).after_two_seconds, 0.1) << "nothing holds the cube";
+  EXPECT_GT(tilt_of_overhanging_cube(Real(0.001)).after_two_seconds, 0.1)
+      << "a lever shorter than the overhang";
+  const Tilt held = tilt_of_overhanging_cube(Real(0.005));
+  EXPECT_LT(held.after_two_seconds, 1e-3) << "the springs yield by less than a millimetre";
+  // Turning by τh²/I in each substep would be 8e-4 rad in four seconds.
+  EXPECT_NEAR(held.after_six_seconds, held.after_two_seconds, 1e-5);
+}
+
 }  // namespace
 }  // namespace cs550

@@ -49,7 +49,6 @@ void slow_rotation(SolverBody& a, SolverBody& b, Real limit) {
 
 void resist_rolling(WorldState& world) {
   const Real lever = world.settings.rolling_resistance * world.settings.length_unit;
-  if (lever == 0) return;
   resist_rolling(world.solve_order, world.constraints, world.solver_bodies, lever);
 }
 

@@ -68,6 +68,9 @@ int passes_with_bias(const WorldState& world, const ContactStep& step) {
   return std::max(settings.iterations, settings.restitution_iterations);
 }
 
+/// A torque that rolling resistance balances must not turn a body at all, so the resistance acts before
+/// the bodies move. It acts before the passes, too, so that these have the last word about velocities at
+/// contacts. The loads are the impulses of the warm start.
 void solve_with_bias(WorldState& world, const ContactStep& step) {
   const WorldSettings& settings = world.settings;
   with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
@@ -75,7 +78,12 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
     if (settings.solver == SolverKind::Constraint) begin_push(world);
     const bool warm = settings.warm_starting && settings.solver == SolverKind::Constraint;
     if (!warm) forget_impulses(world);
-    solve(world, bodies, step, {warm, 0, passes_with_bias(world, step)});
+    const bool resists = warm && is_soft(settings) && settings.rolling_resistance > 0;
+    if (resists) {
+      solve(world, bodies, step, {warm, 0, 0});
+      resist_rolling(world);
+    }
+    solve(world, bodies, step, {warm && !resists, 0, passes_with_bias(world, step)});
   });
 }
 
@@ -97,7 +105,6 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
     with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
       refresh_masses_of_thin_bodies(world, step);
       restart_after_push(world, bodies, step);
-      resist_rolling(world);
       relax(world, bodies, step);
       if (world.any_bounces) {
         apply_restitution(world.constraints, bodies, step);

@@ -47,8 +47,8 @@ struct WorldSettings {
   Real max_push_speed = 3;                 ///< length units per second
   Real restitution_threshold = Real(0.5);  ///< length units per second
   int restitution_iterations = 8;  ///< sweeps over impacts: apply_restitution(), Baumgarte's passes
-  /// Soft contacts resist rolling and spinning with a torque of at most this lever (length units)
-  /// times the normal force.
+  /// Soft contacts with a warm start resist rolling and spinning with a torque of at most this lever
+  /// (length units) times the normal force.
   Real rolling_resistance = 0;
 
   bool check_stages = false;    ///< check the postconditions of each stage
