@@ -17,9 +17,14 @@ TEST(Terminal, ALongLineGoesOnBelowItsText) {
   EXPECT_EQ(indented(std::string(75, 'x') + " end", 2), "  " + std::string(75, 'x') + "\n  end\n");
 }
 
-TEST(Terminal, AWordThatDoesNotFitIsKeptWhole) {
-  const std::string path = "  picture   build/results/pictures/" + std::string(60, 'x') + ".svg";
-  EXPECT_EQ(indented(path, 6), std::string(6, ' ') + path + '\n');
+TEST(Terminal, AWordThatDoesNotFitIsKeptWholeOnALineOfItsOwn) {
+  const std::string path = std::string(66, 'x') + ".svg";
+  EXPECT_EQ(indented("  picture   " + path + "\n  also      more", 6),
+            "        picture\n" + std::string(10, ' ') + path + "\n        also      more\n");
+  EXPECT_EQ(
+      indented("  picture   " + std::string(90, 'x') + " and more", 6),
+      "        picture\n" + std::string(90, 'x') + "\n" + std::string(18, ' ') + "and more\n");
+  EXPECT_EQ(indented(std::string(78, 'x'), 6), "  " + std::string(78, 'x') + '\n');
 }
 
 TEST(Terminal, EmptyAndBlankLinesStay) {
