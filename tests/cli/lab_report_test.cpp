@@ -86,6 +86,18 @@ TEST(LabReport, OnlyTheFirstFailingTestOfAStepIsReportedInFull) {
             std::string::npos);
 }
 
+TEST(LabReport, OnlyTheFirstCrashOfAStepIsReportedInFull) {
+  const std::vector<Verdict> verdicts = {
+      verdict("A", "L3.1", Kind::Failed, "crashed\nin this case:\n  given     a cube\ntry  gdb"),
+      verdict("B", "L3.1", Kind::Failed, "crashed\nin this case:\n  given     a ball\ntry  gdb"),
+      verdict("C", "L3.1", Kind::Failed, "stopped\nin this case:\n  given     a cone\ntry  gdb")};
+  const std::string report = printed(verdicts);
+  EXPECT_NE(report.find("a cube\n"), std::string::npos) << report;
+  EXPECT_NE(report.find("B\n      crashed, like A\n  FAILED"), std::string::npos) << report;
+  EXPECT_NE(report.find("a cone\n"), std::string::npos) << "it ended in another way\n" << report;
+  EXPECT_NE(printed(verdicts, true).find("a ball\n"), std::string::npos);
+}
+
 TEST(LabReport, ACauseThatAPassingTestExcludesIsNotPrinted) {
   const std::vector<Verdict> verdicts = {
       verdict("A", "L3.1", Kind::Failed,

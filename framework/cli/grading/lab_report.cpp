@@ -68,6 +68,12 @@ std::string shortened(const std::string& report) {
   return has_check ? kept : report;
 }
 
+/// How a test ended the program, "crashed: Segmentation fault"; empty if it did not.
+std::string ending_of(const Verdict& verdict) {
+  const bool ended = verdict.message.find("\nin this case:\n") != std::string::npos;
+  return ended ? verdict.message.substr(0, verdict.message.find('\n')) : "";
+}
+
 bool is_unwritten(const Verdict& verdict) {
   return verdict.message.rfind("not implemented: ", 0) == 0;
 }
@@ -121,6 +127,15 @@ void LabReport::print_reason(const Verdict& verdict) {
   if (!is_new) {
     std::cout << indented("the same as " + known->second, indent);
     return;
+  }
+  if (const std::string ending = ending_of(verdict); !ending.empty() && !everything_) {
+    const auto [first, is_first_one] =
+        endings_.emplace(verdict.test.step + ending, verdict.test.name);
+    if (!is_first_one) {
+      shortened_ = true;
+      std::cout << indented(fmt::format("{}, like {}", ending, first->second), indent);
+      return;
+    }
   }
   Message message = split(verdict.message);
   message.causes = take_causes(verdict.test.step);

@@ -41,6 +41,7 @@ class LabReport {
   std::string first_failing_step_;                          ///< empty while none fails
   std::map<std::string, std::string> reported_;             ///< the test that first had a message
   std::map<std::string, std::vector<std::string>> causes_;  ///< of the failing tests of a step
+  std::map<std::string, std::string> endings_;  ///< the first test of a step that ended so
   std::set<std::string> printed_causes_;
   std::set<std::string> explained_steps_;  ///< steps with a whole report
   bool shortened_ = false;
