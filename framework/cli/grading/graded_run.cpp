@@ -14,6 +14,7 @@
 #include "cli/grading/crash_report.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
+#include "cli/system/terminal.hpp"
 
 namespace cs550::cli {
 
@@ -173,6 +174,30 @@ std::vector<Verdict> run_share(const fs::path& program, int lab,
   return verdicts;
 }
 
+/// The tests that are running, from the results files: "A and B".
+std::string running_tests(const std::vector<Outputs>& outputs) {
+  std::string names;
+  for (const Outputs& share : outputs) {
+    for (const auto& [name, row] : read_results(share.results)) {
+      if (row.at("status") == "running") names += (names.empty() ? "" : " and ") + name;
+    }
+  }
+  return names.empty() ? "the tests" : names;
+}
+
+/// Waits for a share. After 2 s, then every 10 s, prints which tests are running.
+std::vector<Verdict> wait_for(std::future<std::vector<Verdict>>& share,
+                              const std::vector<Outputs>& outputs, std::chrono::seconds patience) {
+  std::chrono::seconds pause{2};
+  while (share.wait_for(pause) != std::future_status::ready) {
+    show_status(fmt::format("Running {}. A test is stopped after {} s.", running_tests(outputs),
+                            patience.count()));
+    pause = std::chrono::seconds{10};
+  }
+  show_status("");
+  return share.get();
+}
+
 }  // namespace
 
 std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
@@ -183,15 +208,17 @@ std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
   const std::string draft = "lab" + std::to_string(lab) + '.' + std::to_string(getpid()) + '.';
 
   const std::vector<std::vector<GradedTest>> shares = deal(tests, processors());
+  std::vector<Outputs> outputs;
   std::vector<std::future<std::vector<Verdict>>> runs;
   runs.reserve(shares.size());
   for (const std::vector<GradedTest>& share : shares) {
-    runs.push_back(std::async(std::launch::async, run_share, program, lab, share, patience,
-                              Outputs((folder / (draft + std::to_string(runs.size()))).string())));
+    outputs.emplace_back((folder / (draft + std::to_string(runs.size()))).string());
+    runs.push_back(
+        std::async(std::launch::async, run_share, program, lab, share, patience, outputs.back()));
   }
   std::vector<Verdict> verdicts;
   for (std::future<std::vector<Verdict>>& run : runs) {
-    const std::vector<Verdict> share = run.get();
+    const std::vector<Verdict> share = wait_for(run, outputs, patience);
     if (arrived) arrived(share);
     verdicts.insert(verdicts.end(), share.begin(), share.end());
   }

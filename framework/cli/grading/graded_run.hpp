@@ -14,7 +14,7 @@ namespace cs550::cli {
 using Arrived = std::function<void(const std::vector<Verdict>&)>;
 
 /// Runs tests of lab `lab` in a graded program, as many at a time as there are processors. A test
-/// that crashes or hangs is a failure; the others still run.
+/// that crashes or hangs is a failure; the others still run. Prints every few seconds what is running.
 /// @param patience longest time for one test
 /// @param arrived called with the verdicts of some tests as soon as they are known
 /// @return the verdicts in the order of the tests
