@@ -4,10 +4,11 @@ set confirm off
 catch throw
 run
 python
-frame = gdb.newest_frame()
-while frame and not str(frame.find_sal().symtab).startswith(("labs/", "tests/lab")):
-    frame = frame.older()
-if frame:
-    frame.select()
+if gdb.selected_inferior().pid:  # else it has ended by itself
+    frame = gdb.newest_frame()
+    while frame and not str(frame.find_sal().symtab).startswith(("labs/", "tests/lab")):
+        frame = frame.older()
+    if frame:
+        frame.select()
+    gdb.execute("frame")
 end
-frame

@@ -2,6 +2,7 @@
 # reference in framework/assets/trajectories/.
 #   milestones           on the reference; the target update_trajectories regenerates the records
 #   milestones_student   on all the student's labs together
+#   milestones_sanitized, milestones_debugged   the same, compiled with the sanitizers, or for gdb
 cs550_given_library(cs550_milestones milestones cs550_engine fmt::fmt)
 target_include_directories(cs550_milestones PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 
@@ -14,9 +15,14 @@ cs550_add_milestone_program(milestones)
 cs550_link_labs(milestones reference stub)
 add_custom_target(update_trajectories COMMAND milestones --update)
 
-cs550_add_milestone_program(milestones_student)
+foreach(variant student sanitized debugged)
+  cs550_add_milestone_program(milestones_${variant})
+  set_target_properties(milestones_${variant} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+endforeach()
 cs550_link_labs(milestones_student assembled reference)
-set_target_properties(milestones_student PROPERTIES EXCLUDE_FROM_ALL TRUE)
+cs550_link_labs(milestones_sanitized sanitized reference)
+target_link_libraries(milestones_sanitized PRIVATE cs550_sanitizers)
+cs550_link_labs(milestones_debugged debugged reference)
 
 # The reference must stay within half of the tolerances of its record. Otherwise the record is stale,
 # because students need the other half.

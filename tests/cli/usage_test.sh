@@ -31,6 +31,7 @@ prints "L3.1"
 refuses lab 3 --hint 9
 refuses lab 3 --reset --run
 refuses lab 3 --asan --debug
+refuses lab 3 --run --step L3.1
 refuses lab 3 --use-solution --run
 refuses lab 3 --challenge --step L3.1
 refuses submit three

@@ -1,5 +1,6 @@
 #include "cli/grading/crash_report.hpp"
 
+#include <cstdlib>
 #include <sstream>
 #include <string_view>
 
@@ -101,6 +102,13 @@ std::string crash_report(const std::string& output) {
     }
   }
   return report;
+}
+
+void ask_sanitizers_for_places(const std::string& log) {
+  constexpr int keep_the_users = 0;
+  const std::string to_log = log.empty() ? "" : ":log_path='" + log + "'";
+  setenv("UBSAN_OPTIONS", ("print_stacktrace=1" + to_log).c_str(), keep_the_users);
+  setenv("ASAN_OPTIONS", ("handle_abort=1" + to_log).c_str(), keep_the_users);
 }
 
 }  // namespace cs550::cli

@@ -10,4 +10,9 @@ namespace cs550::cli {
 /// of labs/ and tests/ that led to it, innermost first. Empty when there was no report.
 std::string crash_report(const std::string& output);
 
+/// Makes programs that are started from now on print the calls that led to undefined behaviour or to a
+/// failed assertion. @param log file that receives the reports, with a dot and the process id at its
+/// end; empty: standard error. Settings in the user's environment are kept.
+void ask_sanitizers_for_places(const std::string& log = "");
+
 }  // namespace cs550::cli

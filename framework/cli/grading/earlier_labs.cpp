@@ -16,25 +16,35 @@
 namespace cs550::cli {
 namespace {
 
-/// The earlier labs that the failing tests call, as tests/mutants/record_earlier_labs.py has recorded
-/// them.
-std::set<int> called_by_failing(const std::string& lab_name, const std::vector<Verdict>& verdicts) {
+using LabsOfTests = std::map<std::string, std::set<int>>;
+
+/// The earlier labs that each test calls, as tests/mutants/record_earlier_labs.py has recorded them.
+LabsOfTests recorded_calls(const std::string& lab_name) {
   std::ifstream stream(project_root() / "tests" / lab_name / "earlier_labs.json");
-  if (!stream) return {};
-  const auto recorded = nlohmann::json::parse(stream).get<std::map<std::string, std::set<int>>>();
+  return stream ? nlohmann::json::parse(stream).get<LabsOfTests>() : LabsOfTests();
+}
+
+/// The earlier labs that may be why tests did not pass: those that a failing test calls, and those that
+/// block a test.
+std::set<int> suspects(const std::string& lab_name, const std::vector<Verdict>& verdicts) {
+  const LabsOfTests calls = recorded_calls(lab_name);
   std::set<int> labs;
   for (const Verdict& verdict : verdicts) {
-    const auto found = recorded.find(verdict.test.name);
-    if (verdict.kind != Verdict::Kind::Failed || found == recorded.end()) continue;
-    labs.insert(found->second.begin(), found->second.end());
+    if (verdict.is_blocked_by_other_lab()) {
+      labs.insert(lab_number(lab_of_step(verdict.blocked_by)));
+    } else if (const auto found = calls.find(verdict.test.name);
+               verdict.kind == Verdict::Kind::Failed && found != calls.end()) {
+      labs.insert(found->second.begin(), found->second.end());
+    }
   }
   return labs;
 }
 
 }  // namespace
 
-void warn_of_earlier_labs(const std::string& lab_name, const std::vector<Verdict>& verdicts) {
-  for (const int number : called_by_failing(lab_name, verdicts)) {
+bool warn_of_earlier_labs(const std::string& lab_name, const std::vector<Verdict>& verdicts) {
+  const std::set<int> labs = suspects(lab_name, verdicts);
+  for (const int number : labs) {
     const std::string earlier = cli::lab_name(number);
     if (has_reference(earlier) || is_untouched(earlier)) continue;
     show_status("Checking " + title(earlier) + " ...");
@@ -48,6 +58,7 @@ void warn_of_earlier_labs(const std::string& lab_name, const std::vector<Verdict
                           Colour::Yellow)
               << fmt::format(" (./cs550 lab {})\n\n", number);
   }
+  return !labs.empty();
 }
 
 }  // namespace cs550::cli

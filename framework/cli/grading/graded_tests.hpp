@@ -28,6 +28,10 @@ struct Verdict {
 
   /// The step to work on so that the test passes: its own, or the one that blocks it.
   const std::string& step_to_mend() const { return blocked_by.empty() ? test.step : blocked_by; }
+  bool is_blocked_by_other_lab() const {
+    return !blocked_by.empty() &&
+           blocked_by.substr(0, blocked_by.find('.')) != test.step.substr(0, test.step.find('.'));
+  }
   int earned() const { return kind == Kind::Passed ? test.points : 0; }
 };
 

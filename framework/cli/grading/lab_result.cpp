@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "cli/grading/crash_report.hpp"
 #include "cli/grading/graded_run.hpp"
 #include "cli/grading/lab_files.hpp"
+#include "cli/grading/long_tests.hpp"
 #include "cli/grading/pictures.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/project.hpp"
@@ -25,13 +25,6 @@ namespace {
 
 fs::path result_file(const std::string& lab_name) {
   return project_root() / "build/results" / fmt::format("lab{}.json", lab_number(lab_name));
-}
-
-/// Makes the sanitizers print the calls that led to undefined behaviour or to a failed assertion.
-void ask_sanitizers_for_places() {
-  constexpr int keep_the_users = 0;
-  setenv("UBSAN_OPTIONS", "print_stacktrace=1", keep_the_users);
-  setenv("ASAN_OPTIONS", "handle_abort=1", keep_the_users);
 }
 
 Json to_json(const LabResult& result) {
@@ -144,22 +137,30 @@ LabResult result_of_starter(const std::string& lab_name) {
   return result;
 }
 
-std::string graded_target(int lab, Grading grading) {
+std::string variant(Grading grading) {
   constexpr const char* variants[] = {"student", "sanitized", "debugged"};
-  return "lab" + std::to_string(lab) + '_' + variants[static_cast<int>(grading)];
+  return variants[static_cast<int>(grading)];
+}
+
+std::string graded_target(int lab, Grading grading) {
+  return fmt::format("lab{}_{}", lab, variant(grading));
 }
 
 std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests,
-                           const Arrived& arrived) {
+                           const Arrived& arrived, bool everything) {
   const bool sanitized = grading == Grading::Sanitized;
   if (sanitized) ask_sanitizers_for_places();
   const int slowdown = sanitized ? 5 : 1;
   const fs::path program = built_program("student", graded_target(lab, grading));
-  std::vector<Verdict> verdicts =
-      run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5}, arrived);
-  const std::vector<Verdict> slow =
-      run_graded_tests(program, lab, only(tests, true), slowdown * seconds{60}, arrived);
-  verdicts.insert(verdicts.end(), slow.begin(), slow.end());
+  std::vector<Verdict> verdicts;
+  const Arrived add = [&](const std::vector<Verdict>& some) {
+    if (arrived && !some.empty()) arrived(some);
+    verdicts.insert(verdicts.end(), some.begin(), some.end());
+  };
+  add(run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5}));
+  const LongTests slow = long_tests(only(tests, true), verdicts, everything);
+  add(slow.waiting);
+  run_graded_tests(program, lab, slow.ready, slowdown * seconds{60}, add);
   for (const Verdict& verdict : verdicts) {
     if (verdict.kind == Verdict::Kind::Passed) remove_picture(lab, verdict.test);
   }
@@ -167,13 +168,6 @@ std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTes
     return is_earlier_step(a.test.step, b.test.step);
   });
   return verdicts;
-}
-
-std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long) {
-  std::vector<GradedTest> chosen;
-  std::copy_if(tests.begin(), tests.end(), std::back_inserter(chosen),
-               [is_long](const GradedTest& test) { return test.is_long == is_long; });
-  return chosen;
 }
 
 }  // namespace cs550::cli

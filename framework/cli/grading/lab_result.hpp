@@ -52,14 +52,17 @@ LabResult result_of_compile_error(const std::string& lab_name, const std::string
 /// Which build of the student's code is graded.
 enum class Grading { Plain, Sanitized, Debugged };
 
+/// The name of that build in CMake's targets: "student", "sanitized", "debugged".
+std::string variant(Grading grading);
+
 /// The program that grades a lab.
 std::string graded_target(int lab, Grading grading);
 
 /// Runs tests in that program, each with a time limit, and removes the pictures of those that pass.
+/// Long tests come last. One whose step, or an earlier one, has a failing short test is not run but
+/// blocked by that step, unless everything is asked for.
+/// @param arrived called first with all short tests, then with long ones when they are known
 std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests,
-                           const Arrived& arrived = {});
-
-/// The short tests, or the long ones.
-std::vector<GradedTest> only(const std::vector<GradedTest>& tests, bool is_long);
+                           const Arrived& arrived = {}, bool everything = false);
 
 }  // namespace cs550::cli

@@ -1,22 +1,22 @@
 // ./cs550 lab N: the graded tests of one lab on the student's code, and help with the failing ones.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <iterator>
 #include <memory>
 #include <optional>
 
 #include "cli/grading/challenge.hpp"
+#include "cli/grading/debugging.hpp"
 #include "cli/grading/earlier_labs.hpp"
+#include "cli/grading/engine_run.hpp"
 #include "cli/grading/lab_files.hpp"
 #include "cli/grading/lab_report.hpp"
 #include "cli/grading/lab_result.hpp"
+#include "cli/grading/long_tests.hpp"
 #include "cli/grading/pictures.hpp"
 #include "cli/handout/handout.hpp"
-#include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "cli/verb.hpp"
@@ -27,9 +27,6 @@ namespace cs550::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::chrono::seconds gdb_patience{
-    60};  ///< without a terminal, where nobody presses Ctrl-C
 
 struct LabOptions {
   int lab = 0;
@@ -77,32 +74,15 @@ int debug_first_failure(int lab, const LabResult& result) {
                              failure->test.name, failure->blocked_by);
     return Failed;
   }
-  if (!run({project_root() / "cs550", "doctor", "--install", "debug"}).good()) return Failed;
-  const std::string target = graded_target(lab, Grading::Debugged);
-  if (!build("student", target)) return Failed;
-  std::vector<std::string> gdb{
-      "gdb", "-q", "-iex", "set debuginfod enabled off", "-x", "framework/cli/debug.gdb"};
-  const bool can_ask = isatty(STDIN_FILENO) != 0;
-  if (!can_ask) gdb.insert(gdb.end(), {"-batch", "-ex", "backtrace"});
-  gdb.insert(gdb.end(), {"--args", built_program("student", target), "--gtest_break_on_failure",
-                         "--gtest_filter=*." + failure->test.name});
-  std::cout << "gdb runs " << failure->test.name
-            << " up to its failure. To step through your own function: `break`\n"
-               "and its name, `run`, then `next` or `step`. `quit` leaves gdb.\n"
-            << std::flush;
-  fs::current_path(project_root());
-  if (can_ask) become(gdb);
-  const auto start = std::chrono::steady_clock::now();
-  const auto is_stuck = [&] { return std::chrono::steady_clock::now() - start > gdb_patience; };
-  if (run(gdb, {{}, {}, is_stuck}).stopped) {
-    std::cout << "The test does not end. In a terminal, Ctrl-C shows where it loops.\n";
-  }
-  return Failed;
+  return run_in_gdb(graded_target(lab, Grading::Debugged),
+                    {"--gtest_break_on_failure", "--gtest_filter=*." + failure->test.name},
+                    failure->test.name);
 }
 
-bool any_failed(const std::vector<Verdict>& verdicts) {
-  return std::any_of(verdicts.begin(), verdicts.end(),
-                     [](const Verdict& verdict) { return verdict.kind == Verdict::Kind::Failed; });
+/// The build that the options ask for.
+Grading grading_of(const LabOptions& options) {
+  if (options.asan) return Grading::Sanitized;
+  return options.debug ? Grading::Debugged : Grading::Plain;
 }
 
 int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
@@ -118,23 +98,17 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   LabResult result = result_of_starter(options.name);
   result.verdicts.clear();
   LabReport report(options.all, known_causes(options.name));
-  for (const bool is_long : {false, true}) {
-    const std::vector<GradedTest> chosen = only(tests, is_long);
-    if (chosen.empty()) continue;
-    if (is_long) std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;
-    const Arrived print = [&](const std::vector<Verdict>& verdicts) {
-      if (any_failed(verdicts) && !any_failed(result.verdicts)) {
-        warn_of_earlier_labs(options.name, verdicts);
-      }
-      report.print(verdicts);
-      result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
-    };
-    if (is_long) {
-      grade(options.lab, grading, chosen, print);  // each result when it comes
-    } else {
-      print(grade(options.lab, grading, chosen));
+  const bool has_long_tests = !only(tests, true).empty();
+  bool has_warned = false;
+  const Arrived print = [&](const std::vector<Verdict>& verdicts) {
+    has_warned = has_warned || warn_of_earlier_labs(options.name, verdicts);
+    report.print(verdicts);
+    if (has_long_tests && !verdicts.front().test.is_long) {
+      std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;
     }
-  }
+    result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
+  };
+  grade(options.lab, grading, tests, print, options.all);
   report.print_total(is_whole_lab ? points_graded_elsewhere(options.name) : 0);
   if (is_remembered) remember(result);
   finish_pictures(options.lab, result.verdicts);
@@ -188,32 +162,6 @@ int copy_solution(const LabOptions& options) {
   return Good;
 }
 
-/// For each earlier lab that is not finished and has a solution: how to go on without it.
-void offer_solutions(int lab) {
-  for (const std::string& earlier : lab_names()) {
-    const int number = lab_number(earlier);
-    if (number >= lab || !has_reference(earlier)) continue;
-    if (!is_untouched(earlier) && result_of(earlier).is_finished()) continue;
-    std::cout << fmt::format(
-        "\nLab {0} is not finished, and its solution is in this copy. Your engine can use\n"
-        "it, and your own files are kept:  ./cs550 lab {0} --use-solution\n",
-        number);
-  }
-}
-
-/// Compares the engine made of the student's labs with the recorded reference.
-int run_engine(const LabOptions& options) {
-  if (!build("student", "milestones_student")) return Failed;
-  std::cout << coloured("Your own engine, labs 1 to " + std::to_string(options.lab), Colour::Bold)
-            << "\n\n"
-            << std::flush;
-  const Ending ending =
-      run({built_program("student", "milestones_student"), "--lab", std::to_string(options.lab)});
-  if (ending.signal != 0) std::cout << "\nnot reached: " << ending.in_words() << '\n';
-  if (!ending.good()) offer_solutions(options.lab);
-  return ending.good() ? Good : Failed;
-}
-
 /// Counts beside the reference's, once every test passes.
 int run_challenge(const LabOptions& options) {
   show_status("Grading " + title(options.name) + " ...");
@@ -238,7 +186,7 @@ int run_lab(LabOptions options) {
   options.name = lab_name(options.lab);
   if (options.reset) return reset_lab(options);
   if (options.use_solution) return copy_solution(options);
-  if (options.run) return run_engine(options);
+  if (options.run) return run_engine(options.lab, grading_of(options));
   if (options.challenge) return run_challenge(options);
   const std::vector<GradedTest> all = graded_tests(options.name);
   const std::vector<GradedTest> tests = of_step(all, options.step);
@@ -265,12 +213,13 @@ Action declare_lab(CLI::App& app) {
                    ->option_text("[NUMBER]");
   auto* all = app.add_flag("--all", options->all,
                            "print the reports of all failing tests, not only those\n"
-                           "of the first failing step");
+                           "of the first failing step, and run every long test");
   auto* asan = app.add_flag("--asan", options->asan,
-                            "run the tests with checks for memory errors and\n"
-                            "undefined behaviour");
+                            "run the tests, or the scenes of --run, with checks for\n"
+                            "memory errors and undefined behaviour");
   auto* debug = app.add_flag("--debug", options->debug,
-                             "run the tests, then open gdb where the first one fails");
+                             "run the tests, or the scenes of --run, then open gdb\n"
+                             "where the first one fails");
   auto* reset = app.add_flag("--reset", options->reset,
                              "restore the starter; your files are kept as .bak-1, ...");
   auto* run = app.add_flag("--run", options->run,
@@ -289,7 +238,7 @@ Action declare_lab(CLI::App& app) {
   for (CLI::Option* other : {step, hint, all, asan, debug, reset, run, use_solution}) {
     challenge->excludes(other);
   }
-  for (CLI::Option* other : {step, all, asan, debug}) run->excludes(other);
+  for (CLI::Option* other : {step, all}) run->excludes(other);
   return [options, hint] {
     options->wants_hint = hint->count() > 0;
     return run_lab(*options);

@@ -1,0 +1,74 @@
+#include "cli/grading/engine_run.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "cli/grading/crash_report.hpp"
+#include "cli/grading/debugging.hpp"
+#include "cli/grading/lab_files.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/system/files.hpp"
+#include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
+#include "cli/system/terminal.hpp"
+
+namespace cs550::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// For each earlier lab that is not finished and has a solution: how to go on without it.
+void offer_solutions(int lab) {
+  for (const std::string& earlier : lab_names()) {
+    const int number = lab_number(earlier);
+    if (number >= lab || !has_reference(earlier)) continue;
+    if (!is_untouched(earlier) && result_of(earlier).is_finished()) continue;
+    std::cout << fmt::format(
+        "\nLab {0} is not finished, and its solution is in this copy. Your engine can use\n"
+        "it, and your own files are kept:  ./cs550 lab {0} --use-solution\n",
+        number);
+  }
+}
+
+/// The reports that sanitizers have written to a log, each in a file of its process.
+std::string take_crash_reports(const fs::path& log) {
+  std::string reports;
+  for (const fs::path& file : files_below(log.parent_path())) {
+    if (file.filename().string().rfind(log.filename().string() + '.', 0) != 0) continue;
+    reports += crash_report(read_text(file));
+    fs::remove(file);
+  }
+  return reports;
+}
+
+}  // namespace
+
+int run_engine(int lab, Grading grading) {
+  const bool sanitized = grading == Grading::Sanitized;
+  const std::string program = "milestones_" + variant(sanitized ? grading : Grading::Plain);
+  if (!build("student", program)) return Failed;
+  std::cout << coloured(fmt::format("Your own engine, labs 1 to {}", lab), Colour::Bold) << "\n\n"
+            << std::flush;
+  const fs::path log = project_root() / "build/results" / fmt::format("lab{}.sanitizer", lab);
+  if (sanitized) {
+    fs::create_directories(log.parent_path());
+    ask_sanitizers_for_places(log);
+  }
+  const std::vector<std::string> arguments{"--lab", std::to_string(lab)};
+  const Ending ending = run({built_program("student", program), arguments[0], arguments[1]});
+  if (ending.good()) return Good;
+  const std::string report = sanitized ? take_crash_reports(log) : "";
+  if (!report.empty()) {
+    std::cout << "\nnot reached: " << report;
+  } else if (ending.signal != 0) {
+    std::cout << "\nnot reached: " << ending.in_words() << '\n';
+  }
+  offer_solutions(lab);
+  if (grading != Grading::Debugged) return Failed;
+  return run_in_gdb("milestones_" + variant(Grading::Debugged), arguments, "your engine");
+}
+
+}  // namespace cs550::cli
