@@ -104,11 +104,10 @@ std::string crash_report(const std::string& output) {
   return report;
 }
 
-void ask_sanitizers_for_places(const std::string& log) {
+void ask_sanitizers_for_places() {
   constexpr int keep_the_users = 0;
-  const std::string to_log = log.empty() ? "" : ":log_path='" + log + "'";
-  setenv("UBSAN_OPTIONS", ("print_stacktrace=1" + to_log).c_str(), keep_the_users);
-  setenv("ASAN_OPTIONS", ("handle_abort=1" + to_log).c_str(), keep_the_users);
+  setenv("UBSAN_OPTIONS", "print_stacktrace=1", keep_the_users);
+  setenv("ASAN_OPTIONS", "handle_abort=1", keep_the_users);
 }
 
 }  // namespace cs550::cli

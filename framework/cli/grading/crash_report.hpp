@@ -11,8 +11,7 @@ namespace cs550::cli {
 std::string crash_report(const std::string& output);
 
 /// Makes programs that are started from now on print the calls that led to undefined behaviour or to a
-/// failed assertion. @param log file that receives the reports, with a dot and the process id at its
-/// end; empty: standard error. Settings in the user's environment are kept.
-void ask_sanitizers_for_places(const std::string& log = "");
+/// failed assertion. Settings in the user's environment are kept.
+void ask_sanitizers_for_places();
 
 }  // namespace cs550::cli

@@ -33,15 +33,19 @@ void offer_solutions(int lab) {
   }
 }
 
-/// The reports that sanitizers have written to a log, each in a file of its process.
-std::string take_crash_reports(const fs::path& log) {
-  std::string reports;
-  for (const fs::path& file : files_below(log.parent_path())) {
-    if (file.filename().string().rfind(log.filename().string() + '.', 0) != 0) continue;
-    reports += crash_report(read_text(file));
-    fs::remove(file);
-  }
-  return reports;
+/// Runs a program compiled with the sanitizers. Prints what it prints or, in short, what they report.
+Ending run_sanitized(const std::vector<std::string>& command) {
+  const fs::path output = project_root() / "build/results/sanitized_run.txt";
+  fs::create_directories(output.parent_path());
+  ask_sanitizers_for_places();
+  show_status("Running your engine ...");
+  const Ending ending = run(command, {{}, output});
+  show_status("");
+  const std::string printed = read_text(output);
+  fs::remove(output);
+  const std::string report = crash_report(printed);
+  std::cout << (report.empty() ? printed : "not reached: " + report) << std::flush;
+  return ending;
 }
 
 }  // namespace
@@ -52,20 +56,12 @@ int run_engine(int lab, Grading grading) {
   if (!build("student", program)) return Failed;
   std::cout << coloured(fmt::format("Your own engine, labs 1 to {}", lab), Colour::Bold) << "\n\n"
             << std::flush;
-  const fs::path log = project_root() / "build/results" / fmt::format("lab{}.sanitizer", lab);
-  if (sanitized) {
-    fs::create_directories(log.parent_path());
-    ask_sanitizers_for_places(log);
-  }
   const std::vector<std::string> arguments{"--lab", std::to_string(lab)};
-  const Ending ending = run({built_program("student", program), arguments[0], arguments[1]});
+  const std::vector<std::string> command{built_program("student", program), arguments[0],
+                                         arguments[1]};
+  const Ending ending = sanitized ? run_sanitized(command) : run(command);
   if (ending.good()) return Good;
-  const std::string report = sanitized ? take_crash_reports(log) : "";
-  if (!report.empty()) {
-    std::cout << "\nnot reached: " << report;
-  } else if (ending.signal != 0) {
-    std::cout << "\nnot reached: " << ending.in_words() << '\n';
-  }
+  if (ending.signal != 0) std::cout << "\nnot reached: " << ending.in_words() << '\n';
   offer_solutions(lab);
   if (grading != Grading::Debugged) return Failed;
   return run_in_gdb("milestones_" + variant(Grading::Debugged), arguments, "your engine");

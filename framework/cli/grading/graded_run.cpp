@@ -174,24 +174,23 @@ std::vector<Verdict> run_share(const fs::path& program, int lab,
   return verdicts;
 }
 
-/// The tests that are running, from the results files: "A and B".
-std::string running_tests(const std::vector<Outputs>& outputs) {
-  std::string names;
+/// A test that is running, from the results files. One name fits into the status line.
+std::string running_test(const std::vector<Outputs>& outputs) {
   for (const Outputs& share : outputs) {
     for (const auto& [name, row] : read_results(share.results)) {
-      if (row.at("status") == "running") names += (names.empty() ? "" : " and ") + name;
+      if (row.at("status") == "running") return name;
     }
   }
-  return names.empty() ? "the tests" : names;
+  return "the tests";
 }
 
-/// Waits for a share. After 2 s, then every 10 s, prints which tests are running.
+/// Waits for a share. After 2 s, then every 10 s, prints which test is running.
 std::vector<Verdict> wait_for(std::future<std::vector<Verdict>>& share,
                               const std::vector<Outputs>& outputs, std::chrono::seconds patience) {
   std::chrono::seconds pause{2};
   while (share.wait_for(pause) != std::future_status::ready) {
-    show_status(fmt::format("Running {}. A test is stopped after {} s.", running_tests(outputs),
-                            patience.count()));
+    show_status(
+        fmt::format("Running {}, stopped after {} s", running_test(outputs), patience.count()));
     pause = std::chrono::seconds{10};
   }
   show_status("");
