@@ -17,7 +17,8 @@ endfunction()
 # Without Qhull::qhullcpp, whose qh_fprintf() would replace that of qhull_r and end the process instead of
 # printing a message.
 cs550_given_library(cs550_engine "engine;engine/*" nlohmann_json::nlohmann_json tinyobjloader::tinyobjloader
-                    Qhull::qhull_r Threads::Threads)
+                    Qhull::qhull_r TBB::tbb Threads::Threads)
+target_compile_definitions(cs550_engine PRIVATE CS550_HAS_TBB=1)  # the browser's engine has one thread
 # It becomes part of the installed shared library.
 set_target_properties(cs550_engine PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_options(cs550_engine PRIVATE -fno-semantic-interposition)

@@ -12,6 +12,7 @@
 #include "cs550/static_vector.hpp"
 #include "cs550/world.hpp"
 #include "engine/constraint_mirror.hpp"
+#include "engine/threads/crew.hpp"
 
 namespace cs550 {
 
@@ -144,6 +145,7 @@ struct OverlapRecovery {
 
 struct WorldState {
   WorldSettings settings;
+  Crew* crew = nullptr;  ///< during a step with several threads
 
   std::vector<RigidBody> bodies;
   std::vector<BodyDef> definitions;
@@ -174,7 +176,8 @@ struct WorldState {
   ColdStart cold_start;
   OverlapRecovery recovery;
   PairList next_pairs;
-  std::vector<Index> moved;  ///< bodies whose leaves have moved since the last search for pairs
+  std::vector<char> outgrown;  ///< of each body, whether it has left its leaf's box
+  std::vector<Index> moved;    ///< bodies whose leaves have moved since the last search for pairs
   std::vector<Index> found;
   std::vector<std::uint64_t> new_keys;
   std::vector<RigidBody> bodies_before;

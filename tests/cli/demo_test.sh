@@ -36,6 +36,7 @@ game=$(hash_of --quality game)
 sed -i 's/"steps": 60,/"steps": 60, "world": { "quality": "game" },/' scene.json
 [ "$(hash_of)" = "$game" ] || wrong "a scene of quality game and --quality game should do the same"
 [ "$(hash_of --quality accurate)" = "$own" ] || wrong "--quality should win over the scene's"
+[ "$(hash_of --threads 2)" = "$(hash_of)" ] || wrong "two threads leave another state than one"
 
 misused() {
   code=0
@@ -47,3 +48,4 @@ misused --sleeping maybe "'maybe' is neither on nor off"
 misused --quality best "'best' is neither accurate nor game"
 misused --csv "" "--csv: expected the path of a file or folder, found an empty text"
 misused --csv "$(printf 'x%.0s' $(seq 300))" "found 300 letters"
+misused --threads 0 "not in range 1 to 16"

@@ -25,6 +25,7 @@ struct DemoOptions {
   std::filesystem::path csv;
   int steps = 0;                   ///< 0: the scene's own number
   std::optional<Quality> quality;  ///< empty: the scene's own settings
+  std::optional<int> threads;      ///< empty: the scene's own number
   bool sleeping = true;
   bool no_picture = false;
 };
@@ -101,6 +102,7 @@ int run_demo(const DemoOptions& options) {
   Scene& scene = found.scene;
   scene.settings.audit_momentum = true;
   if (options.quality) set_quality(scene.settings, *options.quality);
+  if (options.threads) scene.settings.threads = *options.threads;
   scene.settings.sleeping = options.sleeping;
 
   std::optional<TrajectoryCsv> trajectory;
@@ -127,6 +129,10 @@ void declare(CLI::App& app, DemoOptions& options) {
          "--quality", [&](const std::string& name) { options.quality = parse_quality(name); },
          "accurate, or game: half the passes; by default the scene's own settings")
       ->option_text("NAME");
+  app.add_option("--threads", options.threads,
+                 "threads that share the work of a step; by default the scene's own number, 1")
+      ->option_text("N")
+      ->check(CLI::Range(1, 16));
   app.add_option_function<std::string>(
          "--sleeping",
          [&](const std::string& value) { options.sleeping = parse_switch("--sleeping", value); },

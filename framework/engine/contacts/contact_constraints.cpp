@@ -1,6 +1,7 @@
 #include "engine/contacts/contact_constraints.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "engine/contacts/solve_order.hpp"
 
@@ -26,6 +27,23 @@ TurnSize turn_size(const RigidBody& body, const SolverBody& solver_body) {
   const Real slenderness = squared_slenderness(body);
   if (slenderness > slender && squared_turn * slenderness > 1) return TurnSize::PastThinness;
   return squared_turn > far * far ? TurnSize::Far : TurnSize::Small;
+}
+
+/// Sets the turn of each body to `turn(index)`. @returns whether any is not small
+template <class Turn>
+bool measure_turns(WorldState& world, const Turn& turn) {
+  constexpr std::size_t block = 128;
+  std::atomic<bool> any = false;
+  world.turns.resize(world.bodies.size());
+  for_blocks(world.crew, world.bodies.size(), block, [&](std::size_t first, std::size_t last) {
+    bool any_here = false;
+    for (std::size_t i = first; i < last; ++i) {
+      world.turns[i] = turn(i);
+      any_here = any_here || world.turns[i] != TurnSize::Small;
+    }
+    if (any_here) any.store(true, std::memory_order_relaxed);
+  });
+  return any;
 }
 
 /// Of the two bodies of a contact.
@@ -116,9 +134,11 @@ void make_constraints(WorldState& world) {
   world.constraints.resize(world.solve_order.place_of_point.size());
   world.mirror.stale = true;
   world.any_bounces = false;
-  for_constraints_of_contacts(world, [&](Index i, std::span<const Index> places) {
+  for (const Index contact : world.solve_order.contacts) {
+    world.any_bounces = world.any_bounces || world.pairs.contacts[contact].restitution > 0;
+  }
+  for_constraints_of_contacts_in_blocks(world, [&](Index i, std::span<const Index> places) {
     const Contact& contact = world.pairs.contacts[i];
-    world.any_bounces = world.any_bounces || contact.restitution > 0;
     const RigidBody& a = world.bodies[contact.body_a];
     const RigidBody& b = world.bodies[contact.body_b];
     const ActingPoint acting_point(a, b);
@@ -130,13 +150,11 @@ void make_constraints(WorldState& world) {
 }
 
 void refresh_masses(WorldState& world, const ContactStep& step) {
-  bool any = false;
-  world.turns.resize(world.bodies.size());
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    world.turns[i] = turn_size(world.bodies[i], world.solver_bodies[i]);
-    any = any || world.turns[i] != TurnSize::Small;
+  if (!measure_turns(world, [&](std::size_t i) {
+        return turn_size(world.bodies[i], world.solver_bodies[i]);
+      })) {
+    return;
   }
-  if (!any) return;
   for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
     const TurnSize turn = larger_turn(world, places);
     if (turn == TurnSize::Small) return;
@@ -148,16 +166,13 @@ void refresh_masses(WorldState& world, const ContactStep& step) {
 }
 
 void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step) {
-  bool any = false;
-  world.turns.assign(world.bodies.size(), TurnSize::Small);
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+  const auto turn_of_thin_body = [&](std::size_t i) {
     const RigidBody& body = world.bodies[i];
     const Real squared_turn = step.h * step.h * body.angular_velocity.squaredNorm();
-    if (squared_turn * squared_slenderness(body) <= Real(0.25)) continue;
-    world.turns[i] = TurnSize::PastThinness;
-    any = true;
-  }
-  if (!any) return;
+    const bool far = squared_turn * squared_slenderness(body) > Real(0.25);
+    return far ? TurnSize::PastThinness : TurnSize::Small;
+  };
+  if (!measure_turns(world, turn_of_thin_body)) return;
   for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
     if (larger_turn(world, places) != TurnSize::Small) prepare_again(world, step, places);
   });

@@ -57,4 +57,16 @@ void for_constraints_of_contacts(const WorldState& world, const Visit& visit) {
   }
 }
 
+/// The same by several threads, if there are any. A visit may change only its contact and constraints.
+template <class Visit>
+void for_constraints_of_contacts_in_blocks(const WorldState& world, const Visit& visit) {
+  constexpr std::size_t block = 16;
+  const std::vector<Index>& contacts = world.solve_order.contacts;
+  for_blocks(world.crew, contacts.size(), block, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      visit(contacts[i], world.solve_order.places_of(contacts[i]));
+    }
+  });
+}
+
 }  // namespace cs550

@@ -75,7 +75,7 @@ void carry_impulses(const Manifold& before, Manifold& now) {
 
 void store_impulses(WorldState& world) {
   std::fill(world.pairs.impulse_energy.begin(), world.pairs.impulse_energy.end(), 0.0);
-  for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
+  for_constraints_of_contacts_in_blocks(world, [&](Index contact, std::span<const Index> places) {
     auto place = places.begin();
     for (ContactPoint& point : world.pairs.contacts[contact].manifold.points) {
       const ContactConstraint& constraint = world.constraints[*place++];

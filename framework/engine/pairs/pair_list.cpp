@@ -44,21 +44,41 @@ void move_leaf(WorldState& world, Index body, const Bounds& bounds) {
 /// How much larger than a body's swept bounds its stored box is (m).
 Real leaf_room(const WorldState& world) { return Real(0.05) * world.settings.length_unit; }
 
-/// Updates every body's swept bounds, and the leaves that it has outgrown.
-void refit_leaves(WorldState& world, Real h) {
+/// How much larger than its shape's bounds a body's swept bounds are (m).
+Real sweep_margin(const WorldState& world, std::size_t body, Real h) {
   const Real gravity = world.settings.gravity.norm();
+  return 2 * world.slop() + travel(world.bodies[body], world.slots[body].spin_speed, gravity, h);
+}
+
+bool is_awake(const WorldState& world, std::size_t body) {
+  return world.slots[body].alive && !world.bodies[body].asleep;
+}
+
+/// Bodies that a thread takes at a time.
+constexpr std::size_t few_bodies = 32;
+
+/// Updates every body's swept bounds.
+void sweep_bounds(WorldState& world, Real h) {
+  for_blocks(world.crew, world.slot_count(), few_bodies, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (!is_awake(world, i)) continue;
+      BodySlot& slot = world.slots[i];
+      slot.radius = world.definitions[i].shape->radius;
+      slot.spin_speed = world.bodies[i].angular_velocity.norm() * slot.radius;
+      slot.swept_bounds = world_bounds(world.posed_shape(static_cast<Index>(i)))
+                              .expanded(sweep_margin(world, i, h));
+    }
+  });
+}
+
+/// Moves the leaves that bodies have outgrown.
+void refit_leaves(WorldState& world, Real h) {
   for (std::size_t i = 0; i < world.slot_count(); ++i) {
-    BodySlot& slot = world.slots[i];
-    if (!slot.alive || world.bodies[i].asleep) continue;
-    const RigidBody& body = world.bodies[i];
-    const auto index = static_cast<Index>(i);
-    slot.radius = world.definitions[i].shape->radius;
-    slot.spin_speed = body.angular_velocity.norm() * slot.radius;
-    const Real margin = 2 * world.slop() + travel(body, slot.spin_speed, gravity, h);
-    const Real room = leaf_room(world) + margin;
-    slot.swept_bounds = world_bounds(world.posed_shape(index)).expanded(margin);
+    if (!is_awake(world, i)) continue;
+    const BodySlot& slot = world.slots[i];
+    const Real room = leaf_room(world) + sweep_margin(world, i, h);
     if (leaf_is_stale(world.tree.bounds(slot.leaf), slot.swept_bounds, room)) {
-      move_leaf(world, index, slot.swept_bounds.expanded(room));
+      move_leaf(world, static_cast<Index>(i), slot.swept_bounds.expanded(room));
     }
   }
 }
@@ -174,6 +194,7 @@ Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h)
 }
 
 void update_pairs(WorldState& world, Real h) {
+  sweep_bounds(world, h);
   refit_leaves(world, h);
   if (world.moved.empty()) return;
   find_new_keys(world);
@@ -188,14 +209,19 @@ void insert_leaf(WorldState& world, Index body) {
 }
 
 void enclose_bodies(WorldState& world) {
-  for (std::size_t i = 0; i < world.slot_count(); ++i) {
-    const RigidBody& body = world.bodies[i];
-    if (!world.slots[i].alive || body.kind == BodyKind::Static || body.asleep) continue;
-    const auto index = static_cast<Index>(i);
-    const Bounds bounds = world_bounds(world.posed_shape(index));
-    if (!world.tree.bounds(world.slots[i].leaf).contains(bounds)) {
-      move_leaf(world, index, bounds.expanded(leaf_room(world)));
+  const auto bounds_of = [&](std::size_t body) {
+    return world_bounds(world.posed_shape(static_cast<Index>(body)));
+  };
+  world.outgrown.assign(world.slot_count(), 0);
+  for_blocks(world.crew, world.slot_count(), few_bodies, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (!is_awake(world, i) || world.bodies[i].kind == BodyKind::Static) continue;
+      world.outgrown[i] = !world.tree.bounds(world.slots[i].leaf).contains(bounds_of(i));
     }
+  });
+  for (std::size_t i = 0; i < world.slot_count(); ++i) {
+    if (!world.outgrown[i]) continue;
+    move_leaf(world, static_cast<Index>(i), bounds_of(i).expanded(leaf_room(world)));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "engine/scenes/scene_settings.hpp"
 
+#include "engine/threads/crew.hpp"
+
 namespace cs550 {
 
 WorldSettings read_settings(SceneReader world) {
@@ -27,6 +29,7 @@ WorldSettings read_settings(SceneReader world) {
   world.read("warm_starting", settings.warm_starting);
   world.read("temporal_coherence", settings.temporal_coherence);
   world.read("sleeping", settings.sleeping);
+  world.read("threads", settings.threads, 1, most_threads);
 
   world.read("contact_hertz", settings.contact_hertz, Range::Positive);
   world.read("contact_damping_ratio", settings.contact_damping_ratio, Range::NotNegative);

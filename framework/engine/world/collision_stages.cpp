@@ -9,25 +9,40 @@ namespace cs550 {
 
 namespace {
 
-void find_axes(WorldState& world, Real h) {
+/// Pairs that a thread takes at a time. Their costs differ a lot.
+constexpr std::size_t few_pairs = 8;
+
+/// Calls `visit(pair)` for every pair, by several threads if there are any: what a pair needs and leaves
+/// belongs to no other.
+template <class Visit>
+void for_pairs(WorldState& world, const Visit& visit) {
+  for_blocks(world.crew, world.pairs.size(), few_pairs, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) visit(i);
+  });
+}
+
+void find_axis(WorldState& world, std::size_t pair, Real h) {
   PairList& pairs = world.pairs;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    pairs.kept[i] = 0;
-    const Contact& contact = pairs.contacts[i];
-    const Bounds& swept_bounds_a = world.slots[contact.body_a].swept_bounds;
-    const Bounds& swept_bounds_b = world.slots[contact.body_b].swept_bounds;
-    if (!swept_bounds_a.overlaps(swept_bounds_b)) {
-      pairs.axes[i].feature = AxisFeature::None;
-      continue;
-    }
-    const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
-    if (world.settings.temporal_coherence && answer_holds(world, i, margin)) {
-      pairs.kept[i] = 1;
-      continue;
-    }
-    pairs.axes[i] = find_separating_axis(world.posed_shape(contact.body_a),
-                                         world.posed_shape(contact.body_b), pairs.axes[i], margin);
+  pairs.kept[pair] = 0;
+  const Contact& contact = pairs.contacts[pair];
+  const Bounds& swept_bounds_a = world.slots[contact.body_a].swept_bounds;
+  const Bounds& swept_bounds_b = world.slots[contact.body_b].swept_bounds;
+  if (!swept_bounds_a.overlaps(swept_bounds_b)) {
+    pairs.axes[pair].feature = AxisFeature::None;
+    return;
   }
+  const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
+  if (world.settings.temporal_coherence && answer_holds(world, pair, margin)) {
+    pairs.kept[pair] = 1;
+    return;
+  }
+  pairs.axes[pair] =
+      find_separating_axis(world.posed_shape(contact.body_a), world.posed_shape(contact.body_b),
+                           pairs.axes[pair], margin);
+}
+
+void find_axes(WorldState& world, Real h) {
+  for_pairs(world, [&](std::size_t pair) { find_axis(world, pair, h); });
 }
 
 void rebuild_manifold(WorldState& world, Contact& contact, const SeparatingAxis& axis,
@@ -42,22 +57,21 @@ void rebuild_manifold(WorldState& world, Contact& contact, const SeparatingAxis&
   if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
 }
 
-void build_manifolds(WorldState& world, Real h) {
+void update_manifold(WorldState& world, std::size_t pair, Real h) {
   PairList& pairs = world.pairs;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (pairs.kept[i]) {
-      move_manifold(world, i);
-      continue;
-    }
-    Contact& contact = pairs.contacts[i];
-    if (pairs.axes[i].feature == AxisFeature::None) {  // the swept bounds are apart
-      contact.manifold.points.clear();
-      continue;
-    }
-    const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
-    rebuild_manifold(world, contact, pairs.axes[i], margin);
-    if (world.settings.temporal_coherence) remember_answer(world, i, margin);
+  if (pairs.kept[pair]) return move_manifold(world, pair);
+  Contact& contact = pairs.contacts[pair];
+  if (pairs.axes[pair].feature == AxisFeature::None) {  // the swept bounds are apart
+    contact.manifold.points.clear();
+    return;
   }
+  const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
+  rebuild_manifold(world, contact, pairs.axes[pair], margin);
+  if (world.settings.temporal_coherence) remember_answer(world, pair, margin);
+}
+
+void build_manifolds(WorldState& world, Real h) {
+  for_pairs(world, [&](std::size_t pair) { update_manifold(world, pair, h); });
 }
 
 void count_contacts(WorldState& world) {

@@ -123,11 +123,15 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
 }
 
 void apply_forces(WorldState& world, const ContactStep& step) {
-  integrate_momenta(world.bodies, step.h);
+  for_body_blocks(world, [&](std::span<RigidBody> bodies, std::span<SolverBody>) {
+    integrate_momenta(bodies, step.h);
+  });
 }
 
 void move_bodies(WorldState& world, const ContactStep& step) {
-  integrate_poses(world.bodies, world.solver_bodies, step.h, world.settings.rotation);
+  for_body_blocks(world, [&](std::span<RigidBody> bodies, std::span<SolverBody> solver_bodies) {
+    integrate_poses(bodies, solver_bodies, step.h, world.settings.rotation);
+  });
 }
 
 /// Runs a part of the substep that changes bodies, and checks them after it if the settings ask for
@@ -162,7 +166,9 @@ void prepare(WorldState& world, const ContactStep& step) {
   make_constraints(world);
   if (world.settings.solver == SolverKind::Naive) return;
   with_solver_bodies(world, [&](std::span<const SolverBody> bodies) {
-    prepare_contacts(world.constraints, bodies, step);
+    for_blocks(world.crew, world.constraints.size(), 64, [&](std::size_t first, std::size_t last) {
+      prepare_contacts(std::span(world.constraints).subspan(first, last - first), bodies, step);
+    });
     limit_carried_impulses(world, step);
     if (world.settings.warm_starting) guess_cold_impulses(world, step.h);
   });

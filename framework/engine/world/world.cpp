@@ -1,5 +1,6 @@
 #include "cs550/world.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -130,7 +131,18 @@ const ShapePtr& World::shape(BodyId id) const { return definition(id).shape; }
 const BodyDef& World::definition(BodyId id) const { return state_->definitions[id.index]; }
 PosedShape World::posed_shape(BodyId id) const { return state_->posed_shape(id.index); }
 
-void World::step(Real h) { advance(*state_, h); }
+void World::step(Real h) {
+  const int threads = std::clamp(state_->settings.threads, 1, most_threads);
+  if (threads == 1) return advance(*state_, h);
+  Crew crew(threads);
+  struct Assignment {
+    ~Assignment() { state.crew = nullptr; }
+    WorldState& state;
+  };
+  const Assignment until_the_end{*state_};
+  state_->crew = &crew;
+  crew.run([&] { advance(*state_, h); });
+}
 std::int64_t World::step_count() const { return state_->step_count; }
 double World::time() const { return state_->time; }
 

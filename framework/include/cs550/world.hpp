@@ -39,6 +39,9 @@ struct WorldSettings {
   bool temporal_coherence = false;
   /// Skip groups of touching bodies that are at rest, until something disturbs them.
   bool sleeping = false;
+  /// Threads that share the work of a step, 1 to 16. Results are the same bits for any number. With more
+  /// than one, the functions of the labs are called by several threads at once.
+  int threads = 1;
 
   Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
   Real contact_damping_ratio = 4;          ///< ζ of soft contacts; 1 is critical

@@ -59,6 +59,7 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
   visit.number({"length_unit", "typical length", "m"}, settings.length_unit, Real(0.01), 100);
   visit_enum(visit, {"rotation", "rotation", ""}, settings.rotation, rotations);
   visit.toggle({"sleeping", "sleeping", ""}, settings.sleeping);
+  visit.whole({"threads", "threads", ""}, settings.threads, 1, 16);
   visit.toggle({"check_stages", "check every stage", ""}, settings.check_stages);
 }
 

@@ -1,0 +1,103 @@
+// Several threads leave the bits of one.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cs550/scene.hpp"
+#include "engine/test_bodies.hpp"
+#include "engine/threads/crew.hpp"
+
+namespace cs550::test {
+namespace {
+
+TEST(Crew, DoesEveryNumberOfALoopOnce) {
+  for (int threads = 1; threads <= 5; ++threads) {
+    Crew crew(threads);
+    crew.run([&] {
+      for (std::size_t count = 0; count < 200; ++count) {
+        const std::size_t block = 1 + count % 7;
+        std::vector<std::atomic<int>> visits(count);
+        crew.for_blocks(count, block, [&](std::size_t first, std::size_t last) {
+          EXPECT_LE(last - first, block);
+          for (std::size_t i = first; i < last; ++i) ++visits[i];
+        });
+        for (const std::atomic<int>& number : visits) ASSERT_EQ(number, 1);
+      }
+    });
+  }
+}
+
+TEST(Crew, FinishesWithoutHelpers) {
+  Crew crew(4);  // nobody helps outside run()
+  std::atomic<int> sum = 0;
+  crew.for_blocks(100, 3, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) sum += static_cast<int>(i);
+  });
+  EXPECT_EQ(sum, 99 * 100 / 2);
+}
+
+TEST(Crew, ReportsTheFailureOfTheFirstBlock) {
+  Crew crew(3);
+  crew.run([&] {
+    for (int round = 0; round < 50; ++round) {
+      std::string message;
+      try {
+        crew.for_blocks(90, 10, [](std::size_t first, std::size_t) {
+          if (first >= 20) throw std::runtime_error(std::to_string(first));
+        });
+      } catch (const std::runtime_error& error) {
+        message = error.what();
+      }
+      ASSERT_EQ(message, "20");
+    }
+  });
+}
+
+std::uint64_t hash_after(World world, Quality quality, int threads, Real h, int steps) {
+  set_quality(world.settings(), quality);
+  world.settings().threads = threads;
+  for (int step = 0; step < steps; ++step) world.step(h);
+  return world.state_hash();
+}
+
+void expect_equal_hashes(const World& world, Real h, int steps) {
+  for (const Quality quality : {Quality::Accurate, Quality::Game}) {
+    const std::uint64_t one = hash_after(world, quality, 1, h, steps);
+    for (int threads = 2; threads <= 4; ++threads) {
+      EXPECT_EQ(hash_after(world, quality, threads, h, steps), one)
+          << threads << " threads, " << (quality == Quality::Game ? "game" : "accurate");
+    }
+  }
+}
+
+TEST(Threads, LeaveTheSameStateInEveryShippedSceneLong) {
+  for (const std::string& name : shipped_scenes()) {
+    SCOPED_TRACE(name);
+    const SceneResult found = find_scene(name);
+    ASSERT_TRUE(found) << found.error;
+    expect_equal_hashes(make_world(found.scene), found.scene.h, 25);
+  }
+}
+
+TEST(Threads, LeaveTheSameStateInAPileThatFallsAsleep) {
+  World world = falling_hulls(40, 7);
+  world.settings().sleeping = true;
+  expect_equal_hashes(world, step_length, 60);
+}
+
+TEST(Threads, MayChangeBetweenSteps) {
+  World alternating = falling_hulls(20, 8);
+  World single = alternating;
+  for (int step = 0; step < 60; ++step) {
+    alternating.settings().threads = 1 + step % 3;
+    alternating.step(step_length);
+    single.step(step_length);
+    ASSERT_EQ(alternating.state_hash(), single.state_hash()) << "step " << step;
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test
