@@ -104,7 +104,8 @@ World hulls_in_a_bin(std::uint32_t seed) {
   Random random(seed);
   for (int layer = 0; layer < 3; ++layer) {
     for (int place = 0; place < 16; ++place) {
-      const Vec3 cell(static_cast<Real>(place % 4), static_cast<Real>(place / 4),
+      const int row = place / 4;
+      const Vec3 cell(static_cast<Real>(place % 4), static_cast<Real>(row),
                       static_cast<Real>(layer));
       BodyDef def = body_at(random_hull(random, 32, Vec3::Constant(Real(0.5))),
                             Real(1.2) * (cell - Vec3(Real(1.5), Real(1.5), -1)));

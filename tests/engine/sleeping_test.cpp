@@ -231,36 +231,36 @@ TEST(Sleeping, TheCriterionFollowsTheLengthUnit) {
 /// Two towers asleep; something happens to the left one.
 class WakingTest : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(falls_asleep(towers_.world, 120)); }
+  void SetUp() override { ASSERT_TRUE(falls_asleep(towers.world, 120)); }
 
   void expect_only_left_wakes() {
-    towers_.world.step(step_length);
-    for (const BodyId id : towers_.left) {
-      EXPECT_FALSE(towers_.world.is_alive(id) && towers_.world.body(id).asleep);
+    towers.world.step(step_length);
+    for (const BodyId id : towers.left) {
+      EXPECT_FALSE(towers.world.is_alive(id) && towers.world.body(id).asleep);
     }
-    EXPECT_TRUE(towers_.is_asleep(towers_.right));
+    EXPECT_TRUE(towers.is_asleep(towers.right));
   }
 
-  Towers towers_;
+  Towers towers;
 };
 
 TEST_F(WakingTest, AnImpulse) {
-  apply_impulse(towers_.world.body(towers_.left[1]), {0, 0, Real(1e-3)}, {-3, 0, Real(1.5)});
+  apply_impulse(towers.world.body(towers.left[1]), {0, 0, Real(1e-3)}, {-3, 0, Real(1.5)});
   expect_only_left_wakes();
 }
 
 TEST_F(WakingTest, AForce) {
-  towers_.world.body(towers_.left[2]).force = {0, 1, 0};
+  towers.world.body(towers.left[2]).force = {0, 1, 0};
   expect_only_left_wakes();
 }
 
 TEST_F(WakingTest, ANewPose) {
-  towers_.world.body(towers_.left[3]).pose.position.z() += Real(0.1);
+  towers.world.body(towers.left[3]).pose.position.z() += Real(0.1);
   expect_only_left_wakes();
 }
 
 TEST_F(WakingTest, AFlagThatTheProgramClears) {
-  towers_.world.body(towers_.left[2]).asleep = false;
+  towers.world.body(towers.left[2]).asleep = false;
   expect_only_left_wakes();
 }
 
@@ -274,59 +274,59 @@ TEST(Sleeping, AFlagThatTheProgramSetsIsIgnored) {
 
 TEST_F(WakingTest, ABodyThatLandsOnIt) {
   const ShapePtr cube = box_shape(Vec3::Constant(Real(0.5)));
-  towers_.world.add_body(body_at(cube, {-3, 0, Real(5.5)}));
+  towers.world.add_body(body_at(cube, {-3, 0, Real(5.5)}));
   int steps = 0;
-  while (towers_.is_asleep(towers_.left) && ++steps < 60) towers_.world.step(step_length);
+  while (towers.is_asleep(towers.left) && ++steps < 60) towers.world.step(step_length);
   EXPECT_LT(steps, 60);
-  EXPECT_TRUE(towers_.is_asleep(towers_.right));
+  EXPECT_TRUE(towers.is_asleep(towers.right));
   // It falls by 1 m; the tower is awake before they touch.
-  EXPECT_GE(towers_.world.stats().deepest_separation, Real(-2e-3));
+  EXPECT_GE(towers.world.stats().deepest_separation, Real(-2e-3));
 }
 
 TEST_F(WakingTest, RemovalOfItsSupport) {
-  towers_.world.remove_body(towers_.left[0]);
+  towers.world.remove_body(towers.left[0]);
   expect_only_left_wakes();
-  run(towers_.world, 120);
-  EXPECT_NEAR(towers_.world.body(towers_.left[3]).pose.position.z(), Real(2.5), Real(0.01));
+  run(towers.world, 120);
+  EXPECT_NEAR(towers.world.body(towers.left[3]).pose.position.z(), Real(2.5), Real(0.01));
 }
 
 TEST_F(WakingTest, RemovalOfTheFloor) {
-  towers_.world.remove_body(towers_.floor);
-  towers_.world.step(step_length);
-  EXPECT_EQ(sleepers(towers_.world), 0);
-  run(towers_.world, 59);
+  towers.world.remove_body(towers.floor);
+  towers.world.step(step_length);
+  EXPECT_EQ(sleepers(towers.world), 0);
+  run(towers.world, 59);
   // A second of free fall.
-  EXPECT_NEAR(towers_.world.body(towers_.left[0]).pose.position.z(), Real(0.5) - Real(4.9),
+  EXPECT_NEAR(towers.world.body(towers.left[0]).pose.position.z(), Real(0.5) - Real(4.9),
               Real(0.1));
 }
 
 TEST_F(WakingTest, AFloorThatWasMoved) {
-  towers_.world.body(towers_.floor).pose.position.z() -= Real(0.5);
-  towers_.world.step(step_length);
-  EXPECT_EQ(sleepers(towers_.world), 0);
-  run(towers_.world, 120);
-  EXPECT_NEAR(towers_.world.body(towers_.right[0]).pose.position.z(), 0, Real(0.01));
+  towers.world.body(towers.floor).pose.position.z() -= Real(0.5);
+  towers.world.step(step_length);
+  EXPECT_EQ(sleepers(towers.world), 0);
+  run(towers.world, 120);
+  EXPECT_NEAR(towers.world.body(towers.right[0]).pose.position.z(), 0, Real(0.01));
 }
 
 TEST_F(WakingTest, ASettingThatChanges) {
-  towers_.world.settings().gravity.x() = 3;
-  towers_.world.step(step_length);
-  EXPECT_EQ(sleepers(towers_.world), 0);
+  towers.world.settings().gravity.x() = 3;
+  towers.world.step(step_length);
+  EXPECT_EQ(sleepers(towers.world), 0);
 }
 
 TEST_F(WakingTest, SleepingSwitchedOff) {
-  towers_.world.settings().sleeping = false;
-  towers_.world.step(step_length);
-  EXPECT_EQ(sleepers(towers_.world), 0);
-  EXPECT_EQ(towers_.world.stats().contacts, 8);
+  towers.world.settings().sleeping = false;
+  towers.world.step(step_length);
+  EXPECT_EQ(sleepers(towers.world), 0);
+  EXPECT_EQ(towers.world.stats().contacts, 8);
 }
 
 TEST_F(WakingTest, NothingWakesAgainAndAgain) {
-  apply_impulse(towers_.world.body(towers_.left[1]), {1, 0, 0}, {-3, 0, Real(1.5)});
-  EXPECT_TRUE(falls_asleep(towers_.world, 240));
+  apply_impulse(towers.world.body(towers.left[1]), {1, 0, 0}, {-3, 0, Real(1.5)});
+  EXPECT_TRUE(falls_asleep(towers.world, 240));
   for (int i = 0; i < 120; ++i) {
-    towers_.world.step(step_length);
-    ASSERT_EQ(sleepers(towers_.world), 8);
+    towers.world.step(step_length);
+    ASSERT_EQ(sleepers(towers.world), 8);
   }
 }
 

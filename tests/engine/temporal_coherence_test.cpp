@@ -75,7 +75,8 @@ class MovingPair {
   }
 
   void step(int number) {
-    const Real time = static_cast<Real>(number - trajectory_.steps / 2) * step_length;
+    const int middle = trajectory_.steps / 2;
+    const Real time = static_cast<Real>(number - middle) * step_length;
     place(a_, origin_, turn_a_, spin_a_, Vec3::Zero(), time);
     place(b_, origin_ + offset_, turn_b_, spin_b_, heading_, time);
     pose_a_ = world_.posed_shape(a_);

@@ -13,7 +13,7 @@ std::vector<Triangle> take_triangles(FuzzedDataProvider& bytes) {
   std::vector<Triangle> triangles;
   while (bytes.remaining_bytes() >= 3) {
     Triangle triangle;
-    for (Index& v : triangle) v = bytes.ConsumeIntegral<std::int8_t>();
+    for (Index& v : triangle) v = bytes.ConsumeIntegralInRange<Index>(-128, 127);
     triangles.push_back(triangle);
   }
   return triangles;
