@@ -7,17 +7,13 @@
 namespace cs550::test {
 namespace {
 
-// The other variations are in a hidden test, so that students do not wait for them.
+// Other towers and larger pyramids are in a hidden test, so that students do not wait for them.
 GRADED_TEST(Lab7, ATowerOfTenBoxesStandsStill, 2, "L7.8", Long) {
-  for (const Variation& variation :
-       {Variation{1, 0, 1000, 1, percent}, Variation{2, 17, 50, Real(0.1), 0},
-        Variation{3, 45, 8000, 10, percent}}) {
-    require_tower(variation);
-  }
+  require_tower({3, 45, 8000, 10, percent});
 }
 
-GRADED_TEST(Lab7, APyramidOfTwentyRowsStandsStill, 1, "L7.8", Long) {
-  require_pyramid({9, 0, 1000, 1, percent});
+GRADED_TEST(Lab7, APyramidOfTenRowsStandsStill, 1, "L7.8", Long) {
+  require_pyramid(10, {9, 0, 1000, 1, percent});
 }
 
 GRADED_TEST(Lab7, ALightBoxCarriesOneAThousandTimesHeavier, 1, "L7.8") {

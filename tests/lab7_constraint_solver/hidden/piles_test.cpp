@@ -8,12 +8,13 @@ namespace {
 
 GRADED_TEST(Lab7, PilesOfEverySizeStandStill, 1, "L7.8", Long) {
   for (const Variation& variation :
-       {Variation{4, 0, 1000, percent, 0}, Variation{5, 17, 8000, 100, percent},
+       {Variation{1, 0, 1000, 1, percent}, Variation{2, 17, 50, Real(0.1), 0},
+        Variation{4, 0, 1000, percent, 0}, Variation{5, 17, 8000, 100, percent},
         Variation{6, 45, 50, 1, 0}, Variation{7, 0, 50, Real(0.1), percent},
         Variation{8, 45, 1000, 10, 0}}) {
     require_tower(variation);
   }
-  require_pyramid({10, 17, 50, percent, percent});
+  require_pyramid(20, {10, 17, 50, percent, percent});
 }
 
 }  // namespace
