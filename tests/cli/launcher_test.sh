@@ -43,15 +43,15 @@ rm -r "$project/build/student"
 
 # An edit counts by its bytes. A file from a backup has its old time, and so has one after the clock was set back.
 for lab in 3 4; do
-  mkdir -p "$project/labs/lab${lab}_topic" "$project/build/test/lab${lab}_student_code.dir"
+  mkdir -p "$project/labs/lab${lab}_topic" "$project/build/test/lab${lab}_student_code.dir/labs"
   echo written >"$project/labs/lab${lab}_topic/topic.cpp"
 done
-compiled() { for lab in 3 4; do : >"$project/build/test/lab${lab}_student_code.dir/topic.cpp.o"; done; }
-objects() { (cd "$project/build/test" && echo lab*_student_code.dir/*.o); }
+compiled() { for lab in 3 4; do : >"$project/build/test/lab${lab}_student_code.dir/labs/topic.cpp.o"; done; }
+objects() { (cd "$project/build/test" && echo lab*_student_code.dir/labs/*.o); }
 "$project/cs550" build test
 compiled
 "$project/cs550" build test
-both='lab3_student_code.dir/topic.cpp.o lab4_student_code.dir/topic.cpp.o'
+both='lab3_student_code.dir/labs/topic.cpp.o lab4_student_code.dir/labs/topic.cpp.o'
 [ "$(objects)" = "$both" ] || wrong "without an edit, the objects are: $(objects)"
 echo restored >"$project/labs/lab3_topic/topic.cpp"
 touch -d 2001-01-01 "$project/labs/lab3_topic/topic.cpp"
