@@ -26,6 +26,9 @@ done
 demo --sleeping off || wrong "demo --sleeping off failed"
 if grep -q "^asleep" printed; then wrong "nothing sleeps with --sleeping off"; fi
 
+demo --help || wrong "demo --help failed"
+if grep -E '^.{81}' printed; then wrong "--help prints lines of more than 80 columns"; fi
+
 # --quality determines the settings as "quality" in the scene does.
 hash_of() { demo --sleeping off "$@" || wrong "demo $* failed"; sed -n 's/^state hash  *//p' printed; }
 own=$(hash_of)

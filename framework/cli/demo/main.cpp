@@ -127,16 +127,19 @@ void declare(CLI::App& app, DemoOptions& options) {
       ->check(CLI::Range(1, 1000000));
   app.add_option_function<std::string>(
          "--quality", [&](const std::string& name) { options.quality = parse_quality(name); },
-         "accurate, or game: half the passes; by default the scene's own settings")
+         "accurate, or game: half the passes; by default the\n"
+         "scene's own settings")
       ->option_text("NAME");
   app.add_option("--threads", options.threads,
-                 "threads that share the work of a step; by default the scene's own number, 1")
+                 "threads that share the work of a step; by default the\n"
+                 "scene's own number, 1")
       ->option_text("N")
       ->check(CLI::Range(1, 16));
   app.add_option_function<std::string>(
          "--sleeping",
          [&](const std::string& value) { options.sleeping = parse_switch("--sleeping", value); },
-         "on: bodies at rest are skipped until something disturbs them, the default; or off")
+         "on: bodies at rest are skipped until something disturbs\n"
+         "them, the default; or off")
       ->option_text("SWITCH");
   app.add_flag("--no-picture", options.no_picture, "print the summary only");
 }
