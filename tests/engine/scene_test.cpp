@@ -402,7 +402,7 @@ TEST(Scene, LimitsCanBeRaisedByTheEnvironment) {
 
 /// Replaces the rejected value by the example in the message, as a user would.
 std::string with_example_pasted(const std::string& text, const std::string& error) {
-  static const std::regex form(R"re(: (/[^:]*): .*; for example "([^"]*)": (.*)$)re");
+  static const std::regex form(R"re(: (/[^:]*): .*; for example (?:"([^"]*)": )?(.*)$)re");
   std::smatch match;
   if (!std::regex_search(error, match, form)) return {};
   nlohmann::json document = nlohmann::json::parse(text);
@@ -443,7 +443,9 @@ TEST(Scene, ExamplesInMessagesWorkWhenPasted) {
       R"({"schema": 1, "generators": [{"kind": "stack", "count": 3, "body": 5}]})",
       R"({"schema": 1})",
       R"({"schema": 1, "bodies": {}})",
+      R"({"schema": 1, "bodies": [[]]})",
       R"({"schema": 1, "generators": {}})",
+      R"({"schema": 1, "generators": [5]})",
       R"({"schema": 1, "generators": [{"kind": "stack", "count": 3}]})",
       R"({"schema": 1, "h": 0, "bodies": [{)" + shape + "}]}",
       R"({"schema": 1, "steps": 0, "bodies": [{)" + shape + "}]}",
@@ -485,7 +487,7 @@ TEST(Scene, RefusesUnknownKeysAndNamesTheNearest) {
 TEST(Scene, RefusesFilesThatAreNoSceneAtAll) {
   expect_refused("{\"schema\": 1,\n \"bodies\": [}", {"not JSON", "line 2"});
   expect_refused("", {"not JSON"});
-  expect_refused("[]", {"object"});
+  expect_refused("[]", {"object", "for example {\"schema\": 1, \"bodies\": ["});
   EXPECT_NE(load_scene("no/such/file.json").error.find("no/such/file.json"), std::string::npos);
   EXPECT_FALSE(load_scene(testing::TempDir())) << "a folder";
 }

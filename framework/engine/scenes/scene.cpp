@@ -27,13 +27,13 @@ void add_bodies(Scene& scene, std::vector<NamedBody> bodies) {
   }
 }
 
-const char* bodies_example =
-    R"([{"shape": {"kind": "box", "half_extents": [0.5, 0.5, 0.5]}, "position": [0, 0, 1]}])";
-const char* generators_example =
-    R"([{"kind": "stack", "count": 3, "body": {"shape": {"kind": "box", "half_extents": [1, 1, 1]}}}])";
+const std::string body_example =
+    R"({"shape": {"kind": "box", "half_extents": [0.5, 0.5, 0.5]}, "position": [0, 0, 1]})";
+const char* generator_example =
+    R"({"kind": "stack", "count": 3, "body": {"shape": {"kind": "box", "half_extents": [1, 1, 1]}}})";
 
 Scene read_scene(const nlohmann::json& document, const fs::path& file, const SceneLimits& limits) {
-  SceneReader root(document, "");
+  SceneReader root(document, "", R"({"schema": 1, "bodies": [)" + body_example + "]}");
   int schema = schema_version;
   root.need("schema", schema, schema_version, schema_version);
 
@@ -54,25 +54,23 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, const Sce
     shapes.define(
         root.object("shapes", R"({"brick": {"kind": "box", "half_extents": [0.2, 0.1, 0.05]}})"));
   }
-  const auto bodies = root.list("bodies", bodies_example);
+  const auto bodies = root.objects("bodies", body_example);
   if (bodies.size() > static_cast<std::size_t>(limits.bodies)) {
     throw SceneFault("/bodies",
                      beyond_limit(static_cast<std::int64_t>(bodies.size()), limits.bodies,
                                   "bodies in a scene", "CS550_MAX_BODIES"));
   }
-  for (const auto& [body, path] : bodies) {
-    add_bodies(scene, {read_body({*body, path}, shapes)});
-  }
-  for (const auto& [generator, path] : root.list("generators", generators_example)) {
+  for (const SceneReader& body : bodies) add_bodies(scene, {read_body(body, shapes)});
+  for (const SceneReader& generator : root.objects("generators", generator_example)) {
     const auto bodies_before = static_cast<int>(scene.bodies.size());
-    add_bodies(scene, generate_bodies({*generator, path}, shapes, limits, bodies_before));
+    add_bodies(scene, generate_bodies(generator, shapes, limits, bodies_before));
   }
   root.refuse_other_keys();
   if (scene.bodies.empty()) {
     throw SceneFault("",
                      "expected at least one body in \"bodies\" or \"generators\"; for example "
-                     "\"bodies\": " +
-                         std::string(bodies_example));
+                     "\"bodies\": [" +
+                         body_example + "]");
   }
   refuse_beyond_float(scene, bodies.size());
   refuse_many_pairs(scene, limits);

@@ -72,10 +72,11 @@ std::string did_you_mean(const std::string& typed, const std::vector<std::string
 
 }  // namespace
 
-SceneReader::SceneReader(const Json& value, std::string path)
+SceneReader::SceneReader(const Json& value, std::string path, const std::string& example)
     : value_(value), path_(std::move(path)) {
   if (!value_.is_object()) {
-    throw SceneFault(path_, "expected an object in braces, found " + excerpt(value_));
+    throw SceneFault(path_, "expected an object in braces, found " + excerpt(value_) +
+                                "; for example " + example);
   }
 }
 
@@ -176,7 +177,7 @@ std::size_t SceneReader::read_word(const std::string& key, const std::vector<std
 
 SceneReader SceneReader::object(const std::string& key, const std::string& example) {
   if (!json(key).is_object()) refuse(key, "an object in braces", example);
-  return {json(key), path_of(key)};
+  return {json(key), path_of(key), example};
 }
 
 std::string SceneReader::excerpt(const Json& value) {
@@ -194,6 +195,14 @@ std::vector<std::pair<const Json*, std::string>> SceneReader::list(const std::st
     items.emplace_back(&item, path_of(key) + "/" + std::to_string(items.size()));
   }
   return items;
+}
+
+std::vector<SceneReader> SceneReader::objects(const std::string& key, const std::string& example) {
+  std::vector<SceneReader> objects;
+  for (const auto& [item, path] : list(key, "[" + example + "]")) {
+    objects.emplace_back(*item, path, example);
+  }
+  return objects;
 }
 
 std::vector<std::string> SceneReader::keys() const {

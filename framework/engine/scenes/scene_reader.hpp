@@ -35,9 +35,9 @@ class SceneReader {
  public:
   using Json = nlohmann::json;
 
-  /// @param path of the value, as a JSON pointer ("/bodies/3"). Throws SceneFault unless the value
-  ///        is an object.
-  SceneReader(const Json& value, std::string path);
+  /// @param path of the value, as a JSON pointer ("/bodies/3")
+  /// @param example of such an object, for the message. Throws SceneFault unless the value is one.
+  SceneReader(const Json& value, std::string path, const std::string& example);
 
   const std::string& path() const { return path_; }
   /// Whether the key is there; asks for it.
@@ -78,6 +78,9 @@ class SceneReader {
   /// The values of the list under a key with their paths; none if there is no such key.
   std::vector<std::pair<const Json*, std::string>> list(const std::string& key,
                                                         const std::string& example);
+  /// The same of a list of objects.
+  /// @param example of one object
+  std::vector<SceneReader> objects(const std::string& key, const std::string& example);
   /// A value as it is written in the file, cut short.
   static std::string excerpt(const Json& value);
   /// Whether a value is a number within the bounds of Range::Any.
