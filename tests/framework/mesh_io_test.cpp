@@ -72,11 +72,28 @@ TEST_F(ObjFile, WithACarriageReturnInALineIsRefused) {
   expect_named(load_obj(path).error, "line 2: expected a line feed");
 }
 
+/// The parser would see three vertices, and a word in front of the third that it does not know.
+TEST_F(ObjFile, WithAControlCharacterIsRefused) {
+  for (const char control : {'\f', '\v', '\0', '\x1b', '\x7f'}) {
+    write("v 0 0 0\nv 1 0 0\n" + std::string(1, control) + "v 0 1 0\nv 0 0 1\nf 1 2 -1\n");
+    expect_named(load_obj(path).error, "line 3: expected plain text, found the control character");
+  }
+}
+
 TEST_F(ObjFile, MayEndItsLinesAsWindowsDoes) {
   write("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n");
   const SoupResult result = load_obj(path);
   EXPECT_EQ(result.error, "");
   EXPECT_EQ(result.soup.triangles.size(), 1U);
+}
+
+/// To the parser, the second line of faces would name vertex 7.
+TEST_F(ObjFile, MayHaveACommentInALine) {
+  write("v 0 0 0\nv 1 0 0\nv 0 1 0#v\nv 0 0 1 # the top\nf 1 2 3 # the base\nf 1 2 4#f 2 3 7\n");
+  const SoupResult result = load_obj(path);
+  EXPECT_EQ(result.error, "");
+  ASSERT_EQ(result.soup.triangles.size(), 2U);
+  EXPECT_EQ(result.soup.triangles[1], (Triangle{0, 1, 3}));
 }
 
 /// The file of materials may have no end, as a device does, or belong to somebody else.

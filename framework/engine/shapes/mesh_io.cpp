@@ -41,15 +41,15 @@ SoupResult load_obj(const std::filesystem::path& file) {
   if (!stream || std::filesystem::is_directory(file, unreadable)) {
     return {{}, file.string() + ": cannot be opened; expected an OBJ file"};
   }
-  if (const std::string fault = first_obj_fault(stream); !fault.empty()) {
+  const std::string text = without_comments(stream);
+  std::istringstream lines(text);
+  if (const std::string fault = first_obj_fault(lines); !fault.empty()) {
     return {{}, file.string() + ": " + fault};
   }
   // From its text and without materials: the parser would open every file that "mtllib" names, also a
   // pipe or a device that has no end.
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
   tinyobj::ObjReader reader;
-  if (!reader.ParseFromString(text.str(), "")) {
+  if (!reader.ParseFromString(text, "")) {
     std::string reason = reader.Error();
     reason.resize(reason.find_last_not_of('\n') + 1);
     return {{}, file.string() + ": " + (reason.empty() ? "cannot be read" : reason)};

@@ -1,5 +1,6 @@
 #include "engine/shapes/obj_check.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -74,10 +75,20 @@ std::string face_fault(const std::vector<std::string>& words, int line, long lon
   return {};
 }
 
-/// The parser begins a new line after a carriage return, also in the middle of a line.
-std::string line_end_fault(const std::string& content, int line) {
-  const std::size_t place = content.find('\r');
-  if (place == std::string::npos || place + 1 == content.size()) return {};
+/// The parser begins a new line after a carriage return, also in the middle of a line, ends one at a zero,
+/// and takes a form feed for a letter.
+std::string control_fault(const std::string& content, int line) {
+  const auto is_control = [](unsigned char letter) {
+    return (letter < 0x20 && letter != '\t') || letter == 0x7f;
+  };
+  const auto place = std::find_if(content.begin(), content.end(), is_control);
+  if (place == content.end()) return {};
+  const bool is_carriage_return = *place == '\r';
+  if (is_carriage_return && place + 1 == content.end()) return {};
+  if (!is_carriage_return) {
+    return at_line(line, "expected plain text, found the control character with the code " +
+                             std::to_string(static_cast<unsigned char>(*place)) + "; remove it");
+  }
   return at_line(line,
                  "expected a line feed at the end of a line, found a carriage return in it; "
                  "replace each by a line feed");
@@ -85,13 +96,21 @@ std::string line_end_fault(const std::string& content, int line) {
 
 }  // namespace
 
+std::string without_comments(std::istream& file) {
+  std::string text;
+  for (std::string line; std::getline(file, line);) {
+    text.append(line, 0, line.find('#')).push_back('\n');
+  }
+  return text;
+}
+
 std::string first_obj_fault(std::istream& text) {
   LargestNumber largest;
   long long vertices = 0;
   std::string content;
   for (int line = 1; std::getline(text, content); ++line) {
-    if (std::string fault = line_end_fault(content, line); !fault.empty()) return fault;
-    const std::vector<std::string> words = words_of(content.substr(0, content.find('#')));
+    if (std::string fault = control_fault(content, line); !fault.empty()) return fault;
+    const std::vector<std::string> words = words_of(content);
     if (words.empty()) continue;
     std::string fault;
     if (words[0] == "v") {

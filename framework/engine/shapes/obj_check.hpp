@@ -1,14 +1,20 @@
 #pragma once
 /// @file obj_check.hpp
-/// Finds the lines of an OBJ file that its parser would misread without a word.
+/// What an OBJ file needs before its parser sees it: no comments, and no line that the parser would
+/// misread without a word.
 
 #include <istream>
 #include <string>
 
 namespace cs550 {
 
+/// The text of a file, each line up to its "#". The parser knows comments only at the beginning of a line,
+/// and reads numbers in the others.
+std::string without_comments(std::istream& file);
+
 /// The first line with a coordinate that is not a finite number ("1,5", "nan"), a face with fewer than 3
-/// or more than max_obj_face_corners corners, or a vertex number that no vertex has.
+/// or more than max_obj_face_corners corners, a vertex number that no vertex has, or a control character.
+/// @param text without comments
 /// @returns a sentence with the number of the line; empty if there is no such line
 std::string first_obj_fault(std::istream& text);
 
