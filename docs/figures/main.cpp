@@ -151,9 +151,9 @@ int main(int argc, char** argv) {
   using namespace cs550::book;
   CLI::App app("Draws the pictures of the book and measures its tables.");
   std::string figures, data, only, live, hulls, output;
-  app.add_option("--figures", figures, "folder for pictures");
+  app.add_option("--figures", figures, "folder for pictures, made if it is not there");
   app.add_option("--data", data, "folder for tables");
-  app.add_option("--only", only, "one picture or table");
+  app.add_option("--only", only, "one picture or table, as docs/figures/figures.txt names it");
   app.add_option("--live", live, "a live figure as it is at first: a page's number and settings");
   app.add_option("--hulls", hulls, "point clouds that the browser's engine has listed");
   app.add_option("--output", output, "file for --live and --hulls");
@@ -161,11 +161,19 @@ int main(int argc, char** argv) {
   try {
     if (!live.empty()) draw_live(live, output);
     if (!hulls.empty()) answer_clouds(hulls, output);
+    if (!figures.empty()) fs::create_directories(figures);
+    bool is_known = only.empty();
     for (const Figure& figure : all_figures()) {
+      is_known = is_known || only == figure.name;
       if (!figures.empty() && (only.empty() || only == figure.name)) draw(figure, figures);
     }
     for (const Table& table : all_tables()) {
+      is_known = is_known || only == table.name;
       if (!data.empty() && (only.empty() || only == table.name)) measure(table, data);
+    }
+    if (!is_known) {
+      throw std::runtime_error("no figure or table has the name '" + only +
+                               "'; docs/figures/figures.txt lists the figures");
     }
   } catch (const std::exception& error) {
     std::cerr << "book_figures: " << error.what() << '\n';

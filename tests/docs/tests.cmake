@@ -23,6 +23,11 @@ if(CS550_SYSTEM_PYTHON)
   set_tests_properties(docs.listings PROPERTIES LABELS docs TIMEOUT 60)
 endif()
 
+# docs.figure: one figure by its name.
+add_test(NAME docs.figure COMMAND bash "${CMAKE_CURRENT_LIST_DIR}/figure_test.sh"
+         "${PROJECT_SOURCE_DIR}/build/release/bin/book_figures" "${CMAKE_CURRENT_BINARY_DIR}/figure_test")
+set_tests_properties(docs.figure PROPERTIES LABELS docs SKIP_RETURN_CODE 77 TIMEOUT 60)
+
 # docs.rebuild.*: what docs/rebuild computes from the book's text alone agrees with the engine. The boxes are
 # skipped until the book's tables are made.
 file(GLOB rebuild_scripts "${PROJECT_SOURCE_DIR}/docs/rebuild/*.py")
