@@ -1,0 +1,275 @@
+// Wrong scene files: each is refused as a whole, with the place of the fault and an example that works.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "cs550/scene.hpp"
+#include "engine/scene_text.hpp"
+
+namespace cs550 {
+namespace {
+
+/// Checks that the scene is rejected as a whole, with a message that contains all the parts.
+void expect_refused(const std::string& text, const std::vector<std::string>& parts) {
+  const TemporaryScene scene(text);
+  const SceneResult result = scene.load();
+  ASSERT_FALSE(result) << text;
+  EXPECT_TRUE(result.scene.bodies.empty()) << text;
+  EXPECT_NE(result.error.find(scene.file().string()), std::string::npos) << result.error;
+  for (const std::string& part : parts) {
+    EXPECT_NE(result.error.find(part), std::string::npos)
+        << "missing: " << part << "\nin: " << result.error;
+  }
+}
+
+TEST(Scene, RefusesWhatFloatCannotHold) {
+  const auto needle = [](const std::string& thickness) {
+    return R"({"shape": {"kind": "box", "half_extents": [1, )" + thickness + ", " + thickness +
+           "]}}";
+  };
+  EXPECT_EQ(load_text(with_body(needle("0.001"))).error, "");
+  expect_refused(with_body(needle("0.0005")), {"/bodies/0: ", "found 2e+06", "thicker"});
+
+  const auto weighing = [](const std::string& mass) {
+    return "{" + std::string(shape_member) + R"(, "mass": )" + mass + "}";
+  };
+  EXPECT_EQ(load_text(with_body(weighing("1e-3") + ", " + weighing("1e5"))).error, "");
+  expect_refused(with_body(weighing("1e-3") + ", " + weighing("1e7")),
+                 {"/bodies/0: ", "0.001 kg beside 1e+07 kg of /bodies/1"});
+}
+
+TEST(Scene, RefusesWithPlaceExpectationAndExample) {
+  const std::string shape = shape_member;
+  expect_refused(with_body(R"({"shape": {"kind": "bax", "half_extents": [1, 1, 1]}})"),
+                 {"/bodies/0/shape/kind", "\"box\"", "did you mean", "found \"bax\"",
+                  "for example \"kind\": "});
+  expect_refused(with_body("{" + shape + "}, {" + shape + R"(, "friction": -1})"),
+                 {"/bodies/1/friction", "0 or more", "-1", "for example \"friction\": 0.6"});
+  expect_refused(with_body("{" + shape + R"(, "restitution": 1.5})"),
+                 {"/bodies/0/restitution", "0 to 1"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 0})"),
+                 {"/bodies/0/mass", "from 1e-09 to 1e+12"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 1, "density": 1})"), {"/bodies/0/density"});
+  expect_refused(with_body("{" + shape + R"(, "position": [1, 2]})"),
+                 {"/bodies/0/position", "three", "[1,2]", "[0.0, 0.0, 0.0]"});
+  expect_refused(with_body("{" + shape + R"(, "position": [1, "2", 3]})"), {"/bodies/0/position"});
+  expect_refused(with_body(R"({"position": [0, 0, 0]})"),
+                 {"/bodies/0", "\"shape\" is missing", "\"half_extents\""});
+  expect_refused(with_body(R"({"shape": {"kind": "box", "half_extents": [1, 0, 1]}})"),
+                 {"/bodies/0/shape/half_extents", "positive"});
+  expect_refused(with_body(R"({"shape": "brick"})"), {"/bodies/0/shape", "shapes"});
+  expect_refused(with_body("{" + shape + R"(, "orientation": {"quaternion": [1, 1, 1, 1]}})"),
+                 {"/bodies/0/orientation/quaternion", "unit"});
+  expect_refused(with_body("{" + shape + R"(, "orientation": {"degrees": 4}})"),
+                 {"/bodies/0/orientation", "\"axis\""});
+  expect_refused(R"({"schema": 1, "world": {"substeps": 0}})", {"/world/substeps", "from 1"});
+  expect_refused(R"({"schema": 1, "world": {"solver": "fast"}})",
+                 {"/world/solver", "naive", "constraint"});
+  expect_refused(R"({"schema": 2, "bodies": []})", {"/schema", "found 2"});
+  expect_refused(R"({"bodies": []})", {"\"schema\" is missing"});
+  expect_refused(R"({"schema": 1})", {"at least one body"});
+  expect_refused(R"({"schema": 1, "bodies": {}})", {"/bodies", "list"});
+  expect_refused(R"({"schema": 1, "generators": [{"kind": "wall", "rows": 3}]})",
+                 {"/generators/0", "\"body\" is missing"});
+}
+
+TEST(Scene, RefusesWhatAParserWouldMisreadWithoutAWord) {
+  const std::string shape = shape_member;
+  expect_refused(R"({"schema": 1, "h": 0.01, "h": 0.02})", {"/h", "each key once", "\"h\""});
+  expect_refused(with_body("{" + shape + R"(, "position": [0, 0, 1], "position": [0, 0, 2]})"),
+                 {"/bodies/0/position", "a second time"});
+  expect_refused(R"({"schema": 1, "h": 1e30})", {"/h", "from 1e-06 to 1", "1e+30"});
+  expect_refused(R"({"schema": 1, "h": 1e999})", {"/h", "1e308"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 3e38})"), {"/bodies/0/mass", "1e+12"});
+  expect_refused(with_body("{" + shape + R"(, "position": [0, 1e39, 0]})"),
+                 {"/bodies/0/position", "from -1e6 to 1e6", "1e+39"});
+  expect_refused(
+      with_body("{" + shape + R"(, "orientation": {"axis": [0, 0, 1e30], "degrees": 9}})"),
+      {"/bodies/0/orientation/axis", "1e+30"});
+  expect_refused(
+      with_body("{" + shape + R"(, "orientation": {"axis": [0, 0, 1e-30], "degrees": 9}})"),
+      {"/bodies/0/orientation/axis", "a direction of length"});
+  expect_refused(R"({"schema": 1, "title": "\u001b[2J"})", {"/title", "control characters"});
+  expect_refused(
+      with_body(R"({"shape": {"kind": "hull", "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1e39]]}})"),
+      {"/bodies/0/shape/points/3", "three numbers", "[0,0,1e+39]"});
+}
+
+/// A message repeats what it found, but no more than a line of it, and nothing that a terminal obeys.
+TEST(Scene, RepeatsLongAndUnprintableTextInShort) {
+  const std::string letters(5000, 'a');
+  const std::string odd[] = {
+      R"({"schema": 1, ")" + letters + R"(": 1, "bodies": [{)" + shape_member + "}]}",
+      R"({"schema": 1, ")" + letters + R"(": 1, ")" + letters + R"(": 1})",
+      R"({"schema": 1, "shapes": {")" + letters + R"(": {}}, "bodies": [{)" + shape_member + "}]}",
+      R"({"schema": 1, "\u001b[2J": 1, "bodies": [{)" + std::string(shape_member) + "}]}",
+      R"({"schema": 1, "shapes": {"\u001b[2J": {}}})",
+      "{\"schema\": 1, \"bod\x7fies\": []}",  // and the key that it may have meant
+      "{\"schema\": 1, \"generators\": [{\"kind\": \"stack\", \"c\x7funt\": 3}]}",
+  };
+  for (const std::string& text : odd) {
+    const SceneResult result = load_text(text);
+    EXPECT_FALSE(result) << text;
+    EXPECT_LT(result.error.size(), 700U) << result.error;
+    EXPECT_EQ(result.error.find_first_of("\033\x7f"), std::string::npos) << result.error;
+  }
+  expect_refused("{\"schema", {"this is not JSON: parse error at line 1"});
+  EXPECT_LT(load_text("{\"" + letters).error.size(), 500U)
+      << "an unfinished text is read to the end";
+  EXPECT_LT(find_scene(letters).error.size(), 500U);
+  EXPECT_EQ(find_scene("\033[2J").error.find('\033'), std::string::npos);
+}
+
+TEST(Scene, RefusesNestingThatNoSceneNeeds) {
+  for (const int levels : {33, 100000, 1000000}) {
+    const std::string open(levels, '[');
+    expect_refused(R"({"schema": 1, "title": )" + open, {"/title/0/0", "at most 32 levels"});
+  }
+  const std::string closed = std::string(31, '[') + std::string(31, ']');
+  expect_refused(R"({"schema": 1, "title": )" + closed + "}", {"/title", "a text in quotes"});
+}
+
+TEST(Scene, RefusesTooMuchBeforeItIsMade) {
+  const std::string body = std::string(body_member) + "}";
+  const auto generator = [](const std::string& keys) {
+    return R"({"schema": 1, "generators": [{)" + keys + "]}";
+  };
+  // 10¹² boxes would fill any memory; 10¹² + 1 = 1 + 10⁶·10⁶.
+  expect_refused(
+      generator(R"("kind": "grid", "count": [10000, 10000, 10000], "spacing": [1, 1, 1], )" + body),
+      {"/generators/0/count", "50000 bodies", "found 1000000000000", "CS550_MAX_BODIES"});
+  expect_refused(generator(R"("kind": "wall", "columns": 1000000, "rows": 1000000, )" + body),
+                 {"/generators/0/rows", "found 1000000000000"});
+  expect_refused(generator(R"("kind": "pyramid", "rows": 1000000, )" + body),
+                 {"found 500000500000"});
+  expect_refused(generator(R"("kind": "stack", "count": 50000, )" + body +
+                           R"(, {"kind": "stack", "count": 1, )" + body),
+                 {"/generators/1/count", "found 50001"});
+  expect_refused(
+      generator(R"("kind": "drop", "count": 50000, "columns": [9, 9], "spacing": [1, 1, 1],
+                             "seed": 1, "vertices": [4, 1000], "body": {}})"),
+      {"/generators/0/count", "500000 vertices", "found 50000000"});
+  // All in one place, so that every two of them would be a pair.
+  expect_refused(
+      generator(R"("kind": "grid", "count": [100, 100, 2], "spacing": [1e-6, 1e-6, 1e-6], )" +
+                body),
+      {"1000000 pairs", "CS550_MAX_PAIRS"});
+}
+
+TEST(Scene, LimitsCanBeRaisedByTheEnvironment) {
+  const std::string text = R"({"schema": 1, "generators": [{"kind": "stack", "count": 12, )" +
+                           std::string(body_member) + "}]}";
+  setenv("CS550_MAX_BODIES", "11", 1);
+  expect_refused(text, {"at most 11 bodies", "found 12"});
+  setenv("CS550_MAX_BODIES", "12", 1);
+  EXPECT_TRUE(load_text(text));
+  setenv("CS550_MAX_BODIES", "many", 1);
+  EXPECT_TRUE(load_text(text)) << "what is no number changes nothing";
+  unsetenv("CS550_MAX_BODIES");
+}
+
+/// Replaces the rejected value by the example in the message, as a user would.
+std::string with_example_pasted(const std::string& text, const std::string& error) {
+  static const std::regex form(R"re(: (/[^:]*): .*; for example (?:"([^"]*)": )?(.*)$)re");
+  std::smatch match;
+  if (!std::regex_search(error, match, form)) return {};
+  nlohmann::json document = nlohmann::json::parse(text);
+  const std::string key = match[2];
+  std::string path = match[1];
+  // A missing key is added to the object at the path. Other values are replaced.
+  if (path.size() < key.size() || path.substr(path.size() - key.size()) != key) {
+    path += (path == "/" ? "" : "/") + key;
+  }
+  document[nlohmann::json::json_pointer(path)] = nlohmann::json::parse(match[3].str());
+  return document.dump();
+}
+
+TEST(Scene, ExamplesInMessagesWorkWhenPasted) {
+  const std::string shape = shape_member;
+  const std::string wrong[] = {
+      with_body("{" + shape + R"(, "friction": -1})"),
+      with_body("{" + shape + R"(, "restitution": 2})"),
+      with_body("{" + shape + R"(, "position": [1, 2]})"),
+      with_body("{" + shape + R"(, "mass": 0})"),
+      with_body("{" + shape + R"(, "kind": "statik"})"),
+      with_body("{" + shape + R"(, "orientation": {"quaternion": [1, 1, 1, 1]}})"),
+      with_body("{" + shape + R"(, "orientation": {"quaternion": 1}})"),
+      with_body("{" + shape + R"(, "orientation": {"axis": [0, 0, 0], "degrees": 1}})"),
+      with_body("{" + shape + R"(, "filter": {"category": -1}})"),
+      with_body(R"({"position": [0, 0, 0]})"),
+      with_body(R"({"shape": "brick"})"),
+      with_body(R"({"shape": {"kind": "bax", "half_extents": [1, 1, 1]}})"),
+      with_body(R"({"shape": {"kind": "box"}})"),
+      with_body(R"({"shape": {"kind": "hull"}})"),
+      with_body(R"({"shape": {"kind": "hull", "points": 3}})"),
+      with_body(R"({"shape": {"kind": "mesh", "file": "hare.obj"}})"),
+      with_body(R"({"shape": 5})"),
+      with_body("{" + shape + R"(, "orientation": []})"),
+      with_body("{" + shape + R"(, "filter": "all"})"),
+      R"({"schema": 1, "world": [], "bodies": [{)" + shape + "}]}",
+      R"({"schema": 1, "shapes": {"brick": 5}, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 1, "generators": [{"kind": "stack", "count": 3, "body": 5}]})",
+      R"({"schema": 1})",
+      R"({"schema": 1, "bodies": {}})",
+      R"({"schema": 1, "bodies": [[]]})",
+      R"({"schema": 1, "generators": {}})",
+      R"({"schema": 1, "generators": [5]})",
+      R"({"schema": 1, "generators": [{"kind": "stack", "count": 3}]})",
+      R"({"schema": 1, "h": 0, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 1, "steps": 0, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 1, "title": 5, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 1, "world": {"substeps": 0}, "bodies": [{)" + shape + "}]}",
+      R"({"schema": 2, "bodies": [{)" + shape + "}]}",
+      R"({"bodies": [{)" + shape + "}]}",
+  };
+  for (const std::string& text : wrong) {
+    const SceneResult refused = load_text(text);
+    ASSERT_FALSE(refused) << text;
+    const std::string pasted = with_example_pasted(text, refused.error);
+    ASSERT_NE(pasted, "") << "no example in: " << refused.error;
+    EXPECT_TRUE(load_text(pasted)) << refused.error << "\nthen: " << load_text(pasted).error;
+  }
+}
+
+TEST(Scene, NamesThatNoFileCanHaveAreRefused) {
+  for (const std::string& name :
+       {std::string(), std::string(100000, 'x'), std::string("a/b\0c", 5)}) {
+    EXPECT_FALSE(find_scene(name));
+    EXPECT_FALSE(load_scene(name));
+    EXPECT_NE(load_scene(name).error, "");
+  }
+}
+
+TEST(Scene, RefusesUnknownKeysAndNamesTheNearest) {
+  const std::string shape = shape_member;
+  expect_refused(with_body("{" + shape + R"(, "densty": 3})"),
+                 {"/bodies/0/densty", "did you mean \"density\"?"});
+  expect_refused(with_body(R"({"shape": {"kind": "box", "half_extents": [1, 1, 1], "radius": 2}})"),
+                 {"/bodies/0/shape/radius"});
+  expect_refused(with_body(R"({"shape": {"kind": "box", "half_extent": [1, 1, 1]}})"),
+                 {"\"half_extents\" is missing", "did you mean \"half_extent\"?"});
+  expect_refused(R"({"schema": 1, "world": {"gravitiy": [0, 0, 0]}})", {"/world", "\"gravity\""});
+  expect_refused(R"({"schema": 1, "body": []})", {"/body", "\"bodies\""});
+}
+
+TEST(Scene, RefusesFilesThatAreNoSceneAtAll) {
+  expect_refused("{\"schema\": 1,\n \"bodies\": [}", {"not JSON", "line 2"});
+  expect_refused("", {"not JSON"});
+  expect_refused("[]", {"object", "for example {\"schema\": 1, \"bodies\": ["});
+  EXPECT_NE(load_scene("no/such/file.json").error.find("no/such/file.json"), std::string::npos);
+  EXPECT_FALSE(load_scene(testing::TempDir())) << "a folder";
+}
+
+TEST(Scene, RefusesShapesThatAreNone) {
+  expect_refused(
+      with_body(R"({"shape": {"kind": "hull", "points": [[0,0,0],[1,0,0],[0,1,0],[1,1,0]]}})"),
+      {"/bodies/0/shape"});
+  expect_refused(with_body(R"({"shape": {"kind": "mesh", "file": "hare.obj"}})"),
+                 {"/bodies/0/shape/file", "hare.obj", "meshes"});
+}
+
+}  // namespace
+}  // namespace cs550
