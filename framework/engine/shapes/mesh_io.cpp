@@ -33,6 +33,16 @@ HalfEdgeMesh mesh_from(const FloatJson& json) {
   return mesh;
 }
 
+/// The text of a file, each line up to its "#". The parser knows comments only at the beginning of a line,
+/// and reads numbers in the others.
+std::string without_comments(std::istream& file) {
+  std::string text;
+  for (std::string line; std::getline(file, line);) {
+    text.append(line, 0, line.find('#')).push_back('\n');
+  }
+  return text;
+}
+
 }  // namespace
 
 SoupResult load_obj(const std::filesystem::path& file) {

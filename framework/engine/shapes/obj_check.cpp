@@ -83,26 +83,17 @@ std::string control_fault(const std::string& content, int line) {
   };
   const auto place = std::find_if(content.begin(), content.end(), is_control);
   if (place == content.end()) return {};
-  const bool is_carriage_return = *place == '\r';
-  if (is_carriage_return && place + 1 == content.end()) return {};
-  if (!is_carriage_return) {
+  if (*place != '\r') {
     return at_line(line, "expected plain text, found the control character with the code " +
                              std::to_string(static_cast<unsigned char>(*place)) + "; remove it");
   }
+  if (place + 1 == content.end()) return {};
   return at_line(line,
                  "expected a line feed at the end of a line, found a carriage return in it; "
                  "replace each by a line feed");
 }
 
 }  // namespace
-
-std::string without_comments(std::istream& file) {
-  std::string text;
-  for (std::string line; std::getline(file, line);) {
-    text.append(line, 0, line.find('#')).push_back('\n');
-  }
-  return text;
-}
 
 std::string first_obj_fault(std::istream& text) {
   LargestNumber largest;

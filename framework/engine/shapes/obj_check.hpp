@@ -1,16 +1,11 @@
 #pragma once
 /// @file obj_check.hpp
-/// What an OBJ file needs before its parser sees it: no comments, and no line that the parser would
-/// misread without a word.
+/// Lines of an OBJ file that its parser would misread without a word.
 
 #include <istream>
 #include <string>
 
 namespace cs550 {
-
-/// The text of a file, each line up to its "#". The parser knows comments only at the beginning of a line,
-/// and reads numbers in the others.
-std::string without_comments(std::istream& file);
 
 /// The first line with a coordinate that is not a finite number ("1,5", "nan"), a face with fewer than 3
 /// or more than max_obj_face_corners corners, a vertex number that no vertex has, or a control character.
