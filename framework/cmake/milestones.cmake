@@ -3,7 +3,7 @@
 #   milestones           on the reference; the target update_trajectories regenerates the records
 #   milestones_student   on all the student's labs together
 #   milestones_sanitized, milestones_debugged   the same, compiled with the sanitizers, or for gdb
-cs550_given_library(cs550_milestones milestones cs550_engine fmt::fmt)
+cs550_given_library(cs550_milestones milestones cs550_scenes fmt::fmt)
 target_include_directories(cs550_milestones PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 
 function(cs550_add_milestone_program target)

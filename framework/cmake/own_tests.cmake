@@ -19,7 +19,7 @@ function(cs550_add_own_tests folder)
   endif()
   set(target tests_${folder})
   add_executable(${target} ${sources})
-  target_link_libraries(${target} PRIVATE cs550_test_support cs550_warnings GTest::gtest_main
+  target_link_libraries(${target} PRIVATE cs550_test_support cs550_scenes cs550_warnings GTest::gtest_main
                         ${ARGN})
   cs550_link_labs(${target} fast reference stub)
   cs550_discover_tests(${target} ${folder} "-*Long:*Long/*:*Soak:*Soak/*" "${folder}" 120)

@@ -23,7 +23,7 @@ file(GLOB demo_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/framework/cli/de
 
 function(cs550_add_demo target)
   add_executable(${target} ${demo_sources})
-  target_link_libraries(${target} PRIVATE cs550_engine cs550_files CLI11::CLI11 fmt::fmt cs550_warnings)
+  target_link_libraries(${target} PRIVATE cs550_scenes cs550_files CLI11::CLI11 fmt::fmt cs550_warnings)
   target_compile_definitions(${target} PRIVATE CS550_HAS_VIEWER=$<BOOL:${CS550_HAS_VIEWER}>)
   cs550_unity(${target} 16)
 endfunction()

@@ -1,7 +1,7 @@
 # Pages are built without OpenGL and Dear ImGui, so that other programs can show them too.
 cs550_given_library(cs550_isolation isolation cereal::cereal)
 target_include_directories(cs550_isolation PUBLIC "${PROJECT_SOURCE_DIR}/framework")
-cs550_given_library(cs550_pages "pages;pages/*" cs550_engine cs550_drawing cs550_isolation)
+cs550_given_library(cs550_pages "pages;pages/*" cs550_scenes cs550_drawing cs550_isolation)
 set_target_properties(cs550_isolation cs550_pages PROPERTIES EXCLUDE_FROM_ALL TRUE)
 
 # cs550_viewer is the program behind ./cs550 view, linked with the fastest code.

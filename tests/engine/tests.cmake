@@ -3,7 +3,7 @@
 if(TARGET lab7_fast_code AND TARGET lab7_reference_code)
   foreach(form fast teaching)
     add_executable(scene_hashes_${form} tests/engine/fast_forms/scene_hashes.cpp)
-    target_link_libraries(scene_hashes_${form} PRIVATE cs550_engine cs550_warnings)
+    target_link_libraries(scene_hashes_${form} PRIVATE cs550_scenes cs550_warnings)
   endforeach()
   cs550_link_labs(scene_hashes_fast fast reference stub)
   foreach(number IN LISTS CS550_LABS)

@@ -104,7 +104,9 @@ inline Eigen::Matrix<double, 3, 12> dense_jacobians(const ContactConstraint& con
 inline void prepare_densely(ContactConstraint& constraint, const SolverBody& a,
                             const SolverBody& b) {
   const Eigen::Matrix<double, 3, 12> j = dense_jacobians(constraint);
-  const Eigen::Matrix3d k = j * dense_inverse_mass(a, b) * j.transpose();
+  // Sum by sum: students wait seconds for the compilation of a general product.
+  const Eigen::Matrix<double, 3, 12> scaled = j.lazyProduct(dense_inverse_mass(a, b));
+  const Eigen::Matrix3d k = scaled.lazyProduct(j.transpose());
   const Eigen::Matrix2d tangents = k.bottomRightCorner<2, 2>();
   constraint.normal_mass = static_cast<Real>(1 / k(0, 0));
   constraint.tangent_mass = tangents.inverse().cast<Real>();
@@ -127,7 +129,7 @@ struct Meeting {
   /// V + M⁻¹Jᵀλ for impulses along n, u and v.
   Vec12 velocity_after(const Eigen::Vector3d& impulses) const {
     return velocity() +
-           dense_inverse_mass(a, b) * dense_jacobians(constraint).transpose() * impulses;
+           dense_inverse_mass(a, b) * (dense_jacobians(constraint).transpose() * impulses);
   }
   /// P, and L about the contact point.
   Eigen::Matrix<double, 6, 1> momentum() const {

@@ -3,7 +3,7 @@
 /// The solution of sequential impulses, by brute force over the active constraints in double:
 /// λ ≥ 0, w = J·V' + b ≥ 0, λ·w = 0. Murty, *Linear Complementarity* (1988), §1.
 
-#include <Eigen/QR>
+#include <Eigen/LU>
 #include <optional>
 
 #include "lab7_constraint_solver/dense_contact.hpp"
@@ -37,7 +37,7 @@ struct DenseContacts {
   }
 
   Eigen::VectorXd velocity_after(const Eigen::VectorXd& impulses) const {
-    return velocity + inverse_mass * jacobian.transpose() * impulses;
+    return velocity + inverse_mass * (jacobian.transpose() * impulses);
   }
 };
 
@@ -57,7 +57,7 @@ inline std::optional<Eigen::VectorXd> solve_lcp(const DenseContacts& contacts) {
       system.row(i) = k.row(i) / k(i, i);
       right[i] = -q[i] / k(i, i);
     }
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(system);
+    const Eigen::FullPivLU<Eigen::MatrixXd> solver(system);
     if (solver.rank() < q.size())
       continue;  // Redundant constraints: a smaller set also has a solution.
     const Eigen::VectorXd impulses = solver.solve(right);
