@@ -41,6 +41,21 @@ sed -i 's/"steps": 60,/"steps": 60, "world": { "quality": "game" },/' scene.json
 [ "$(hash_of --quality accurate)" = "$own" ] || wrong "--quality should win over the scene's"
 [ "$(hash_of --threads 2)" = "$(hash_of)" ] || wrong "two threads leave another state than one"
 
+# A scene states the bound on penetration for its own settings.
+sed 's/"steps": 60,/"steps": 60, "max_penetration": 1e-9,/' scene.json >strict.json
+strict() {
+  code=0
+  "$program" strict.json --no-picture "$@" >printed 2>&1 || code=$?
+}
+strict
+[ $code = 1 ] || wrong "a cube deeper than the scene's bound: exit code $code, expected 1"
+grep -q "exceeds the scene's bound" printed || wrong "expected that the bound was exceeded"
+strict --quality game
+[ $code = 1 ] || wrong "--quality game is the scene's own: exit code $code, expected 1"
+strict --quality accurate
+[ $code = 0 ] || wrong "the bound holds for the scene's own quality: exit code $code, expected 0"
+if grep -q "bound" printed; then wrong "no bound is stated for another quality"; fi
+
 misused() {
   code=0
   demo "$1" "$2" || code=$?

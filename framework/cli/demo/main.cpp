@@ -101,7 +101,10 @@ int run_demo(const DemoOptions& options) {
   }
   Scene& scene = found.scene;
   scene.settings.audit_momentum = true;
-  if (options.quality) set_quality(scene.settings, *options.quality);
+  if (options.quality && !has_quality(scene.settings, *options.quality)) {
+    set_quality(scene.settings, *options.quality);
+    scene.max_penetration = 0;  // it was stated for the scene's own quality
+  }
   if (options.threads) scene.settings.threads = *options.threads;
   scene.settings.sleeping = options.sleeping;
 
