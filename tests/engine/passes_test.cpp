@@ -333,7 +333,7 @@ RollingSystem random_rolling_system(Random& random) {
     }
     if (contact.body_a != contact.body_b) system.contacts.push_back(contact);
   }
-  arrange_constraints(system.contacts, kinds, system.order);
+  arrange_constraints(system.contacts, kinds, Vec3(0, 0, Real(-9.81)), system.order);
   system.constraints.resize(system.order.place_of_point.size());
   for (const Index i : system.order.contacts) {
     const Contact& contact = system.contacts[i];

@@ -58,7 +58,7 @@ TEST(SolveOrder, ConstraintsOfAMovableBodyKeepTheirOrder) {
       if (a != b) contacts.push_back(contact_between(a, b, random.integer(0, 4)));
     }
     SolveOrder order;
-    arrange_constraints(contacts, bodies, order);
+    arrange_constraints(contacts, bodies, Vec3::Zero(), order);
 
     std::vector<Index> last_constraint(movable, no_index);
     std::size_t point = 0;
@@ -81,7 +81,7 @@ TEST(SolveOrder, ConstraintsOfAMovableBodyKeepTheirOrder) {
 /// Checks that any four consecutive constraints belong to four different contacts.
 void expect_full_lanes(const std::vector<Contact>& contacts, Index bodies_on_floor) {
   SolveOrder order;
-  arrange_constraints(contacts, bodies_of_kinds(bodies_on_floor, 1), order);
+  arrange_constraints(contacts, bodies_of_kinds(bodies_on_floor, 1), Vec3::Zero(), order);
   const std::vector<int> owners = contact_of_constraint(contacts, order);
   constexpr auto group_size = static_cast<std::size_t>(ContactGroup::capacity());
   ASSERT_EQ(owners.size() % group_size, 0U) << "the example fills all lanes";
@@ -117,8 +117,58 @@ TEST(SolveOrder, ContactsWithMorePointsGoOnInTheFirstLanes) {
   const std::vector<Contact> contacts{contact_between(0, 3, 3), contact_between(1, 3, 1),
                                       contact_between(2, 3, 2)};
   SolveOrder order;
-  arrange_constraints(contacts, bodies, order);
+  arrange_constraints(contacts, bodies, Vec3::Zero(), order);
   EXPECT_EQ(contact_of_constraint(contacts, order), (std::vector<int>{0, 2, 1, 0, 2, 0}));
+}
+
+/// Rows of boxes on a floor, each of which rests on two of the row below and touches its neighbours. In the order
+/// of the world: by body A, then body B.
+std::vector<Contact> contacts_of_rows(Index rows, Index boxes) {
+  std::vector<Contact> contacts;
+  const auto touch = [&contacts](Index a, Index b, const Vec3& normal) {
+    contacts.push_back(contact_between(a, b, 4));
+    contacts.back().manifold.normal = normal;
+  };
+  for (Index box = 0; box < rows * boxes; ++box) {
+    const Index place = box % boxes;
+    if (place + 1 < boxes) touch(box, box + 1, Vec3::UnitX());
+    if (box + boxes < rows * boxes) {
+      if (place > 0) touch(box, box + boxes - 1, Vec3::UnitZ());
+      touch(box, box + boxes, Vec3::UnitZ());
+    }
+    if (box < boxes) touch(box, rows * boxes, -Vec3::UnitZ());
+  }
+  return contacts;
+}
+
+TEST(SolveOrder, ContactsThatCarryWeightComeBeforeThoseOfNeighbours) {
+  constexpr Index rows = 20;
+  constexpr Index boxes = 20;
+  const std::vector<Contact> contacts = contacts_of_rows(rows, boxes);
+  const std::vector<RigidBody> bodies = bodies_of_kinds(rows * boxes, 1);
+  SolveOrder order;
+  arrange_constraints(contacts, bodies, Vec3(0, 0, Real(-9.81)), order);
+
+  const auto carries_weight = [&](Index i) { return contacts[i].manifold.normal.z() != 0; };
+  const auto first_neighbours =
+      std::find_if_not(order.contacts.begin(), order.contacts.end(), carries_weight);
+  EXPECT_TRUE(std::is_sorted(order.contacts.begin(), first_neighbours));
+  EXPECT_TRUE(std::is_sorted(first_neighbours, order.contacts.end()));
+  EXPECT_TRUE(std::none_of(first_neighbours, order.contacts.end(), carries_weight));
+
+  std::vector<bool> neighbours_began(bodies.size());
+  for (const int owner : contact_of_constraint(contacts, order)) {
+    for (const Index body : {contacts[owner].body_a, contacts[owner].body_b}) {
+      if (body == rows * boxes) continue;  // the floor waits for nobody
+      EXPECT_FALSE(carries_weight(owner) && neighbours_began[body]) << "body " << body;
+      neighbours_began[body] = !carries_weight(owner);
+    }
+  }
+
+  SolveOrder weightless;
+  arrange_constraints(contacts, bodies, Vec3::Zero(), weightless);
+  EXPECT_TRUE(std::is_sorted(weightless.contacts.begin(), weightless.contacts.end()));
+  EXPECT_LT(order.groups.size(), weightless.groups.size()) << "the rows are no longer one chain";
 }
 
 }  // namespace

@@ -130,7 +130,8 @@ Vec3 ContactConstraint::v() const { return n.cross(u); }
 void ContactConstraint::mark_impact() { impact_handled = impact_handled || normal_impulse > 0; }
 
 void make_constraints(WorldState& world) {
-  arrange_constraints(world.pairs.contacts, world.bodies, world.solve_order);
+  arrange_constraints(world.pairs.contacts, world.bodies, world.settings.gravity,
+                      world.solve_order);
   world.constraints.resize(world.solve_order.place_of_point.size());
   world.mirror.stale = true;
   world.any_bounces = false;

@@ -1,6 +1,7 @@
 #include "engine/contacts/solve_order.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cs550 {
 
@@ -56,19 +57,35 @@ void find_groups(std::span<const Contact> contacts, std::span<const RigidBody> b
 
 void number_points(std::span<const Contact> contacts, SolveOrder& order) {
   order.first_point.assign(1, 0);
+  for (const Contact& contact : contacts) {
+    order.first_point.push_back(order.first_point.back() + point_count(contact));
+  }
+}
+
+/// Whether the normal is across gravity: within 6° (the cosine is 0.1).
+bool links_neighbours(const Contact& contact, const Vec3& gravity) {
+  return std::abs(contact.manifold.normal.dot(gravity)) < Real(0.1) * gravity.norm();
+}
+
+/// Contacts that link the neighbours of a row come last. If each were visited between the contacts of its bodies
+/// with the next row, the rows would become one chain of contacts that wait for each other.
+void list_contacts(std::span<const Contact> contacts, const Vec3& gravity, SolveOrder& order) {
   order.contacts.clear();
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Index points = point_count(contacts[i]);
-    if (points > 0) order.contacts.push_back(static_cast<Index>(i));
-    order.first_point.push_back(order.first_point.back() + points);
+  for (const bool neighbours : {false, true}) {
+    for (Index i = 0; i < static_cast<Index>(contacts.size()); ++i) {
+      if (point_count(contacts[i]) > 0 && links_neighbours(contacts[i], gravity) == neighbours) {
+        order.contacts.push_back(i);
+      }
+    }
   }
 }
 
 }  // namespace
 
 void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
-                         SolveOrder& order) {
+                         const Vec3& gravity, SolveOrder& order) {
   number_points(contacts, order);
+  list_contacts(contacts, gravity, order);
   find_groups(contacts, bodies, order);
   order.place_of_point.resize(order.first_point.back());
   const auto points_of = [&](Index i) { return point_count(contacts[i]); };

@@ -8,12 +8,15 @@
 
 namespace cs550 {
 
-/// Orders the constraints for solvers that take several at a time. Contacts that share no movable
-/// body form groups. Within a group the constraints of all first points come first, then those of
-/// all second points, and so on. Constraints that share a body keep their order, and the others do
-/// not affect each other: a pass in this order gives the same bits as one in the order of the
-/// contacts.
+/// Orders the constraints of a step. Contacts keep their order, but those whose normals are across gravity, up to
+/// 6°, come after the others, which carry the weight.
+///
+/// Then they are placed for solvers that take several at a time. Contacts that share no movable body form
+/// groups. Within a group the constraints of all first points come first, then those of all second points, and
+/// so on. Constraints that share a body keep their order, and the others do not affect each other: a pass over
+/// the groups gives the same bits as one over the contacts in the order above.
+/// @param gravity in the world frame; zero leaves the order of the contacts
 void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
-                         SolveOrder& order);
+                         const Vec3& gravity, SolveOrder& order);
 
 }  // namespace cs550
