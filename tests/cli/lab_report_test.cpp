@@ -18,11 +18,12 @@ Verdict verdict(const std::string& test, const std::string& step, Kind kind,
 }
 
 std::string printed(const std::vector<Verdict>& verdicts, bool everything = false,
-                    const std::vector<cs550::cli::KnownCause>& known = {}) {
+                    const std::vector<cs550::cli::KnownCause>& known = {},
+                    const std::string& earlier_fault = "") {
   LabReport report(everything, known);
   testing::internal::CaptureStdout();
   report.print(verdicts);
-  report.print_total(0);
+  report.print_total(0, earlier_fault);
   return testing::internal::GetCapturedStdout();
 }
 
@@ -136,6 +137,32 @@ TEST(LabReport, TestsOfOtherStepsDecideBetweenCausesThatExplainAsMuch) {
   EXPECT_STREQ(first_cause(verdict("B", "L3.2", Kind::Failed, "not implemented: L3.2 f"), c),
                "order")
       << "an unwritten step is no mistake";
+}
+
+TEST(LabReport, ACauseOfEndlessLoopsComesFirstIfATestWasStopped) {
+  const std::string causes = "in this case:\n  likely    sign\n            > and not >=\n";
+  const std::vector<cs550::cli::KnownCause> known = {{"sign", {"A", "C"}, {}},
+                                                     {">=", {"B"}, {}, {"A", "B"}}};
+  const auto first_cause = [&](const std::string& ending) {
+    const std::string report = printed({verdict("A", "L3.1", Kind::Failed, ending + '\n' + causes),
+                                        verdict("B", "L3.1", Kind::Failed, ending + '\n' + causes),
+                                        verdict("C", "L3.1", Kind::Failed, "down")},
+                                       false, known);
+    return report.find("likely    sign") != std::string::npos ? "sign" : ">=";
+  };
+  EXPECT_STREQ(first_cause("stopped: it did not end in time (an endless loop?)"), ">=");
+  EXPECT_STREQ(first_cause("crashed: Segmentation fault"), "sign");
+  const std::vector<Verdict> ends = {verdict("A", "L3.1", Kind::Failed, causes)};
+  EXPECT_EQ(printed(ends, false, {{">=", {"A"}, {}, {"A"}}}).find(">="), std::string::npos)
+      << "a test that ends excludes a cause for which it never does";
+}
+
+TEST(LabReport, AnEarlierLabThatFailsByItselfIsToBeFixedFirst) {
+  const std::vector<Verdict> one = {verdict("A", "L4.1", Kind::Failed, "wrong sign")};
+  EXPECT_NE(printed(one, false, {}, "lab 3").find("passed\nFix lab 3 first.\n"), std::string::npos);
+  EXPECT_EQ(printed(one).find("Fix"), std::string::npos);
+  const std::vector<Verdict> two = {one[0], verdict("B", "L4.2", Kind::Failed, "wrong order")};
+  EXPECT_NE(printed(two, false, {}, "L3.1").find("\nFix L3.1 first. Other"), std::string::npos);
 }
 
 TEST(LabReport, ABlockedTestDoesNotHideTheReasonsOfLaterSteps) {

@@ -175,6 +175,13 @@ TEST_P(Tags, EveryStepHasThreeHints) {
   }
 }
 
+/// The mutants of labN.json, with those for which a test never ends.
+Json all_mutants(const Json& document) {
+  Json mutants = document.at("mutants");
+  for (const Json& mutant : document.value("endless", Json::array())) mutants.push_back(mutant);
+  return mutants;
+}
+
 TEST_P(Tags, MutantsBreakStepsThatExist) {
   if (!fs::exists(lab.mutants())) GTEST_SKIP() << "the students' copy has no mutants";
   const Json document = read_json(lab.mutants());
@@ -182,7 +189,7 @@ TEST_P(Tags, MutantsBreakStepsThatExist) {
   EXPECT_EQ(document.at("lab"), std::stoi(lab.number()));
   const std::map<std::string, std::string> steps = sections(lab);
   Names names;
-  for (const Json& mutant : document.at("mutants")) {
+  for (const Json& mutant : all_mutants(document)) {
     const std::string name = mutant.at("name");
     EXPECT_TRUE(names.insert(name).second) << name << " occurs twice";
     EXPECT_TRUE(steps.count(mutant.at("step"))) << name;
@@ -246,7 +253,7 @@ TEST_P(Tags, RecordedCausesNameVisibleTestsAndMutants) {
   Names causes;
   if (fs::exists(lab.mutants())) {
     const Json document = read_json(lab.mutants());
-    for (const Json& mutant : document.at("mutants")) {
+    for (const Json& mutant : all_mutants(document)) {
       causes.insert(mutant.at("names_cause").get<std::string>());
     }
   }
@@ -261,6 +268,11 @@ TEST_P(Tags, RecordedCausesNameVisibleTestsAndMutants) {
       for (const std::string& test : failing.at(where)) {
         EXPECT_TRUE(tests.count(test)) << cause << ": " << test;
       }
+    }
+    const auto endless = failing.find("endless");
+    if (endless == failing.end()) continue;
+    for (const std::string& test : endless->second) {
+      EXPECT_TRUE(tests.count(test)) << cause << ": " << test;
     }
   }
 }

@@ -12,6 +12,7 @@ GRADED_TEST(Lab3, HillClimbMatchesBruteForceFromEveryStart, 6, "L3.2") {
   story.seed(random.seed()).when("hill_climb()");
   story.likely("compare dot(vertex, direction), not the distance from the origin")
       .likely("keep walking until no neighbour is better, not only one step")
+      .likely("leave the loop when no neighbour is better: the climb ends there")
       .likely("the vertices around v: half-edges that leave v, each points to a neighbour");
   for (const std::string& name : convex_meshes()) {
     const HalfEdgeMesh& mesh = fixture_mesh(name);

@@ -8,9 +8,13 @@ a test that fails for it must name the cause.
 A vacuous answer replaces a function of the reference by one that does nothing, or nearly nothing: it
 returns a constant, or what it was given. It must not earn a single point in its step.
 
+An endless mutant is a mutant for which a test of its step never ends. It names a cause of its own: ./cs550 lab
+lists such causes only if a test was stopped. Students' own tests do not have to find it (build_libraries.py).
+
 tests/labN_topic/causes.json records which visible tests fail for a named cause: those of its step, so that
 ./cs550 lab leaves out causes that a passing test excludes, and those elsewhere, so that it lists the most
-likely cause first. --record-causes writes it, every other run checks the tests of the step.
+likely cause first. Tests of the step that may never end for it are listed again. --record-causes writes it,
+every other run checks the tests of the step.
 """
 
 import argparse
@@ -26,6 +30,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SECONDS_PER_TEST = 60  # as in `./cs550 lab N`: a long test that takes longer is an endless loop
+SECONDS_PER_ENDLESS_TEST = 10  # of an endless mutant: many of its tests do not end
 SECONDS_PER_MUTANT = 240
 
 
@@ -124,21 +129,22 @@ def make_library(reference, sources, folder):
     return folder / "reference.so"
 
 
-def run_tests(reference, library, names, folder):
+def run_tests(reference, library, names, folder, seconds):
     """One row per test. ctest ends a test that takes too long, and runs the others after a crash."""
     lines = []
     for name in names:
         lines.append(f'add_test({name} "{reference.program}" "--gtest_filter={name}"'
                      f' --results "{folder / name}.json")')
         lines.append(f'set_tests_properties({name} PROPERTIES WORKING_DIRECTORY "{ROOT}"'
-                     f' ENVIRONMENT "LD_PRELOAD={library}" TIMEOUT {SECONDS_PER_TEST})')
+                     f' ENVIRONMENT "LD_PRELOAD={library}" TIMEOUT {seconds})')
     (folder / "CTestTestfile.cmake").write_text("\n".join(lines))
     try:
-        subprocess.run(["ctest", "--test-dir", folder, "-j1"], timeout=SECONDS_PER_MUTANT,
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        printed = subprocess.run(["ctest", "--test-dir", folder, "-j1"], timeout=SECONDS_PER_MUTANT, text=True,
+                                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
     except subprocess.TimeoutExpired:
         raise Unusable(f"its tests take more than {SECONDS_PER_MUTANT} s") from None
-    return [row_of(folder / f"{name}.json") for name in names]
+    stopped = set(re.findall(r": (\S+) \.*\*\*\*Timeout", printed))
+    return [row_of(folder / f"{name}.json") | {"stopped": name in stopped} for name in names]
 
 
 def row_of(results):
@@ -160,12 +166,14 @@ def faults(mutant, failed):
         yield f"survives: no test of {step} fails"
     elif not any(mutant["names_cause"] in row["message"] for row in own):
         yield f"no failing test of {step} says “{mutant['names_cause']}”"
+    if mutant["is_endless"] and not any(row["stopped"] for row in own):
+        yield f"every test of {step} ends"
     for row in failed:
         if row["step"] not in (step, *may_also_fail):
             yield f"{row['test']} of {row['step']} fails too"
 
 
-def run_edited(reference, name, sources, step=None):
+def run_edited(reference, name, sources, step=None, seconds=SECONDS_PER_TEST):
     """Runs the tests of the lab, or those of one step, on the reference with some sources edited."""
     folder = reference.build / "mutants" / f"lab{reference.lab}" / name
     shutil.rmtree(folder, ignore_errors=True)
@@ -173,13 +181,14 @@ def run_edited(reference, name, sources, step=None):
     names = [f"Lab{reference.lab}.{test['name']}" for test in reference.tests
              if step in (None, test["step"])]
     try:
-        return run_tests(reference, make_library(reference, sources, folder), names, folder)
+        return run_tests(reference, make_library(reference, sources, folder), names, folder, seconds)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 
 
 class Causes:
-    """For each cause the visible tests, of its step and elsewhere, that fail for all mutants that name it."""
+    """For each cause the visible tests, of its step and elsewhere, that fail for all mutants that name it, and
+    those of its step that never end for one of them."""
 
     def __init__(self, lab):
         folder, = (ROOT / "tests").glob(f"lab{lab}_*")
@@ -193,22 +202,29 @@ class Causes:
         is_own = {row["test"].split(".")[-1]: row["step"] == mutant["step"] for row in visible}
         tests = {"step": [test for test in is_own if is_own[test]],
                  "elsewhere": [test for test in is_own if not is_own[test]]}
+        endless = [row["test"].split(".")[-1] for row in visible if row["stopped"]]
         cause = mutant["names_cause"]
         known = self.seen.get(cause, tests)
-        self.seen[cause] = {where: [test for test in known[where] if test in tests[where]]
-                            for where in tests}
+        merged = {where: [test for test in known[where] if test in tests[where]] for where in tests}
+        merged["endless"] = sorted({*known.get("endless", []), *(set(endless) & set(tests["step"]))})
+        self.seen[cause] = merged
         recorded = self.recorded.get(cause, {"step": []})["step"]
         return [test for test in recorded if test not in tests["step"]]
 
     def record(self):
-        lines = [f"  {json.dumps(cause, ensure_ascii=False)}: {json.dumps(tests)}"
-                 for cause, tests in sorted(self.seen.items()) if tests["step"]]
+        lines = []
+        for cause, tests in sorted(self.seen.items()):
+            if not tests["endless"]:
+                del tests["endless"]  # as for nearly all
+            if tests["step"]:
+                lines.append(f"  {json.dumps(cause, ensure_ascii=False)}: {json.dumps(tests)}")
         self.file.write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def judge_mutant(reference, mutant):
     """Returns the points lost in the mutant's step, those lost elsewhere, and the faults."""
-    rows = run_edited(reference, mutant["name"], mutated_sources(mutant))
+    seconds = SECONDS_PER_ENDLESS_TEST if mutant["is_endless"] else SECONDS_PER_TEST
+    rows = run_edited(reference, mutant["name"], mutated_sources(mutant), seconds=seconds)
     failed = [row for row in rows if row["status"] == "failed"]
     own = sum(row["points"] for row in failed if row["step"] == mutant["step"])
     found = list(faults(mutant, failed))
@@ -241,8 +257,9 @@ def prove_lab(build, file, only, jobs, record_causes):
     """Prints a line per wrong solution. Returns the number of solutions and of those with errors."""
     lab = int(file.stem.removeprefix("lab"))
     listed = json.loads(file.read_text())
-    answers = [wrong for wrong in listed["mutants"] + listed["vacuous"]
-               if fnmatch.fnmatch(name_of(wrong), only)]
+    mutants = [mutant | {"is_endless": name == "endless"}
+               for name in ("mutants", "endless") for mutant in listed.get(name, [])]
+    answers = [wrong for wrong in mutants + listed["vacuous"] if fnmatch.fnmatch(name_of(wrong), only)]
     if not answers:
         return 0, 0
     reference = Reference(build, lab)

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "cli/system/project.hpp"
@@ -17,9 +19,9 @@ long common(const std::set<std::string>& a, const std::set<std::string>& b) {
                        [&](const std::string& test) { return b.count(test) != 0; });
 }
 
-/// How well a cause explains the failing tests of its step, then those of other steps; nothing if a
-/// passing test excludes it.
-using Rank = std::pair<long, long>;
+/// How well a cause explains the endless loops, the failing tests of its step, and those of other steps;
+/// nothing if a passing test excludes it.
+using Rank = std::tuple<long, long, long>;
 std::optional<Rank> rank_of(const std::string& cause, const std::vector<KnownCause>& known,
                             const Outcomes& outcomes) {
   // One sentence may name several mistakes: "in the world and of unit length".
@@ -29,11 +31,15 @@ std::optional<Rank> rank_of(const std::string& cause, const std::vector<KnownCau
     if (cause.find(one.words) == std::string::npos) continue;
     is_recorded = true;
     if (common(one.tests, outcomes.passed) > 0) continue;
-    const Rank rank{common(one.tests, outcomes.failed), common(one.elsewhere, outcomes.failed) -
-                                                            common(one.elsewhere, outcomes.passed)};
+    const bool never_ends =
+        !one.endless.empty() && common(one.tests, one.endless) == std::ssize(one.tests);
+    if (never_ends && outcomes.stopped.empty()) continue;
+    const Rank rank{
+        common(one.endless, outcomes.stopped), common(one.tests, outcomes.failed),
+        common(one.elsewhere, outcomes.failed) - common(one.elsewhere, outcomes.passed)};
     if (!best || rank > *best) best = rank;
   }
-  return is_recorded ? best : Rank{1, 0};  // unrecorded: it explains the test that names it
+  return is_recorded ? best : Rank{0, 1, 0};  // unrecorded: it explains the test that names it
 }
 
 }  // namespace
@@ -45,7 +51,9 @@ std::vector<KnownCause> known_causes(const std::string& lab_name) {
   using Tests = std::map<std::string, std::set<std::string>>;  // by where they are
   for (const auto& [words, tests] :
        nlohmann::json::parse(stream).get<std::map<std::string, Tests>>()) {
-    known.push_back({words, tests.at("step"), tests.at("elsewhere")});
+    const auto endless = tests.find("endless");
+    known.push_back({words, tests.at("step"), tests.at("elsewhere"),
+                     endless == tests.end() ? std::set<std::string>() : endless->second});
   }
   return known;
 }

@@ -10,9 +10,10 @@ namespace cs550::cli {
 
 /// A mistake that was tried on the reference (tests/mutants/).
 struct KnownCause {
-  std::string words;                ///< part of the cause as tests name it
-  std::set<std::string> tests;      ///< visible tests of its step that fail for it
-  std::set<std::string> elsewhere;  ///< those of other steps
+  std::string words;                   ///< part of the cause as tests name it
+  std::set<std::string> tests;         ///< visible tests of its step that fail for it
+  std::set<std::string> elsewhere;     ///< those of other steps
+  std::set<std::string> endless = {};  ///< tests of its step that may never end for it
 };
 
 /// From tests/labN_topic/causes.json; none where that file is absent.
@@ -21,12 +22,14 @@ std::vector<KnownCause> known_causes(const std::string& lab_name);
 /// The tests of a lab that ran, by their outcome.
 struct Outcomes {
   std::set<std::string> passed;
-  std::set<std::string> failed;
+  std::set<std::string> failed;   ///< including those that were stopped
+  std::set<std::string> stopped;  ///< as endless loops
 };
 
-/// The causes that no passing test of their step excludes, those that explain the most failing tests of
-/// it first. Among equal ones, the tests of other steps decide: a similar mistake may pass one of them,
-/// so they exclude nothing. If every cause is excluded, the mistake is not one that was tried: all are
+/// The causes that no passing test of their step excludes. A cause for which every test of its step never
+/// ends is excluded if all tests ended. Those that explain the most endless loops come
+/// first, then those that explain the most failing tests of the step. Among equal ones, the tests of
+/// other steps decide: a similar mistake may pass one of them, so they exclude nothing. If every cause is excluded, the mistake is not one that was tried: all are
 /// returned.
 std::vector<std::string> plausible(const std::vector<std::string>& causes,
                                    const std::vector<KnownCause>& known, const Outcomes& outcomes);

@@ -74,6 +74,9 @@ std::string ending_of(const Verdict& verdict) {
   return ended ? verdict.message.substr(0, verdict.message.find('\n')) : "";
 }
 
+/// Whether a test was stopped as an endless loop.
+bool was_stopped(const Verdict& verdict) { return ending_of(verdict).rfind("stopped", 0) == 0; }
+
 bool is_unwritten(const Verdict& verdict) {
   return verdict.message.rfind("not implemented: ", 0) == 0;
 }
@@ -98,6 +101,7 @@ void LabReport::print(const std::vector<Verdict>& verdicts) {
     if (verdict.kind == Verdict::Kind::Failed && !is_unwritten(verdict)) {
       outcomes_.failed.insert(verdict.test.name);
     }
+    if (was_stopped(verdict)) outcomes_.stopped.insert(verdict.test.name);
     const bool is_first =
         first_failing_step_.empty() || is_earlier_step(verdict.test.step, first_failing_step_);
     if (verdict.kind == Verdict::Kind::Failed && is_first) first_failing_step_ = verdict.test.step;
@@ -165,7 +169,7 @@ bool LabReport::is_after_first_failure(const Verdict& verdict) const {
          is_earlier_step(first_failing_step_, verdict.test.step);
 }
 
-void LabReport::print_total(int elsewhere) const {
+void LabReport::print_total(int elsewhere, const std::string& earlier_fault) const {
   int earned = 0;
   int points = 0;
   std::size_t passed = 0;
@@ -179,9 +183,12 @@ void LabReport::print_total(int elsewhere) const {
                                     passed, verdicts_.size()),
                         Colour::Bold)
             << '\n';
+  const std::string& first = earlier_fault.empty() ? first_failing_step_ : earlier_fault;
   if (shortened_) {
-    std::cout << "Fix " << first_failing_step_
+    std::cout << "Fix " << first
               << " first. Other reports are left out or shortened; --all prints them.\n";
+  } else if (!earlier_fault.empty()) {
+    std::cout << "Fix " << first << " first.\n";
   }
   if (elsewhere > 0) std::cout << elsewhere << " more points are graded by your instructor.\n";
 }

@@ -25,8 +25,10 @@ class LabReport {
 
   void print(const std::vector<Verdict>& verdicts);
 
-  /// Points and tests passed. @param elsewhere points that the instructor grades
-  void print_total(int elsewhere) const;
+  /// Points and tests passed, and what to fix first.
+  /// @param elsewhere points that the instructor grades
+  /// @param earlier_fault the step or the earlier lab that fails by itself, "L3.1"; may be empty
+  void print_total(int elsewhere, const std::string& earlier_fault = "") const;
 
  private:
   void print_reason(const Verdict& verdict);
