@@ -26,6 +26,10 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/use_solution_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/use_solution")
   set_tests_properties(cli.use_solution PROPERTIES LABELS cli TIMEOUT 60)
+  add_test(NAME cli.results
+           COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/results_test.sh" "$<TARGET_FILE:cs550_cli>"
+                   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/results_of_labs")
+  set_tests_properties(cli.results PROPERTIES LABELS cli TIMEOUT 300)
   add_test(NAME cli.devcontainer
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/devcontainer_test.sh" "${PROJECT_SOURCE_DIR}")
   set_tests_properties(cli.devcontainer PROPERTIES LABELS cli TIMEOUT 60)

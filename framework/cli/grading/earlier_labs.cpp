@@ -42,9 +42,10 @@ std::set<int> suspects(const std::string& lab_name, const std::vector<Verdict>& 
 
 }  // namespace
 
-bool warn_of_earlier_labs(const std::string& lab_name, const std::vector<Verdict>& verdicts) {
-  const std::set<int> labs = suspects(lab_name, verdicts);
-  for (const int number : labs) {
+std::optional<EarlierFault> warn_of_earlier_labs(const std::string& lab_name,
+                                                 const std::vector<Verdict>& verdicts) {
+  std::optional<EarlierFault> first;
+  for (const int number : suspects(lab_name, verdicts)) {
     const std::string earlier = cli::lab_name(number);
     if (has_reference(earlier) || is_untouched(earlier)) continue;
     show_status("Checking " + title(earlier) + " ...");
@@ -52,13 +53,15 @@ bool warn_of_earlier_labs(const std::string& lab_name, const std::vector<Verdict
     show_status("");
     const std::optional<Verdict> failure = result.next_failure();
     if (!failure) continue;
-    const std::string fault =
-        result.compile_error.empty() ? "fails " + failure->step_to_mend() : "does not compile";
-    std::cout << coloured(fmt::format("Lab {} itself {}: fix that first.", number, fault),
+    const bool compiles = result.compile_error.empty();
+    const EarlierFault fault{number, compiles ? failure->step_to_mend() : ""};
+    std::cout << coloured(fmt::format("Lab {} itself {}: fix that first.", number,
+                                      compiles ? "fails " + fault.step : "does not compile"),
                           Colour::Yellow)
               << fmt::format(" (./cs550 lab {})\n\n", number);
+    if (!first) first = fault;
   }
-  return !labs.empty();
+  return first;
 }
 
 }  // namespace cs550::cli

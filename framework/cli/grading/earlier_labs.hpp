@@ -2,6 +2,7 @@
 /// @file earlier_labs.hpp
 /// In a students' copy the tests of a lab run on the student's own earlier labs.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,19 @@
 
 namespace cs550::cli {
 
+/// An earlier lab that fails by itself.
+struct EarlierFault {
+  int lab = 0;
+  std::string step;  ///< the first one that fails, "L3.1"; empty if the lab does not compile
+
+  /// What to fix: "L3.1" or "lab 3".
+  std::string in_words() const { return step.empty() ? "lab " + std::to_string(lab) : step; }
+};
+
 /// Warns of earlier labs that do not compile or fail their own tests, if a failing test calls them or
 /// a test is blocked by them.
-/// @return whether an earlier lab was looked at
-bool warn_of_earlier_labs(const std::string& lab_name, const std::vector<Verdict>& verdicts);
+/// @return the first one that it has warned of
+std::optional<EarlierFault> warn_of_earlier_labs(const std::string& lab_name,
+                                                 const std::vector<Verdict>& verdicts);
 
 }  // namespace cs550::cli

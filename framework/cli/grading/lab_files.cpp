@@ -24,10 +24,11 @@ using Texts = std::map<fs::path, std::string>;
 
 fs::path lab_folder(const std::string& lab_name) { return project_root() / "labs" / lab_name; }
 
-/// Of the lab. Tests that the student has written are not: they are neither graded here nor reset.
+/// Tests that the student has written are neither graded here nor reset.
+bool is_students_test(const fs::path& file) { return file.filename() == "my_tests.cpp"; }
+
 bool is_code(const fs::path& file) {
-  return file.filename() != "my_tests.cpp" &&
-         (file.extension() == ".cpp" || file.extension() == ".hpp");
+  return !is_students_test(file) && (file.extension() == ".cpp" || file.extension() == ".hpp");
 }
 
 std::vector<fs::path> code_in(const fs::path& folder) {
@@ -121,7 +122,9 @@ const std::vector<fs::path>& given_files() {
 }  // namespace
 
 std::vector<fs::path> lab_files(const std::string& lab_name) {
-  return code_in(lab_folder(lab_name));
+  std::vector<fs::path> files = files_to_submit(lab_name);
+  std::erase_if(files, is_students_test);
+  return files;
 }
 
 std::vector<fs::path> files_to_submit(const std::string& lab_name) {

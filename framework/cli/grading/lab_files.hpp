@@ -9,12 +9,12 @@
 
 namespace cs550::cli {
 
-/// What the student writes: every .cpp and .hpp in the lab's folder, such as
-/// labs/lab3_hill_climbing/hill_climbing.cpp, sorted by name.
+/// What may be compiled into the lab: all code in its folder and subfolders, such as
+/// labs/lab3_hill_climbing/hill_climbing.cpp, also headers of any kind, sorted by name.
 std::vector<std::filesystem::path> lab_files(const std::string& lab_name);
 
-/// What the student hands in: all code in the lab's folder and its subfolders, also headers of any
-/// kind, sorted by name. Hidden files are left out.
+/// What the student hands in: these files, and the tests that the student has written. Hidden files are
+/// left out.
 std::vector<std::filesystem::path> files_to_submit(const std::string& lab_name);
 
 /// Changes when anything changes that a result of the lab depends on: the lab's files, its tests,

@@ -152,6 +152,8 @@ std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTes
   if (sanitized) ask_sanitizers_for_places();
   const int slowdown = sanitized ? 5 : 1;
   const fs::path program = built_program("student", graded_target(lab, grading));
+  // A test that fails draws a new one, unless it crashes or is not run.
+  for (const GradedTest& test : tests) remove_picture(lab, test);
   std::vector<Verdict> verdicts;
   const Arrived add = [&](const std::vector<Verdict>& some) {
     if (arrived && !some.empty()) arrived(some);
@@ -161,9 +163,6 @@ std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTes
   const LongTests slow = long_tests(only(tests, true), verdicts, everything);
   add(slow.waiting);
   run_graded_tests(program, lab, slow.ready, slowdown * seconds{60}, add);
-  for (const Verdict& verdict : verdicts) {
-    if (verdict.kind == Verdict::Kind::Passed) remove_picture(lab, verdict.test);
-  }
   std::stable_sort(verdicts.begin(), verdicts.end(), [](const Verdict& a, const Verdict& b) {
     return is_earlier_step(a.test.step, b.test.step);
   });

@@ -58,7 +58,7 @@ std::string variant(Grading grading);
 /// The program that grades a lab.
 std::string graded_target(int lab, Grading grading);
 
-/// Runs tests in that program, each with a time limit, and removes the pictures of those that pass.
+/// Runs tests in that program, each with a time limit. Pictures of their earlier failures are removed.
 /// Long tests come last. One whose step, or an earlier one, has a failing short test is not run but
 /// blocked by that step, unless everything is asked for.
 /// @param arrived called first with all short tests, then with long ones when they are known

@@ -17,7 +17,7 @@ std::filesystem::path picture_of(const std::string& test);
 /// The tests with pictures, sorted.
 std::vector<std::string> tests_with_pictures();
 
-/// Removes the picture of a test that passes: it shows an earlier failure.
+/// Removes the picture of an earlier failure of a test.
 void remove_picture(int lab, const GradedTest& test);
 
 /// Writes PNG files beside the pictures of the first failing step, for programs that show no SVG.

@@ -99,9 +99,9 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   result.verdicts.clear();
   LabReport report(options.all, known_causes(options.name));
   const bool has_long_tests = !only(tests, true).empty();
-  bool has_warned = false;
+  std::optional<EarlierFault> earlier;
   const Arrived print = [&](const std::vector<Verdict>& verdicts) {
-    has_warned = has_warned || warn_of_earlier_labs(options.name, verdicts);
+    if (!earlier) earlier = warn_of_earlier_labs(options.name, verdicts);
     report.print(verdicts);
     if (has_long_tests && !verdicts.front().test.is_long) {
       std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;
@@ -109,7 +109,8 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
     result.verdicts.insert(result.verdicts.end(), verdicts.begin(), verdicts.end());
   };
   grade(options.lab, grading, tests, print, options.all);
-  report.print_total(is_whole_lab ? points_graded_elsewhere(options.name) : 0);
+  report.print_total(is_whole_lab ? points_graded_elsewhere(options.name) : 0,
+                     earlier ? earlier->in_words() : "");
   if (is_remembered) remember(result);
   finish_pictures(options.lab, result.verdicts);
 
@@ -117,13 +118,18 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   return result.next_failure() ? Failed : Good;
 }
 
-/// A hint for the given step, else for the first one with a failing test.
+/// A hint for the given step, else for the first one with a failing test: in an earlier lab, if that one
+/// fails by itself.
 int run_hint(const LabOptions& options) {
   if (!options.step.empty()) return show_hint(options.name, options.step, options.hint);
   const LabResult result = result_of(options.name);
   if (!result.compile_error.empty()) {
     std::cerr << title(options.name) << " does not compile:\n" << indented(result.compile_error, 2);
     return Failed;
+  }
+  if (const auto earlier = warn_of_earlier_labs(options.name, result.verdicts)) {
+    if (earlier->step.empty()) return Failed;
+    return show_hint(lab_of_step(earlier->step), earlier->step, options.hint);
   }
   if (const std::optional<Verdict> failure = result.next_failure()) {
     return give_hint(*failure, options.hint);

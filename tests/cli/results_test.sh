@@ -1,0 +1,133 @@
+#!/bin/sh
+# results_test.sh PROGRAM ROOT SCRATCH
+# Results of labs in a students' copy: an earlier lab that fails by itself is named first, no result is older
+# than what it was made from, a lab that does not compile has 0 points, and --run has exit codes. Nothing is
+# compiled: fake_copy.py stands in for the build and for all programs.
+set -eu
+program=$1 root=$2 copy=$3
+rm -rf "$copy"
+mkdir -p "$copy/framework/assets" "$copy/.starters" "$copy/build/results" "$copy/bin"
+cp -r "$root/labs" "$copy"
+cp -r "$root"/labs/lab* "$copy/.starters"
+cp -r "$root/framework/assets/trajectories" "$copy/framework/assets"
+for lab in "$root"/tests/lab*; do
+  mkdir -p "$copy/tests/${lab##*/}"
+  cp "$lab"/*.json "$copy/tests/${lab##*/}"
+done
+cp "$root/tests/cli/fake_copy.py" "$copy/cs550"
+ln -s ../cs550 "$copy/bin/gdb"
+chmod +x "$copy/cs550"
+export CS550_ROOT="$copy" PATH="$copy/bin:$PATH"
+
+wrong() { echo "WRONG: $1" >&2; cat "$copy/printed" >&2; exit 1; }
+# runs CODE VERB...: the exit code must be CODE.
+runs() {
+  expected=$1 code=0
+  shift
+  "$program" "$@" >"$copy/printed" 2>&1 </dev/null || code=$?
+  [ $code = "$expected" ] || wrong "'$*' exited with code $code, expected $expected"
+}
+prints() { grep -qF -- "$1" "$copy/printed" || wrong "expected: $1"; }
+prints_not() { ! grep -qF -- "$1" "$copy/printed" || wrong "not expected: $1"; }
+points() { prints "$(printf '%-27s' "$1")"; grep -F "$1" "$copy/printed" | grep -qF " $2  " || wrong "expected: $1 $2"; }
+remembers() { grep -qF -- "$2" "$copy/build/results/lab$1.json" || { cat "$copy/build/results/lab$1.json"; wrong "lab$1.json: $2"; }; }
+lab3=$copy/labs/lab3_hill_climbing/hill_climbing.cpp
+for lab in 1_integration 2_half_edge_mesh 3_hill_climbing 4_separating_axis; do
+  for file in "$copy/labs/lab$lab"/*.cpp; do echo "// mine" >"$file"; done
+done
+
+echo "An earlier lab that fails by itself comes first:"
+runs 0 lab 4
+prints "48 of 48 points"
+prints_not "itself"
+echo "// WRONG" >"$lab3"
+runs 1 lab 4
+prints "Lab 3 itself fails L3.1: fix that first. (./cs550 lab 3)"
+prints "Fix L3.1 first. Other reports"
+prints_not "Fix L4"
+runs 0 lab 4 --hint
+prints "Lab 3 itself fails L3.1"
+prints "L3.1 "
+prints_not "L4"
+runs 1 lab 4 --step L4.2
+prints "Lab 3 itself fails L3.1"
+runs 0 lab 4 --step L4.1
+prints_not "itself"
+
+echo "Mending it mends the results of the labs that call it:"
+runs 0 progress
+points "Lab 3: hill climbing" "0/48"
+points "Lab 4: separating axis" "18/48"
+prints "Next: L3.1"
+echo "// mended" >"$lab3"
+runs 0 progress
+points "Lab 3: hill climbing" "48/48"
+points "Lab 4: separating axis" "48/48"
+mkdir "${lab3%/*}/parts"
+for header in "${lab3%/*}/helper.h" "${lab3%/*}/parts/helper.hpp"; do
+  echo "// WRONG" >"$header"
+  runs 0 progress
+  points "Lab 3: hill climbing" "0/48"
+  points "Lab 4: separating axis" "18/48"
+  rm "$header"
+  runs 0 progress
+  points "Lab 4: separating axis" "48/48"
+done
+
+echo "A lab that does not compile has 0 points, with the reason:"
+echo "// NO_CODE" >"$lab3"
+for verb in "progress" "lab 3"; do
+  code=1
+  [ "$verb" = "lab 3" ] || code=0
+  rm -f "$copy/build/results/lab3.json"
+  runs $code $verb
+  remembers 3 '"earned": 0'
+  remembers 3 "labs/lab.cpp:7:1: error: expected ';'"
+done
+runs 0 progress
+points "Lab 3: hill climbing" "0/48"
+prints "does not compile"
+prints "error: expected ';'"
+runs 1 lab 3 --hint
+prints "error: expected ';'"
+runs 1 lab 4
+prints "Lab 3 itself does not compile: fix that first."
+prints "Fix lab 3 first."
+runs 1 lab 4 --hint
+prints "Lab 3 itself does not compile"
+echo "// mended" >"$lab3"
+runs 0 lab 3
+remembers 3 '"compile_error": ""'
+remembers 3 '"earned": 48'
+
+echo "A picture is of the last failure:"
+name=Lab3.BruteForceFindsTheMostExtremeVertex
+picture=$copy/build/results/pictures/$name.svg
+echo "// WRONG" >"$lab3"
+runs 1 lab 3
+prints "./cs550 view --failure $name"
+[ -s "$picture" ] || wrong "there is no picture"
+echo "// CRASH" >"$lab3"
+runs 1 lab 3
+prints_not "view --failure"
+[ ! -e "$picture" ] || wrong "the picture of an earlier failure is left"
+echo "// WRONG" >"$lab3"
+runs 1 lab 3
+echo "// mended" >"$lab3"
+runs 0 lab 3
+[ -z "$(ls "${picture%/*}")" ] || wrong "pictures are left: $(ls "${picture%/*}")"
+
+echo "--run has the exit code of the engine:"
+for option in "" --asan --debug; do
+  runs 0 lab 3 --run $option
+  prints_not GDB
+done
+echo "// WRONG" >"$lab3"
+for option in "" --asan; do
+  runs 1 lab 3 --run $option
+  prints_not GDB
+done
+runs 1 lab 3 --run --debug
+prints "GDB milestones_debugged"
+runs 0 lab 2 --run
+rm -rf "$copy"
