@@ -58,11 +58,13 @@ TEST_F(GradedRun, GivesEveryTestItsVerdictInTheOrderOfTheTests) {
   }
   EXPECT_EQ(verdicts[0].message,
             "crashed: Aborted\n"
+            "try  ./cs550 lab 5 --asan  which prints the line\n"
             "in this case:\n"
             "A polygon is clipped\n"
             "  given     3 corners\n"
-            "  likely    an empty polygon\n"
-            "try  ./cs550 lab 5 --asan");
+            "  likely    an empty polygon\n");
+  EXPECT_EQ(verdicts[0].ending, "crashed: Aborted");
+  EXPECT_EQ(verdicts[2].ending, "");
   EXPECT_EQ(verdicts[3].blocked_by, "L2.3");
   EXPECT_NE(verdicts[5].message.find("exit code 3"), std::string::npos);
   EXPECT_EQ(verdicts[1].earned(), 6);

@@ -17,6 +17,13 @@ Verdict verdict(const std::string& test, const std::string& step, Kind kind,
   return {{test, step, 4, false}, kind, message, 0};
 }
 
+/// Of a test that ended the program: the first line says how.
+Verdict ended(const std::string& test, const std::string& message) {
+  Verdict result = verdict(test, "L3.1", Kind::Failed, message);
+  result.ending = message.substr(0, message.find('\n'));
+  return result;
+}
+
 std::string printed(const std::vector<Verdict>& verdicts, bool everything = false,
                     const std::vector<cs550::cli::KnownCause>& known = {},
                     const std::string& earlier_fault = "") {
@@ -89,9 +96,9 @@ TEST(LabReport, OnlyTheFirstFailingTestOfAStepIsReportedInFull) {
 
 TEST(LabReport, OnlyTheFirstCrashOfAStepIsReportedInFull) {
   const std::vector<Verdict> verdicts = {
-      verdict("A", "L3.1", Kind::Failed, "crashed\nin this case:\n  given     a cube\ntry  gdb"),
-      verdict("B", "L3.1", Kind::Failed, "crashed\nin this case:\n  given     a ball\ntry  gdb"),
-      verdict("C", "L3.1", Kind::Failed, "stopped\nin this case:\n  given     a cone\ntry  gdb")};
+      ended("A", "crashed\ntry  gdb\nin this case:\n  given     a cube\n"),
+      ended("B", "crashed\ntry  gdb\nin this case:\n  given     a ball\n"),
+      ended("C", "stopped\ntry  gdb\nafter this case, or in it:\n  given     a cone\n")};
   const std::string report = printed(verdicts);
   EXPECT_NE(report.find("a cube\n"), std::string::npos) << report;
   EXPECT_NE(report.find("B\n      crashed, like A\n  FAILED"), std::string::npos) << report;
@@ -144,10 +151,10 @@ TEST(LabReport, ACauseOfEndlessLoopsComesFirstIfATestWasStopped) {
   const std::vector<cs550::cli::KnownCause> known = {{"sign", {"A", "C"}, {}},
                                                      {">=", {"B"}, {}, {"A", "B"}}};
   const auto first_cause = [&](const std::string& ending) {
-    const std::string report = printed({verdict("A", "L3.1", Kind::Failed, ending + '\n' + causes),
-                                        verdict("B", "L3.1", Kind::Failed, ending + '\n' + causes),
-                                        verdict("C", "L3.1", Kind::Failed, "down")},
-                                       false, known);
+    const std::string report =
+        printed({ended("A", ending + '\n' + causes), ended("B", ending + '\n' + causes),
+                 verdict("C", "L3.1", Kind::Failed, "down")},
+                false, known);
     return report.find("likely    sign") != std::string::npos ? "sign" : ">=";
   };
   EXPECT_STREQ(first_cause("stopped: it did not end in time (an endless loop?)"), ">=");
@@ -155,6 +162,17 @@ TEST(LabReport, ACauseOfEndlessLoopsComesFirstIfATestWasStopped) {
   const std::vector<Verdict> ends = {verdict("A", "L3.1", Kind::Failed, causes)};
   EXPECT_EQ(printed(ends, false, {{">=", {"A"}, {}, {"A"}}}).find(">="), std::string::npos)
       << "a test that ends excludes a cause for which it never does";
+}
+
+TEST(LabReport, ACrashWithAPlaceHasNoCausesOfWrongValues) {
+  const std::string report =
+      printed({ended("A",
+                     "memory error: heap-buffer-overflow\n  in climb, labs/climb.cpp:7\n"
+                     "in this case:\n  given     a cube\n  likely    sign\n"),
+               verdict("B", "L3.1", Kind::Failed, "up\n  likely    sign\n")});
+  EXPECT_NE(report.find("a cube\n  FAILED    0/4  L3.1  B\n      up\n        likely    sign\n"),
+            std::string::npos)
+      << report;
 }
 
 TEST(LabReport, AnEarlierLabThatFailsByItselfIsToBeFixedFirst) {

@@ -10,6 +10,7 @@
 #include "cli/system/exit_code.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
+#include "cli/system/terminal.hpp"
 
 namespace cs550::cli {
 
@@ -30,10 +31,12 @@ int run_in_gdb(const std::string& target, const std::vector<std::string>& argume
   if (!can_ask) gdb.insert(gdb.end(), {"-batch", "-ex", "backtrace"});
   gdb.insert(gdb.end(), {"--args", built_program("student", target)});
   gdb.insert(gdb.end(), arguments.begin(), arguments.end());
-  std::cout << fmt::format(
-                   "gdb runs {} up to its failure. To step through your own function: `break`\n"
-                   "and its name, `run`, then `next` or `step`. `quit` leaves gdb.\n",
-                   what)
+  std::cout << indented(
+                   fmt::format(
+                       "gdb runs {} up to its failure. To step through your own function: "
+                       "`break` and its name, `run`, then `next` or `step`. `quit` leaves gdb.",
+                       what),
+                   0)
             << std::flush;
   std::filesystem::current_path(project_root());
   if (can_ask) become(gdb);

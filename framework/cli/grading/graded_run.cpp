@@ -73,21 +73,22 @@ struct Outputs {
 /// What to try when a test has no verdict of its own.
 std::string advice(int lab, const Ending& ending) {
   return ending.stopped
-             ? fmt::format("try  ./cs550 lab {} --debug  and Ctrl-C: gdb shows where it loops", lab)
-             : fmt::format("try  ./cs550 lab {} --asan", lab);
+             ? fmt::format("try  ./cs550 lab {} --debug  and Ctrl-C: gdb shows where it loops\n",
+                           lab)
+             : fmt::format("try  ./cs550 lab {} --asan  which prints the line\n", lab);
 }
 
-/// How the program ended, in which case, and what to try.
+/// How the program ended, what to try, and in which case.
 Verdict ended_the_program(int lab, const GradedTest& test, const Ending& ending,
                           const Outputs& outputs) {
   const std::string report = crash_report(text_of(outputs.printed));
   std::string running_case = text_of(outputs.running_case);
   running_case.erase(std::min(running_case.find('\0'), running_case.size()));
-  const std::string more = report + running_case;
   // A sanitizer ends the program by itself: its report is more useful than the exit code.
   const bool sanitizer = !report.empty() && ending.signal == 0 && !ending.stopped;
-  if (sanitizer) return {test, Verdict::Kind::Failed, more, 0};
-  return {test, Verdict::Kind::Failed, ending.in_words() + '\n' + more + advice(lab, ending), 0};
+  const std::string how =
+      sanitizer ? report : ending.in_words() + '\n' + report + advice(lab, ending);
+  return {test, Verdict::Kind::Failed, how + running_case, 0, "", how.substr(0, how.find('\n'))};
 }
 
 std::vector<Verdict> in_order_of(const std::vector<GradedTest>& tests,

@@ -68,14 +68,13 @@ std::string shortened(const std::string& report) {
   return has_check ? kept : report;
 }
 
-/// How a test ended the program, "crashed: Segmentation fault"; empty if it did not.
-std::string ending_of(const Verdict& verdict) {
-  const bool ended = verdict.message.find("\nin this case:\n") != std::string::npos;
-  return ended ? verdict.message.substr(0, verdict.message.find('\n')) : "";
-}
-
 /// Whether a test was stopped as an endless loop.
-bool was_stopped(const Verdict& verdict) { return ending_of(verdict).rfind("stopped", 0) == 0; }
+bool was_stopped(const Verdict& verdict) { return verdict.ending.rfind("stopped", 0) == 0; }
+
+/// Whether a crash has a report of the place: a sanitizer's, or that of an assertion.
+bool names_the_place(const Verdict& verdict) {
+  return !verdict.ending.empty() && verdict.message.find("\n  in ") != std::string::npos;
+}
 
 bool is_unwritten(const Verdict& verdict) {
   return verdict.message.rfind("not implemented: ", 0) == 0;
@@ -132,17 +131,19 @@ void LabReport::print_reason(const Verdict& verdict) {
     std::cout << indented("the same as " + known->second, indent);
     return;
   }
-  if (const std::string ending = ending_of(verdict); !ending.empty() && !everything_) {
+  if (!verdict.ending.empty() && !everything_) {
     const auto [first, is_first_one] =
-        endings_.emplace(verdict.test.step + ending, verdict.test.name);
+        endings_.emplace(verdict.test.step + verdict.ending, verdict.test.name);
     if (!is_first_one) {
       shortened_ = true;
-      std::cout << indented(fmt::format("{}, like {}", ending, first->second), indent);
+      std::cout << indented(fmt::format("{}, like {}", verdict.ending, first->second), indent);
       return;
     }
   }
   Message message = split(verdict.message);
-  message.causes = take_causes(verdict.test.step);
+  // Causes of wrong values explain no crash.
+  message.causes =
+      names_the_place(verdict) ? std::vector<std::string>() : take_causes(verdict.test.step);
   const bool is_first = explained_steps_.insert(verdict.test.step).second;
   if (!is_first && !everything_) {
     const std::string short_form = shortened(message.before + message.after);
