@@ -6,7 +6,8 @@ them compile nothing. It is called by several names:
   labN_student ...            the graded tests of lab N. All fail if a file of the lab, or of an earlier lab that
                               the test calls, has WRONG in it, with a picture, or if the lab is a starter. With
                               CRASH the program crashes. They are blocked if the earlier lab has NO_CODE in it.
-  milestones_... --lab N      the student's engine: fails if a file of labs 1 to N has WRONG in it.
+  milestones_... --lab N      the student's engine: fails if a file of labs 1 to N has WRONG in it, crashes for CRASH,
+                              never ends for ENDLESS.
   gdb ...                     prints GDB and the name of the program that it is to run.
 """
 
@@ -14,6 +15,7 @@ import json
 import os
 import re
 import sys
+import time
 from pathlib import Path
 
 ROOT = Path(os.environ["CS550_ROOT"])
@@ -82,7 +84,13 @@ def main():
         print("GDB", Path(arguments[arguments.index("--args") + 1]).name)
         return 0
     if called_as.startswith("milestones_"):
-        return int(any(has("WRONG", lab) for lab in range(1, int(arguments[1]) + 1)))
+        print("a scene", flush=True)
+        labs = range(1, int(arguments[1]) + 1)
+        if any(has("CRASH", lab) for lab in labs):
+            os.abort()
+        if any(has("ENDLESS", lab) for lab in labs):
+            time.sleep(600)
+        return int(any(has("WRONG", lab) for lab in labs))
     names = re.findall(r"Lab\d\.(\w+)", arguments[0])
     return grade(int(called_as[3]), names, Path(arguments[2]))
 

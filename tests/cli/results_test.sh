@@ -122,6 +122,7 @@ for option in "" --asan --debug; do
   runs 0 lab 3 --run $option
   prints_not GDB
 done
+prints "There is nothing to debug."
 echo "// WRONG" >"$lab3"
 for option in "" --asan; do
   runs 1 lab 3 --run $option
@@ -130,4 +131,14 @@ done
 runs 1 lab 3 --run --debug
 prints "GDB milestones_debugged"
 runs 0 lab 2 --run
+echo "// CRASH" >"$lab3"
+runs 1 lab 3 --run
+prints "a scene"
+prints "not reached: crashed: Aborted"
+prints "try  ./cs550 lab 3 --run --asan"
+echo "// ENDLESS" >"$lab3"
+CS550_ENGINE_SECONDS=1 runs 1 lab 3 --run
+prints "a scene"
+prints "not reached: stopped: it did not end in time"
+prints "try  ./cs550 lab 3 --run --debug"
 rm -rf "$copy"

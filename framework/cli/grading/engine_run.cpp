@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
@@ -17,6 +20,8 @@
 namespace cs550::cli {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using std::chrono::seconds;
 
 namespace {
 
@@ -33,19 +38,46 @@ void offer_solutions(int lab) {
   }
 }
 
-/// Runs a program compiled with the sanitizers. Prints what it prints or, in short, what they report.
-Ending run_sanitized(const std::vector<std::string>& command) {
-  const fs::path output = project_root() / "build/results/sanitized_run.txt";
+/// How long the engine may run: 60 s, five times that with sanitizers.
+seconds patience(bool sanitized) {
+  const char* chosen = std::getenv("CS550_ENGINE_SECONDS");  // for tests and slow machines
+  const seconds plain{chosen != nullptr ? std::max(1, std::atoi(chosen)) : 60};
+  return sanitized ? 5 * plain : plain;
+}
+
+/// Runs a program until it ends or takes too long, and prints its output, or in short what the
+/// sanitizers report.
+Ending run_limited(const std::vector<std::string>& command, bool sanitized) {
+  const fs::path output = project_root() / "build/results/engine_run.txt";
   fs::create_directories(output.parent_path());
-  ask_sanitizers_for_places();
-  show_status("Running your engine ...");
-  const Ending ending = run(command, {{}, output});
+  if (sanitized) ask_sanitizers_for_places();
+  const auto start = Clock::now();
+  auto next_status = start + seconds{2};
+  const auto is_stuck = [&] {
+    const auto now = Clock::now();
+    if (now > next_status) {
+      show_status(
+          fmt::format("Running your engine, stopped after {} s", patience(sanitized).count()));
+      next_status = now + seconds{10};
+    }
+    return now > start + patience(sanitized);
+  };
+  const Ending ending = run(command, {{}, output, is_stuck});
   show_status("");
   const std::string printed = read_text(output);
   fs::remove(output);
-  const std::string report = crash_report(printed);
+  const std::string report = sanitized ? crash_report(printed) : "";
   std::cout << (report.empty() ? printed : "not reached: " + report) << std::flush;
   return ending;
+}
+
+/// How the engine ended if not by itself, and what to try.
+void print_ending(int lab, const Ending& ending) {
+  if (ending.signal == 0) return;
+  const std::string advice = ending.stopped ? "--debug  and Ctrl-C: gdb shows where it loops"
+                                            : "--asan  which prints the line";
+  std::cout << fmt::format("\nnot reached: {}\ntry  ./cs550 lab {} --run {}\n", ending.in_words(),
+                           lab, advice);
 }
 
 }  // namespace
@@ -59,9 +91,12 @@ int run_engine(int lab, Grading grading) {
   const std::vector<std::string> arguments{"--lab", std::to_string(lab)};
   const std::vector<std::string> command{built_program("student", program), arguments[0],
                                          arguments[1]};
-  const Ending ending = sanitized ? run_sanitized(command) : run(command);
-  if (ending.good()) return Good;
-  if (ending.signal != 0) std::cout << "\nnot reached: " << ending.in_words() << '\n';
+  const Ending ending = run_limited(command, sanitized);
+  if (ending.good()) {
+    if (grading == Grading::Debugged) std::cout << "There is nothing to debug.\n";
+    return Good;
+  }
+  print_ending(lab, ending);
   offer_solutions(lab);
   if (grading != Grading::Debugged) return Failed;
   return run_in_gdb("milestones_" + variant(Grading::Debugged), arguments, "your engine");

@@ -170,7 +170,7 @@ int copy_solution(const LabOptions& options) {
 
 /// Counts beside the reference's, once every test passes.
 int run_challenge(const LabOptions& options) {
-  show_status("Grading " + title(options.name) + " ...");
+  if (!remembered_result(options.name)) show_status("Grading " + title(options.name) + " ...");
   LabResult result = result_of(options.name);
   show_status("");
   if (!result.is_finished()) {
