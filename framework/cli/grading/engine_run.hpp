@@ -6,8 +6,8 @@
 
 namespace cs550::cli {
 
-/// Compares the engine with the recorded reference, and stops it if it does not end. Where it fails and an earlier lab is not finished,
-/// offers that lab's released solution.
+/// Compares the engine with the recorded reference, and stops it if it does not end. Where it fails and
+/// an earlier lab is not finished, offers that lab's released solution.
 /// @param grading Sanitized: prints what the sanitizers report. Debugged: opens gdb if the milestone is
 ///   not reached
 /// @return an ExitCode
