@@ -12,7 +12,7 @@
 #include "cs550/static_vector.hpp"
 #include "cs550/world.hpp"
 #include "engine/constraint_mirror.hpp"
-#include "engine/threads/crew.hpp"
+#include "engine/threads/thread_team.hpp"
 
 namespace cs550 {
 
@@ -145,7 +145,7 @@ struct OverlapRecovery {
 
 struct WorldState {
   WorldSettings settings;
-  Crew* crew = nullptr;  ///< during a step with several threads
+  ThreadTeam* team = nullptr;  ///< during a step with several threads
 
   std::vector<RigidBody> bodies;
   std::vector<BodyDef> definitions;

@@ -8,19 +8,19 @@
 
 #include "cs550/scene.hpp"
 #include "engine/test_bodies.hpp"
-#include "engine/threads/crew.hpp"
+#include "engine/threads/thread_team.hpp"
 
 namespace cs550::test {
 namespace {
 
-TEST(Crew, DoesEveryNumberOfALoopOnce) {
+TEST(ThreadTeam, VisitsEveryNumberOfALoopOnce) {
   for (int threads = 1; threads <= 5; ++threads) {
-    Crew crew(threads);
-    crew.run([&] {
+    ThreadTeam team(threads);
+    team.run([&] {
       for (std::size_t count = 0; count < 200; ++count) {
         const std::size_t block = 1 + count % 7;
         std::vector<std::atomic<int>> visits(count);
-        crew.for_blocks(count, block, [&](std::size_t first, std::size_t last) {
+        team.for_blocks(count, block, [&](std::size_t first, std::size_t last) {
           EXPECT_LE(last - first, block);
           for (std::size_t i = first; i < last; ++i) ++visits[i];
         });
@@ -30,22 +30,22 @@ TEST(Crew, DoesEveryNumberOfALoopOnce) {
   }
 }
 
-TEST(Crew, FinishesWithoutHelpers) {
-  Crew crew(4);  // nobody helps outside run()
+TEST(ThreadTeam, FinishesWithoutWorkers) {
+  ThreadTeam team(4);  // workers exist only during run()
   std::atomic<int> sum = 0;
-  crew.for_blocks(100, 3, [&](std::size_t first, std::size_t last) {
+  team.for_blocks(100, 3, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) sum += static_cast<int>(i);
   });
   EXPECT_EQ(sum, 99 * 100 / 2);
 }
 
-TEST(Crew, ReportsTheFailureOfTheFirstBlock) {
-  Crew crew(3);
-  crew.run([&] {
+TEST(ThreadTeam, ReportsTheFailureOfTheFirstBlock) {
+  ThreadTeam team(3);
+  team.run([&] {
     for (int round = 0; round < 50; ++round) {
       std::string message;
       try {
-        crew.for_blocks(90, 10, [](std::size_t first, std::size_t) {
+        team.for_blocks(90, 10, [](std::size_t first, std::size_t) {
           if (first >= 20) throw std::runtime_error(std::to_string(first));
         });
       } catch (const std::runtime_error& error) {

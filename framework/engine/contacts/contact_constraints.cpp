@@ -35,7 +35,7 @@ bool measure_turns(WorldState& world, const Turn& turn) {
   constexpr std::size_t block = 128;
   std::atomic<bool> any = false;
   world.turns.resize(world.bodies.size());
-  for_blocks(world.crew, world.bodies.size(), block, [&](std::size_t first, std::size_t last) {
+  for_blocks(world.team, world.bodies.size(), block, [&](std::size_t first, std::size_t last) {
     bool any_here = false;
     for (std::size_t i = first; i < last; ++i) {
       world.turns[i] = turn(i);

@@ -62,7 +62,7 @@ template <class Visit>
 void for_constraints_of_contacts_in_blocks(const WorldState& world, const Visit& visit) {
   constexpr std::size_t block = 16;
   const std::vector<Index>& contacts = world.solve_order.contacts;
-  for_blocks(world.crew, contacts.size(), block, [&](std::size_t first, std::size_t last) {
+  for_blocks(world.team, contacts.size(), block, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       visit(contacts[i], world.solve_order.places_of(contacts[i]));
     }

@@ -19,7 +19,7 @@ void gather_solver_bodies(WorldState& world);
 template <class Visit>
 void for_body_blocks(WorldState& world, const Visit& visit) {
   constexpr std::size_t block = 64;
-  for_blocks(world.crew, world.bodies.size(), block, [&](std::size_t first, std::size_t last) {
+  for_blocks(world.team, world.bodies.size(), block, [&](std::size_t first, std::size_t last) {
     visit(std::span(world.bodies).subspan(first, last - first),
           std::span(world.solver_bodies).subspan(first, last - first));
   });

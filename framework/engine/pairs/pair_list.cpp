@@ -59,7 +59,7 @@ constexpr std::size_t few_bodies = 32;
 
 /// Updates every body's swept bounds.
 void sweep_bounds(WorldState& world, Real h) {
-  for_blocks(world.crew, world.slot_count(), few_bodies, [&](std::size_t first, std::size_t last) {
+  for_blocks(world.team, world.slot_count(), few_bodies, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (!is_awake(world, i)) continue;
       BodySlot& slot = world.slots[i];
@@ -213,7 +213,7 @@ void enclose_bodies(WorldState& world) {
     return world_bounds(world.posed_shape(static_cast<Index>(body)));
   };
   world.outgrown.assign(world.slot_count(), 0);
-  for_blocks(world.crew, world.slot_count(), few_bodies, [&](std::size_t first, std::size_t last) {
+  for_blocks(world.team, world.slot_count(), few_bodies, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (!is_awake(world, i) || world.bodies[i].kind == BodyKind::Static) continue;
       world.outgrown[i] = !world.tree.bounds(world.slots[i].leaf).contains(bounds_of(i));

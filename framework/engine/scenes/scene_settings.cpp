@@ -1,6 +1,6 @@
 #include "engine/scenes/scene_settings.hpp"
 
-#include "engine/threads/crew.hpp"
+#include "engine/threads/thread_team.hpp"
 
 namespace cs550 {
 

@@ -16,7 +16,7 @@ constexpr std::size_t few_pairs = 8;
 /// belongs to no other.
 template <class Visit>
 void for_pairs(WorldState& world, const Visit& visit) {
-  for_blocks(world.crew, world.pairs.size(), few_pairs, [&](std::size_t first, std::size_t last) {
+  for_blocks(world.team, world.pairs.size(), few_pairs, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) visit(i);
   });
 }

@@ -166,7 +166,7 @@ void prepare(WorldState& world, const ContactStep& step) {
   make_constraints(world);
   if (world.settings.solver == SolverKind::Naive) return;
   with_solver_bodies(world, [&](std::span<const SolverBody> bodies) {
-    for_blocks(world.crew, world.constraints.size(), 64, [&](std::size_t first, std::size_t last) {
+    for_blocks(world.team, world.constraints.size(), 64, [&](std::size_t first, std::size_t last) {
       prepare_contacts(std::span(world.constraints).subspan(first, last - first), bodies, step);
     });
     limit_carried_impulses(world, step);

@@ -134,14 +134,14 @@ PosedShape World::posed_shape(BodyId id) const { return state_->posed_shape(id.i
 void World::step(Real h) {
   const int threads = std::clamp(state_->settings.threads, 1, most_threads);
   if (threads == 1) return advance(*state_, h);
-  Crew crew(threads);
+  ThreadTeam team(threads);
   struct Assignment {
-    ~Assignment() { state.crew = nullptr; }
+    ~Assignment() { state.team = nullptr; }
     WorldState& state;
   };
   const Assignment until_the_end{*state_};
-  state_->crew = &crew;
-  crew.run([&] { advance(*state_, h); });
+  state_->team = &team;
+  team.run([&] { advance(*state_, h); });
 }
 std::int64_t World::step_count() const { return state_->step_count; }
 double World::time() const { return state_->time; }

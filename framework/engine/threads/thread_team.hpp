@@ -1,10 +1,10 @@
 #pragma once
-/// @file crew.hpp
+/// @file thread_team.hpp
 /// The threads that share the loops of a step.
 ///
-/// A step has dozens of short loops, so the helpers come once per step, not once per loop, and wait
-/// actively for loops. Nothing relies on their
-/// coming: the captain, who runs the step, does the blocks that nobody else has taken.
+/// A step has dozens of short loops, so the worker threads start once per step, not once per loop, and
+/// wait actively for the loops of the main thread, which runs the step. Nothing relies on their start:
+/// the main thread processes the blocks that no worker has taken.
 
 #include <array>
 #include <atomic>
@@ -29,20 +29,20 @@ class ActiveWait {
   int pauses_ = 0;
 };
 
-class Crew {
+class ThreadTeam {
  public:
-  explicit Crew(int size) : size_(size) {}
-  Crew(const Crew&) = delete;
-  Crew& operator=(const Crew&) = delete;
+  explicit ThreadTeam(int size) : size_(size) {}
+  ThreadTeam(const ThreadTeam&) = delete;
+  ThreadTeam& operator=(const ThreadTeam&) = delete;
 
   int size() const { return size_; }
 
-  /// Runs a step as its captain, with size() − 1 helpers of oneTBB.
+  /// Runs a step on the calling thread, the main thread of the team, with size() − 1 workers of oneTBB.
   void run(const std::function<void()>& step);
 
   /// Calls `work(first, last)` for consecutive blocks that make up the numbers from 0 to count − 1. Each
-  /// thread begins with a share of its own, the same for loops of equal count, and then helps the
-  /// others. If calls throw, the exception of the first block leaves this function once all are done.
+  /// thread begins with a share of its own, the same for loops of equal count, and then takes blocks of
+  /// the others. If calls throw, the exception of the first block leaves this function once all are done.
   template <class Work>
   void for_blocks(std::size_t count, std::size_t block, const Work& work) {
     Loop loop;
@@ -74,19 +74,19 @@ class Crew {
 
   void run(Loop& loop, std::size_t count);
   void do_blocks(Loop& loop, int member) const;
-  void help(int member);
+  void run_worker(int member);
 
   int size_;
   alignas(cache_line) std::atomic<Loop*> loop_ = nullptr;
-  std::atomic<bool> over_ = false;
-  alignas(cache_line) std::atomic<int> inside_ = 0;  ///< helpers that may look at the loop
+  std::atomic<bool> over_ = false;                   ///< the step has ended
+  alignas(cache_line) std::atomic<int> inside_ = 0;  ///< workers that may read the loop
 };
 
-/// Crew::for_blocks(), or one call where there is no crew or only one block.
+/// ThreadTeam::for_blocks(), or one call if there is no team or only one block.
 template <class Work>
-void for_blocks(Crew* crew, std::size_t count, std::size_t block, const Work& work) {
-  if (crew != nullptr && count > block) {
-    crew->for_blocks(count, block, work);
+void for_blocks(ThreadTeam* team, std::size_t count, std::size_t block, const Work& work) {
+  if (team != nullptr && count > block) {
+    team->for_blocks(count, block, work);
   } else if (count > 0) {
     work(std::size_t(0), count);
   }

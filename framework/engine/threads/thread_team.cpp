@@ -1,4 +1,4 @@
-#include "engine/threads/crew.hpp"
+#include "engine/threads/thread_team.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -20,7 +20,7 @@ void ActiveWait::pause() {
 #endif
 }
 
-void Crew::Loop::call_block(std::size_t first, std::size_t last) {
+void ThreadTeam::Loop::call_block(std::size_t first, std::size_t last) {
   try {
     call(work, first, last);
   } catch (...) {
@@ -31,7 +31,7 @@ void Crew::Loop::call_block(std::size_t first, std::size_t last) {
   }
 }
 
-void Crew::do_blocks(Loop& loop, int member) const {
+void ThreadTeam::do_blocks(Loop& loop, int member) const {
   for (int i = 0; i < size_; ++i) {
     Share& share = loop.shares[static_cast<std::size_t>((member + i) % size_)];
     while (share.next.load(std::memory_order_relaxed) < share.end) {
@@ -41,7 +41,7 @@ void Crew::do_blocks(Loop& loop, int member) const {
   }
 }
 
-void Crew::run(Loop& loop, std::size_t count) {
+void ThreadTeam::run(Loop& loop, std::size_t count) {
   const auto size = static_cast<std::size_t>(size_);
   for (std::size_t i = 0; i < size; ++i) {
     loop.shares[i].next.store(count * i / size, std::memory_order_relaxed);
@@ -49,14 +49,14 @@ void Crew::run(Loop& loop, std::size_t count) {
   }
   loop_.store(&loop);
   do_blocks(loop, 0);
-  // A helper counts itself before it looks at the loop, so who is not counted now sees none.
+  // A worker counts itself before it reads the loop, so a worker that is not counted now finds none.
   loop_.store(nullptr);
   ActiveWait wait;
   while (inside_.load() > 0) wait.pause();
   if (loop.failure) std::rethrow_exception(loop.failure);
 }
 
-void Crew::help(int member) {
+void ThreadTeam::run_worker(int member) {
   ActiveWait wait;
   while (!over_.load(std::memory_order_acquire)) {
     if (loop_.load(std::memory_order_relaxed) == nullptr) {
@@ -73,26 +73,26 @@ void Crew::help(int member) {
 
 #if CS550_HAS_TBB
 
-void Crew::run(const std::function<void()>& step) {
-  tbb::task_group helpers;
-  struct Dismissal {
-    ~Dismissal() {
-      crew.over_.store(true, std::memory_order_release);
-      helpers.wait();  // helpers that have not come yet leave at once
+void ThreadTeam::run(const std::function<void()>& step) {
+  tbb::task_group workers;
+  struct EndOfStep {
+    ~EndOfStep() {
+      team.over_.store(true, std::memory_order_release);
+      workers.wait();  // workers that start only now return at once
     }
-    Crew& crew;
-    tbb::task_group& helpers;
+    ThreadTeam& team;
+    tbb::task_group& workers;
   };
-  const Dismissal at_the_end{*this, helpers};
+  const EndOfStep at_the_end{*this, workers};
   for (int member = 1; member < size_; ++member) {
-    helpers.run([this, member] { help(member); });
+    workers.run([this, member] { run_worker(member); });
   }
   step();
 }
 
 #else
 
-void Crew::run(const std::function<void()>& step) { step(); }
+void ThreadTeam::run(const std::function<void()>& step) { step(); }
 
 #endif
 
