@@ -45,22 +45,33 @@ draw_figures() {
   done
 }
 
-# The engine for the browser, which live figures run, where emscripten is installed: live_engine.js, a function that is
-# the source of a worker, and live.js. CS550_LIVE_FIGURES=off leaves them out, so that published pages do not contain
-# the reference.
-build_live_engine() {
+# The engine for the browser, which live figures run, where emscripten is installed. It is compiled while figures are
+# drawn and Doxygen runs. CS550_LIVE_FIGURES=off leaves it out, so that published pages do not contain the reference.
+start_live_engine() {
   rm -f "$docs/live_engine.js" "$docs/live.js"
+  compiling=
   [ "${CS550_LIVE_FIGURES-on}" != off ] || return 0
   command -v emcmake >/dev/null || return 0
   launcher=
   ! command -v ccache >/dev/null || launcher=-DCMAKE_CXX_COMPILER_LAUNCHER=ccache
   export NODE_PATH="${NODE_PATH-/usr/share/nodejs}"  # the distribution's emscripten finds its parser there
-  { emcmake cmake -S docs/live -B build/live -G Ninja -DCMAKE_BUILD_TYPE=Release $launcher &&
-    cmake --build build/live; } >"$docs/live.log" 2>&1 || {
+  (emcmake cmake -S docs/live -B build/live -G Ninja -DCMAKE_BUILD_TYPE=Release $launcher &&
+    exec ninja -C build/live) >"$docs/live.log" 2>&1 &
+  compiling=$!
+  : >"$docs/live_engine.js"  # the pages are made for it
+  trap 'kill "$compiling" 2>/dev/null || true' EXIT
+  trap 'exit 1' INT TERM
+}
+
+# Two scripts: live_engine.js, a function that is the source of a worker, and live.js.
+finish_live_engine() {
+  [ -n "$compiling" ] || return 0
+  wait "$compiling" || {
     cat "$docs/live.log" >&2
     echo "The live figures cannot be compiled. To leave them out: CS550_LIVE_FIGURES=off ./cs550 docs" >&2
     return 1
   }
+  trap - EXIT INT TERM
   # The hull library is native: the browser's engine lists the point clouds of all scenes, the native one answers.
   node -e "require(process.argv[1])().then(engine =>
     process.stdout.write(engine.ccall('live_clouds', 'string', [], [])))" "$root/build/live/live_engine.js" \
@@ -117,15 +128,18 @@ write_site() {
 }
 
 rm -rf "$docs/html"
+mkdir -p "$docs"
+start_live_engine
 draw_figures
-build_live_engine
 python3 docs/tools/make_pages.py "$docs/pages"
 doxygen docs/Doxyfile
 python3 docs/tools/make_search.py "$docs"
+python3 docs/tools/drop_mathjax.py "$docs/html"
 cp -R "$docs/figures" "$docs/html/figures"
-[ ! -f "$docs/live_engine.js" ] || cp "$docs/live_engine.js" "$docs/live.js" "$docs/html/"
 copy_mathjax
 print_pdf
+finish_live_engine
+[ ! -f "$docs/live_engine.js" ] || cp "$docs/live_engine.js" "$docs/live.js" "$docs/html/"
 write_site
 
 echo "$docs/html/index.html: $(find "$docs/html" -maxdepth 1 -name '*.html' | wc -l) pages," \

@@ -1,25 +1,21 @@
 #!/usr/bin/python3
-"""Opens every page of the book from disk in one headless browser, at the width of a phone.
+"""Opens every page of the book from disk in headless browsers, at the width of a phone.
 
 A page passes when the browser logs no error and no failed request, all formulas are rendered, nothing is
 left as TeX or Markdown, all images are there and described, nothing is wider than the screen, and all links lead to
 something. The search must find a word. Exit code 77: the book is not built.
 """
-import os
 import re
 import sys
-import tempfile
 import time
+from functools import partial
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
 
-from selenium import webdriver
-from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.common.by import By
 
-PHONE = (390, 844)
-SECONDS_TO_TYPESET = 60
+from browsers import errors_logged, in_browsers
 
 
 class Links(HTMLParser):
@@ -50,23 +46,6 @@ def broken_links(folder):
                 yield f"{name}: links to {target}, which does not exist"
             elif anchor and file in pages and anchor not in pages[file].anchors:
                 yield f"{name}: {target} has no such anchor"
-
-
-def start_browser():
-    options = Options()
-    arguments = ["--headless=new", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-                 "--disable-component-update", "--disable-sync", f"--user-data-dir={tempfile.mkdtemp()}"]
-    if os.geteuid() == 0:
-        arguments.append("--no-sandbox")  # the browser refuses root otherwise
-    for argument in arguments:
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    browser = webdriver.Chrome(options=options)
-    # A headless window cannot be narrower than 500 pixels, but the screen can.
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                            {"width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": True})
-    browser.set_script_timeout(SECONDS_TO_TYPESET)
-    return browser
 
 
 # Calls back when MathJax is finished.
@@ -107,16 +86,15 @@ return faults;
 """
 
 
-def look_at(browser, page):
+def look_at(page, browser):
     browser.get(page.as_uri())
     browser.execute_async_script(TYPESET)
-    yield from browser.execute_script(LOOK)
-    for entry in browser.get_log("browser"):
-        if entry["level"] in ("SEVERE", "WARNING"):
-            yield f"the browser says: {entry['message'][:200]}"
+    faults = browser.execute_script(LOOK) + list(errors_logged(browser))
+    return [f"{page.name}: {fault}" for fault in faults]
 
 
-def search_works(browser, folder):
+def search_works(folder, browser):
+    """The search by names finds a function."""
     browser.get((folder / "index.html").as_uri())
     field = browser.find_element(By.ID, "MSearchField")
     field.click()
@@ -131,17 +109,19 @@ def search_works(browser, folder):
         else:
             text = browser.execute_script("return document.getElementById('MSearchResultsWindow').innerText")
         if "hill_climb" in text:
-            return True
+            return []
         time.sleep(0.1)
-    return False
+    return ["index.html: the search does not find hill_climb"]
 
 
-def text_search_works(browser, folder):
+def text_search_works(folder, browser):
     """A word that is no name leads to a section of a chapter, and formulas around it are shown without TeX."""
     browser.get((folder / "search.html").as_uri() + "?q=polhode")
     passages = browser.find_elements(By.CSS_SELECTOR, "#text_search li")
     links = [passage.find_element(By.TAG_NAME, "a").get_attribute("href") for passage in passages]
-    return any("rigid_body.html#" in link for link in links) and not any("\\(" in each.text for each in passages)
+    if any("rigid_body.html#" in link for link in links) and not any("\\(" in each.text for each in passages):
+        return []
+    return ["search.html: the text search does not find polhode"]
 
 
 def main():
@@ -149,18 +129,9 @@ def main():
     if not (folder / "index.html").exists():
         print("the book is not built: ./cs550 docs")
         return 77
-    faults = list(broken_links(folder))
-    pages = sorted(folder.glob("*.html"))
-    browser = start_browser()
-    try:
-        for page in pages:
-            faults += [f"{page.name}: {fault}" for fault in look_at(browser, page)]
-        if not search_works(browser, folder):
-            faults.append("index.html: the search does not find hill_climb")
-        if not text_search_works(browser, folder):
-            faults.append("search.html: the text search does not find polhode")
-    finally:
-        browser.quit()
+    pages = sorted(folder.glob("*.html"), key=lambda page: page.stat().st_size, reverse=True)
+    tasks = [partial(look_at, page) for page in pages] + [partial(search_works, folder), partial(text_search_works, folder)]
+    faults = list(broken_links(folder)) + sorted(sum(in_browsers(tasks), []))
     print("\n".join(faults))
     print(f"{len(pages)} pages, {len(faults)} faults")
     return 1 if faults else 0

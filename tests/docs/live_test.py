@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Opens every live figure of the book from disk in a headless browser, at the width of a phone.
+"""Opens every live figure of the book from disk in headless browsers, at the width of a phone.
 
 A figure passes when it loads, its first picture is the one that the book shows without JavaScript, every control
 changes it, a link restores its state, nothing is wider than the screen and the browser logs no error. In the World
@@ -12,13 +12,16 @@ import re
 import subprocess
 import sys
 import time
+from functools import partial
 from pathlib import Path
 
-from book_test import LOOK, look_at, start_browser
+from book_test import LOOK, TYPESET
+from browsers import errors_logged, in_browsers
 
 SECONDS_TO_LOAD = 30
 STEPS_OF_A_WORLD = 20
 LEAST_PICTURES = 15  # in 3 s, on a machine that does other things as well
+FIGURE = re.compile(r"<figure [^>]*data-live=")
 WITHOUT_EFFECT = {("live_naive", "push")}  # nothing pushes back sideways where there is no friction
 # Sines of another C library differ in the last bit, which decides here and there which piece of a curve is painted
 # first. Measured: at most 0.04 %; a view turned by half a degree differs in 0.8 %.
@@ -105,8 +108,19 @@ def wait_for(browser, figure):
     while time.monotonic() < deadline:
         if browser.execute_script("return Boolean(arguments[0].live)", figure):
             return True
-        time.sleep(0.05)
+        time.sleep(0.02)
     return False
+
+
+def open_first(browser, page):
+    """The first live figure of a page."""
+    browser.get(page.as_uri())
+    figure = browser.find_element("css selector", "figure[data-live]")
+    browser.execute_script("arguments[0].querySelector('.live-start')?.click()", figure)
+    if not wait_for(browser, figure):
+        raise RuntimeError(f"{page.name}: the figure does not load: {figure.text[:200]}")
+    run(browser, "figure.live.stopPlaying();" + BEGIN, figure)
+    return figure
 
 
 def check_controls(browser, figure):
@@ -167,13 +181,13 @@ def check(browser, folder, figure):
     print(f"{name}: {equal}, loaded in {loaded:.0f} ms, {drawn:.1f} ms per picture, {len(native) / 1000:.0f} kB")
 
 
-def check_link(browser, page, figure):
+def check_link(browser, figure):
     """A link with a setting opens the figure with it."""
     name = figure.get_attribute("id").removeprefix("fig_")
     run(browser, BEGIN + "await live.set('position', '0.1,0.2,1.5')", figure)
     expected = run(browser, STATE, figure)
     link = browser.execute_script("return arguments[0].live.link.getAttribute('href')", figure)
-    browser.get(page.as_uri() + link)
+    browser.get(browser.current_url.partition("?")[0].partition("#")[0] + link)
     figure = browser.find_element("id", f"fig_{name}")
     if not wait_for(browser, figure) or run(browser, STATE, figure) != expected:
         yield f"{name}: {link} does not restore the state"
@@ -240,32 +254,38 @@ def check_speed(browser, figure):
         yield f"the wall moves in jerks: {pictures} pictures in 3 s"
 
 
+def check_page(folder, page, browser):
+    """All live figures of a page, and the page with all of them."""
+    browser.get(page.as_uri())
+    faults = []
+    for figure in browser.find_elements("css selector", "figure[data-live]"):
+        faults += check(browser, folder, figure)
+    browser.execute_async_script(TYPESET)
+    faults += [f"{page.name}, live: {fault}" for fault in browser.execute_script(LOOK)]
+    return faults + [f"{page.name}: {fault}" for fault in errors_logged(browser)]
+
+
+def check_first(page, check_more, browser):
+    """One more check of the first live figure of a page."""
+    faults = list(check_more(browser, open_first(browser, page))) + list(errors_logged(browser))
+    return [f"{page.name}: {fault}" for fault in faults]
+
+
 def main():
     folder, demo = Path(sys.argv[1]).resolve(), sys.argv[2]
     if not (folder / "live_engine.js").exists():
         print("the book has no live figures: they need emscripten, then ./cs550 docs")
         return 77
-    faults, count = [], 0
-    browser = start_browser()
-    try:
-        for page in sorted(folder.glob("*.html")):
-            if not re.search(r"<figure [^>]*data-live=", page.read_text(errors="replace")):
-                continue
-            browser.get(page.as_uri())
-            figures = browser.find_elements("css selector", "figure[data-live]")
-            count += len(figures)
-            for figure in figures:
-                faults += check(browser, folder, figure)
-            faults += [f"{page.name}, live: {fault}" for fault in browser.execute_script(LOOK)]
-            if page.name == "world.html":
-                faults += [f"{page.name}: {fault}" for each in (check_end(browser, figures[0]),
-                                                                check_scenes(browser, figures[0], demo),
-                                                                check_speed(browser, figures[0])) for fault in each]
-            if page.name == "separating_axis.html":
-                faults += check_link(browser, page, figures[0])
-            faults += [f"{page.name}: {fault}" for fault in look_at(browser, page)]
-    finally:
-        browser.quit()
+    pages = [page for page in folder.glob("*.html") if FIGURE.search(page.read_text(errors="replace"))]
+    pages.sort(key=lambda page: len(FIGURE.findall(page.read_text(errors="replace"))), reverse=True)
+    world = folder / "world.html"
+    tasks = [partial(check_first, world, partial(check_scenes, demo=demo)), partial(check_first, world, check_end)]
+    tasks += [partial(check_page, folder, page) for page in pages]
+    tasks += [partial(check_first, folder / "separating_axis.html", check_link)]
+    faults = sum(in_browsers(tasks), [])
+    # Alone, since it counts pictures per second.
+    faults += sum(in_browsers([partial(check_first, world, check_speed)]), [])
+    count = sum(len(FIGURE.findall(page.read_text(errors="replace"))) for page in pages)
     print("\n".join(faults))
     print(f"{count} live figures, {len(faults)} faults")
     return 1 if faults or count == 0 else 0

@@ -1,4 +1,4 @@
-# docs.book: opens every page of the built book in a headless browser. It needs a driver and its Python module,
+# docs.book: opens every page of the built book in headless browsers. It needs a driver and its Python module,
 # and is skipped if the book is not built. Builds with sanitizers leave it out.
 find_program(CS550_CHROMEDRIVER chromedriver)
 find_program(CS550_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
@@ -13,7 +13,8 @@ if(CS550_CHROMEDRIVER AND CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATC
     add_test(NAME docs.live
              COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/live_test.py"
                      "${PROJECT_SOURCE_DIR}/build/docs/html" $<TARGET_FILE:cs550_demo>)
-    set_tests_properties(docs.book docs.live PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 900)
+    # Each starts a browser for every processor.
+    set_tests_properties(docs.book docs.live PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 900 RUN_SERIAL ON)
   endif()
 endif()
 
