@@ -48,10 +48,12 @@ def broken_links(folder):
                 yield f"{name}: {target} has no such anchor"
 
 
-# Calls back when MathJax is finished.
-TYPESET = """
+# Calls back when MathJax is finished, and when images that scripts added after the page's load event are there or failed.
+SETTLE = """
 const done = arguments[0];
-if (window.MathJax && MathJax.Hub) MathJax.Hub.Queue(() => done(true)); else done(false);
+const ended = image => image.complete || new Promise(resolve => { image.onload = image.onerror = resolve; });
+const images = () => Promise.all([...document.images].map(ended)).then(() => done(true));
+if (window.MathJax && MathJax.Hub) MathJax.Hub.Queue(images); else images();
 """
 
 # The errors of the current page.
@@ -62,7 +64,7 @@ while (walker.nextNode()) {
   const parent = walker.currentNode.parentElement;
   if (parent.closest('script, style, .fragment, code, .MathJax_Preview')) continue;
   const tex = walker.currentNode.data.match(/\\\(|\\\[|\\[a-z]+\{|\$[^$\s][^$]*\$/);
-  if (walker.currentNode.data.includes('**')) faults.push('raw Markdown: ' + walker.currentNode.data.trim().slice(0, 80));
+  if (/\*\*|(^|[\s"(])\*[A-Za-z]+\*($|[\s").,:;])/.test(walker.currentNode.data)) faults.push('raw Markdown: ' + walker.currentNode.data.trim().slice(0, 80));
   if (tex) faults.push('raw TeX: ' + walker.currentNode.data.trim().slice(0, 80));
 }
 // MathJax draws invalid formulas as red text.
@@ -88,7 +90,7 @@ return faults;
 
 def look_at(page, browser):
     browser.get(page.as_uri())
-    browser.execute_async_script(TYPESET)
+    browser.execute_async_script(SETTLE)
     faults = browser.execute_script(LOOK) + list(errors_logged(browser))
     return [f"{page.name}: {fault}" for fault in faults]
 

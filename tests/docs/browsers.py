@@ -8,7 +8,7 @@ from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
 
 PHONE = (390, 844)
-SECONDS_TO_TYPESET = 60
+SECONDS_TO_ANSWER = 60
 
 
 def start_browser(profile):
@@ -24,7 +24,7 @@ def start_browser(profile):
     # A headless window cannot be narrower than 500 pixels, but the screen can.
     browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
                             {"width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": True})
-    browser.set_script_timeout(SECONDS_TO_TYPESET)
+    browser.set_script_timeout(SECONDS_TO_ANSWER)
     return browser
 
 

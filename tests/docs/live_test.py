@@ -15,7 +15,7 @@ import time
 from functools import partial
 from pathlib import Path
 
-from book_test import LOOK, TYPESET
+from book_test import LOOK, SETTLE
 from browsers import errors_logged, in_browsers
 
 SECONDS_TO_LOAD = 30
@@ -260,7 +260,7 @@ def check_page(folder, page, browser):
     faults = []
     for figure in browser.find_elements("css selector", "figure[data-live]"):
         faults += check(browser, folder, figure)
-    browser.execute_async_script(TYPESET)
+    browser.execute_async_script(SETTLE)
     faults += [f"{page.name}, live: {fault}" for fault in browser.execute_script(LOOK)]
     return faults + [f"{page.name}: {fault}" for fault in errors_logged(browser)]
 
