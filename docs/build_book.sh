@@ -12,6 +12,18 @@ viewer=${2-}
 docs=build/docs
 mathjax=/usr/share/javascript/mathjax
 
+# plot_figure NAME FILE: a table that a student's code cannot fill has the reason in its first line.
+plot_figure() {
+  table=$(sed -n 's|.*data \. "/\(.*\)\.dat".*|\1|p' "docs/figures/plots/$1.gp")  # that of another plot
+  reason=$(sed -n '1s/^# unwritten: //p' "$docs/data/${table:-$1}.dat")
+  if [ -z "$reason" ]; then
+    gnuplot -e "data='$docs/data'; name='$1'; output='$2'" docs/figures/plots/style.gp "docs/figures/plots/$1.gp" && return
+    [ ! -d solutions ] || return 1
+    reason="Its numbers cannot be plotted. See ./cs550 lab N."
+  fi
+  "$figure_program" --unwritten "$reason" --output "$2"
+}
+
 # Figures: one line of figures.txt each, a name and how it is made.
 draw_figures() {
   rm -rf "$docs/figures"
@@ -23,8 +35,7 @@ draw_figures() {
     case $tool in
       draw) ;;
       live) "$figure_program" --live "$arguments" --output "$file" ;;
-      plot) gnuplot -e "data='$docs/data'; name='$name'; output='$file'" \
-        docs/figures/plots/style.gp "docs/figures/plots/$name.gp" ;;
+      plot) plot_figure "$name" "$file" ;;
       diagram) dot -Tsvg "docs/figures/diagrams/$name.dot" -o "$file" ;;
       view)
         [ -n "$viewer" ] || continue

@@ -4,6 +4,7 @@
 ///   book_figures --figures DIR --data DIR [--only NAME]
 ///   book_figures --live DESCRIPTION --output FILE
 ///   book_figures --hulls CLOUDS --output FILE
+///   book_figures --unwritten REASON --output FILE
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -90,6 +91,9 @@ bool ends(const std::function<void()>& task) {
   return WIFEXITED(status);
 }
 
+/// Begins a table that could not be measured. build_book.sh looks for it.
+constexpr const char* unwritten_mark = "# unwritten: ";
+
 /// What a figure shows whose lab is not written yet, is wrong or does not end.
 drawing::Page unwritten(const std::string& reason) {
   drawing::Drawing note;
@@ -135,7 +139,8 @@ void draw(const Figure& figure, const fs::path& folder) {
 void measure(const Table& table, const fs::path& folder) {
   write(folder / (table.name + ".dat"), table.measure,
         [](std::ostream& file, const std::string& reason) {
-          file << "# " << reason << "\n0 0 0 0 0 0 0 0\n1 1 1 1 1 1 1 1\n";
+          const std::string first_line = reason.substr(0, reason.find('\n'));
+          file << unwritten_mark << first_line << "\n0 0 0 0 0 0 0 0\n1 1 1 1 1 1 1 1\n";
         });
 }
 
@@ -150,17 +155,22 @@ void draw_live(const std::string& description, const std::string& name) {
 int main(int argc, char** argv) {
   using namespace cs550::book;
   CLI::App app("Draws the pictures of the book and measures its tables.");
-  std::string figures, data, only, live, hulls, output;
+  std::string figures, data, only, live, hulls, unmeasured, output;
   app.add_option("--figures", figures, "folder for pictures, made if it is not there");
   app.add_option("--data", data, "folder for tables");
   app.add_option("--only", only, "one picture or table, as docs/figures/figures.txt names it");
   app.add_option("--live", live, "a live figure as it is at first: a page's number and settings");
   app.add_option("--hulls", hulls, "point clouds that the browser's engine has listed");
-  app.add_option("--output", output, "file for --live and --hulls");
+  app.add_option("--unwritten", unmeasured, "why a plot cannot be drawn");
+  app.add_option("--output", output, "file for --live, --hulls and --unwritten");
   CLI11_PARSE(app, argc, argv);
   try {
     if (!live.empty()) draw_live(live, output);
     if (!hulls.empty()) answer_clouds(hulls, output);
+    if (!unmeasured.empty()) {
+      std::ofstream file(output);
+      explain_picture(file, unmeasured);
+    }
     if (!figures.empty()) fs::create_directories(figures);
     bool is_known = only.empty();
     for (const Figure& figure : all_figures()) {

@@ -12,3 +12,6 @@ cd "$scratch"
 [ "$(ls slides)" = gauss_map.svg ] || wrong "expected gauss_map.svg alone, found: $(ls slides)"
 ! "$program" --figures slides --only gaus_map 2>message || wrong "a figure that does not exist was drawn"
 grep -q "no figure or table has the name 'gaus_map'" message || wrong "the figure is not named: $(cat message)"
+# In a students' copy: the reason in place of a plot whose table could not be measured.
+"$program" --unwritten "not implemented: L7.4" --output slides/plot.svg
+grep -q "not implemented: L7.4" slides/plot.svg || wrong "the figure does not show why it is not drawn"
