@@ -184,7 +184,7 @@ MeshBuild build_half_edge_mesh(std::span<const Vec3> vertices, std::span<const T
 
 /// **L2.5** The plane of a polygon by Newell's method, which is robust against short edges,
 /// collinear corners and reflex vertices. The plane contains the mean of the corners. Newell,
-/// Newell & Sancha (1972); Ericson §12.4.1.
+/// Newell & Sancha (1972); Ericson §12.4.2.
 /// @param corners at least three, counter-clockwise seen from the side that the normal points to;
 ///   any frame (m)
 Plane polygon_plane(std::span<const Vec3> corners);
