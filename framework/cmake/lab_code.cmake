@@ -28,11 +28,6 @@ set(CS550_LABS "")
 set(lab_folder "${PROJECT_BINARY_DIR}/labs")
 set(lab_exports "${lab_folder}/exports.map")
 file(CONFIGURE OUTPUT "${lab_exports}" CONTENT "{ global: _ZN5cs550*; local: *; };\n")
-if(EXISTS "${PROJECT_SOURCE_DIR}/.starters")
-  set(CS550_STUDENTS_COPY TRUE)
-else()
-  set(CS550_STUDENTS_COPY FALSE)
-endif()
 
 set(lab_headers <cs550/math.hpp> <vector>
                 "${PROJECT_SOURCE_DIR}/framework/autograder/common_expressions.hpp")
