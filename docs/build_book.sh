@@ -24,11 +24,15 @@ plot_figure() {
   "$figure_program" --unwritten "$reason" --output "$2"
 }
 
-# Figures: one line of figures.txt each, a name and how it is made.
-draw_figures() {
+# What the figure program draws and measures. Some tables are times per step: nothing else may run.
+measure() {
   rm -rf "$docs/figures"
   mkdir -p "$docs/figures" "$docs/data"
   "$figure_program" --data "$docs/data" --figures "$docs/figures"
+}
+
+# The other figures: one line of figures.txt each, a name and how it is made.
+draw_figures() {
   while read -r name tool arguments; do
     file=$docs/figures/$name.svg
     case $name in '' | '#'*) continue ;; esac
@@ -140,6 +144,7 @@ write_site() {
 
 rm -rf "$docs/html"
 mkdir -p "$docs"
+measure
 start_live_engine
 draw_figures
 python3 docs/tools/make_pages.py "$docs/pages"
