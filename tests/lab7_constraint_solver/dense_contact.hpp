@@ -100,13 +100,19 @@ inline Eigen::Matrix<double, 3, 12> dense_jacobians(const ContactConstraint& con
   return j;
 }
 
-/// Replaces prepare_contacts() for a rigid contact, so that later steps can be tested without it.
-inline void prepare_densely(ContactConstraint& constraint, const SolverBody& a,
-                            const SolverBody& b) {
+/// J·M⁻¹·Jᵀ along n, u and v.
+inline Eigen::Matrix3d dense_inverse_contact_mass(const ContactConstraint& constraint,
+                                                  const SolverBody& a, const SolverBody& b) {
   const Eigen::Matrix<double, 3, 12> j = dense_jacobians(constraint);
   // Sum by sum: students wait seconds for the compilation of a general product.
   const Eigen::Matrix<double, 3, 12> scaled = j.lazyProduct(dense_inverse_mass(a, b));
-  const Eigen::Matrix3d k = scaled.lazyProduct(j.transpose());
+  return scaled.lazyProduct(j.transpose());
+}
+
+/// Replaces prepare_contacts() for a rigid contact, so that later steps can be tested without it.
+inline void prepare_densely(ContactConstraint& constraint, const SolverBody& a,
+                            const SolverBody& b) {
+  const Eigen::Matrix3d k = dense_inverse_contact_mass(constraint, a, b);
   const Eigen::Matrix2d tangents = k.bottomRightCorner<2, 2>();
   constraint.normal_mass = static_cast<Real>(1 / k(0, 0));
   constraint.tangent_mass = tangents.inverse().cast<Real>();

@@ -44,8 +44,8 @@ struct DenseContacts {
 /// λ of a small system (up to a dozen constraints) with b = 0. If constraints are redundant, it is
 /// one of several solutions with the same V'.
 inline std::optional<Eigen::VectorXd> solve_lcp(const DenseContacts& contacts) {
-  const Eigen::MatrixXd k =
-      contacts.jacobian * contacts.inverse_mass * contacts.jacobian.transpose();
+  const Eigen::MatrixXd scaled = contacts.jacobian.lazyProduct(contacts.inverse_mass);
+  const Eigen::MatrixXd k = scaled.lazyProduct(contacts.jacobian.transpose());
   const Eigen::VectorXd q = contacts.jacobian * contacts.velocity;
   const double tiny = 1e-9 * q.norm();
   for (unsigned set = 0; set < 1U << q.size(); ++set) {

@@ -85,13 +85,7 @@ GRADED_TEST(Lab7, PreparedMassesInvertTheCoupledTangents, 3, "L7.4") {
     prepare_contacts(constraints, bodies, rigid_step());
     const ContactConstraint& constraint = constraints[0];
 
-    const Mat12 inverse_mass = dense_inverse_mass(bodies[0], bodies[1]);
-    Eigen::Matrix<double, 3, 12> j;
-    j.row(0) = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b).transpose();
-    j.row(1) = dense_jacobian(constraint.u, constraint.r_a, constraint.r_b).transpose();
-    j.row(2) = dense_jacobian(constraint.n.cross(constraint.u), constraint.r_a, constraint.r_b)
-                   .transpose();
-    const Eigen::Matrix3d k = j * inverse_mass * j.transpose();
+    const Eigen::Matrix3d k = dense_inverse_contact_mass(constraint, bodies[0], bodies[1]);
     const double expected = 1 / k(0, 0);
     require(story.expect_near("normal mass", static_cast<double>(constraint.normal_mass), expected,
                               10 * jacobian_rounding * expected, "kg"));
