@@ -131,10 +131,14 @@ if(TARGET grade_lab)
                        RESOURCE_LOCK build_folder LABELS autograder)
   cs550_test_grader(survives_some_attacks autograder "${scripts}/attacks/run_attacks.py" --short)
   cs550_test_grader(ends_on_request autograder "${scripts}/attacks/check_termination.py")
+  # Its temporary folder lies in one that only we can enter.
+  cs550_test_grader(ends_on_request_without_bubblewrap autograder "${scripts}/attacks/check_termination.py"
+                    --isolation plain)
   cs550_test_grader(gives_ctest_its_verdicts autograder "${scripts}/attacks/check_ctest_verdicts.py")
   set_tests_properties(grader.gives_ctest_its_verdicts PROPERTIES RESOURCE_LOCK build_folder)
-  set_tests_properties(grader.survives_some_attacks grader.ends_on_request grader.gives_ctest_its_verdicts
-                       PROPERTIES FIXTURES_REQUIRED grader)
+  set_tests_properties(grader.survives_some_attacks grader.ends_on_request
+                       grader.ends_on_request_without_bubblewrap grader.gives_ctest_its_verdicts PROPERTIES
+                       FIXTURES_REQUIRED grader)
 
   # ctest --preset labN builds the judge with the flags of `student`, of which there are several.
   add_test(NAME grader.precompiles_as_students_compile

@@ -115,8 +115,8 @@ class Compiler {
     command_.writes = true;
     command_.isolation = isolation;
     command_.limits = limits;
-    command_.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8",
-                            "TMPDIR=" + (command_.folder / "out").string()};
+    // Relative, because another user may not be able to enter the folders above the stage.
+    command_.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "TMPDIR=out"};
   }
 
   /// @throws Refusal with what it printed
