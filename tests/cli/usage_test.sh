@@ -63,7 +63,7 @@ for arguments in "lab $long" "lab 3 --step $long" "submit $long" "view --lab $lo
   code=0
   CS550_ROOT=$root "$program" $arguments >"$scratch/printed" 2>&1 </dev/null || code=$?
   [ $code = 2 ] || wrong "a word of 5000 letters: exit code $code, expected 2"
-  [ "$(wc -c <"$scratch/printed")" -lt 1500 ] || wrong "a word of 5000 letters was repeated in full"
+  if grep -q 'a\{1000\}' "$scratch/printed"; then wrong "a word of 5000 letters was repeated in full"; fi
 done
 
 # The launcher.
