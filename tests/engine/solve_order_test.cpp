@@ -121,8 +121,8 @@ TEST(SolveOrder, ContactsWithMorePointsGoOnInTheFirstLanes) {
   EXPECT_EQ(contact_of_constraint(contacts, order), (std::vector<int>{0, 2, 1, 0, 2, 0}));
 }
 
-/// Rows of boxes on a floor, each of which rests on two of the row below and touches its neighbours. In the order
-/// of the world: by body A, then body B.
+/// The contacts of a wall on a floor: each box touches its neighbours in the row and rests on two boxes of the row
+/// below. They are sorted by body A, then by body B, as the world sorts them.
 std::vector<Contact> contacts_of_rows(Index rows, Index boxes) {
   std::vector<Contact> contacts;
   const auto touch = [&contacts](Index a, Index b, const Vec3& normal) {

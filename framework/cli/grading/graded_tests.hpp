@@ -25,8 +25,8 @@ struct Verdict {
   std::string message;  ///< the test's report, or how the program ended
   double seconds = 0;
   std::string blocked_by = {};  ///< the unwritten step that a blocked test needs, "L1.4"
-  std::string ending =
-      {};  ///< of a test that ended the program: "crashed: Aborted"; not kept in files
+  /// How a test ended the program, "crashed: Aborted"; empty if it did not. Not kept in files.
+  std::string ending = {};
 
   /// The step to work on so that the test passes: its own, or the one that blocks it.
   const std::string& step_to_mend() const { return blocked_by.empty() ? test.step : blocked_by; }
