@@ -1,7 +1,8 @@
 #pragma once
 /// @file dense_lcp.hpp
 /// The solution of sequential impulses, by brute force over the active constraints in double:
-/// λ ≥ 0, w = J·V' + b ≥ 0, λ·w = 0. Murty, *Linear Complementarity* (1988), §1.
+/// λ ≥ 0, w = J·V' + b ≥ 0, λ·w = 0. Murty, *Linear Complementarity, Linear and
+/// Nonlinear Programming* (1988).
 
 #include <Eigen/LU>
 #include <optional>

@@ -112,8 +112,8 @@ void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b)
 /// then the friction of each. Backwards: in exact reverse order, so that normals are solved last.
 ///
 /// A pass and its reverse together form a *symmetric* Gauss–Seidel iteration. Its error decays
-/// without oscillation. Passes in one direction only can amplify slow modes of a warm-started stack
-/// (complex eigenvalues; Saad, *Iterative Methods for Sparse Linear Systems*, §4.1).
+/// without oscillation. Passes in one direction only have complex eigenvalues, and can amplify slow
+/// modes of a warm-started stack. Both: Saad, *Iterative Methods for Sparse Linear Systems*, §4.1.
 void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
                     const ContactStep& step);
 
