@@ -61,8 +61,8 @@ def _named(entries, name):
 def _time(seconds):
     for unit, size in (("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)):
         if seconds >= size:
-            return f"{seconds / size:.2g} {unit}"
-    return f"{seconds / 1e-9:.2g} ns"
+            break
+    return f"{float(f'{seconds / size:.2g}'):g} {unit}"  # two digits, and 110 rather than 1.1e+02
 
 
 def _short(number):
