@@ -2,8 +2,9 @@
 """Opens every page of the book from disk in headless browsers, at the width of a phone.
 
 A page passes when the browser logs no error and no failed request, all formulas are rendered, nothing is
-left as TeX or Markdown, all images are there and described, nothing is wider than the screen, and all links lead to
-something. The search must find a word. Exit code 77: the book is not built.
+left as TeX or Markdown, all images are there and described, nothing is wider than the screen, no formula scrolls, no
+listing scrolls at 1,280 pixels, and all links lead to something. The search must find a word. Exit code 77: the book
+is not built.
 """
 import re
 import sys
@@ -15,7 +16,7 @@ from urllib.parse import unquote
 
 from selenium.webdriver.common.by import By
 
-from browsers import errors_logged, in_browsers
+from browsers import DESK, PHONE, errors_logged, in_browsers, show_on
 
 
 class Links(HTMLParser):
@@ -56,8 +57,15 @@ const images = () => Promise.all([...document.images].map(ended)).then(() => don
 if (window.MathJax && MathJax.Hub) MathJax.Hub.Queue(images); else images();
 """
 
-# The errors of the current page.
-LOOK = r"""
+# What must fit, and scrolls.
+SCROLLING = r"""
+const scrolling = selector => [...document.querySelectorAll(`.contents :is(${selector})`)]
+  .filter(part => part.scrollWidth > part.clientWidth + 1)
+  .map(part => `scrolls: ${part.scrollWidth} of ${part.clientWidth} pixels, ${part.textContent.trim().slice(0, 80)}`);
+"""
+
+# The errors of the current page, as on a phone.
+LOOK = SCROLLING + r"""
 const faults = [];
 const walker = document.createTreeWalker(document.querySelector('.contents') || document.body, NodeFilter.SHOW_TEXT);
 while (walker.nextNode()) {
@@ -84,14 +92,17 @@ for (const part of [document.documentElement, scroller]) {
                 + (wide ? ', ' + wide.outerHTML.slice(0, 100) : ''));
   }
 }
-return faults;
+return faults.concat(scrolling('.MathJax_SVG_Display, p.formulaDsp'));
 """
 
 
 def look_at(page, browser):
     browser.get(page.as_uri())
     browser.execute_async_script(SETTLE)
-    faults = browser.execute_script(LOOK) + list(errors_logged(browser))
+    faults = browser.execute_script(LOOK)
+    show_on(browser, DESK)
+    faults += browser.execute_script(SCROLLING + "return scrolling('div.fragment');") + list(errors_logged(browser))
+    show_on(browser, PHONE)
     return [f"{page.name}: {fault}" for fault in faults]
 
 

@@ -8,6 +8,7 @@ from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
 
 PHONE = (390, 844)
+DESK = (1280, 800)
 SECONDS_TO_ANSWER = 60
 
 
@@ -21,11 +22,15 @@ def start_browser(profile):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(options=options)
-    # A headless window cannot be narrower than 500 pixels, but the screen can.
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                            {"width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": True})
+    show_on(browser, PHONE)
     browser.set_script_timeout(SECONDS_TO_ANSWER)
     return browser
+
+
+def show_on(browser, screen):
+    # A headless window cannot be narrower than 500 pixels, but the screen can.
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                            {"width": screen[0], "height": screen[1], "deviceScaleFactor": 1, "mobile": screen == PHONE})
 
 
 def in_browsers(tasks, most=os.cpu_count() or 1):
