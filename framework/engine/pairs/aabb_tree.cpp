@@ -176,7 +176,8 @@ void AabbTree::replace_child(Index parent, Index child, Index replacement) {
   }
 }
 
-/// The node beside which a new leaf adds the least area to the tree (Catto 2019, greedy descent).
+/// A node beside which a new leaf adds little area to the tree. Catto (2019) searches by the same
+/// bounds, but all branches; this descends along one.
 /// The cost of a place is the area of the joint that is made there, plus the growth of all nodes
 /// above it.
 Index AabbTree::best_sibling(const Bounds& bounds) const {
