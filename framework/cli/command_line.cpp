@@ -7,6 +7,7 @@
 #include "cli/system/exit_code.hpp"
 #include "cs550/excerpt.hpp"
 #include "files/output_file.hpp"
+#include "files/usage_fault.hpp"
 
 namespace cs550::cli {
 
@@ -20,22 +21,10 @@ void refuse_values_of_flags(CLI::App& app) {
   }
 }
 
-namespace {
-
-/// What is wrong, in our words where the library's say nothing to a reader.
-std::string complaint(const CLI::ParseError& error) {
-  const std::string words = error.what();
-  const std::size_t flag_end = words.find(" was given a disallowed flag override");
-  if (flag_end == std::string::npos) return with_short_words(words);
-  return "--" + words.substr(0, flag_end) + " takes no value";
-}
-
-}  // namespace
-
 int answer(const CLI::App& app, const CLI::ParseError& error, const std::string& verb) {
   if (error.get_exit_code() == 0) return app.exit(error);
-  std::cerr << "cs550: " << complaint(error) << "\n./cs550 " << verb
-            << " --help explains the options.\n";
+  std::cerr << "cs550: " << with_short_words(files::usage_fault(error.what())) << "\n./cs550 "
+            << verb << " --help explains the options.\n";
   return Misused;
 }
 

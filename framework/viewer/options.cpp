@@ -1,11 +1,11 @@
 #include "viewer/options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <sstream>
 
 #include "cs550/excerpt.hpp"
 #include "files/path_argument.hpp"
+#include "files/usage_fault.hpp"
 #include "pages/base/camera.hpp"
 
 namespace cs550::viewer {
@@ -122,12 +122,14 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   CommandLine line;
   CLI::App app("Watch and inspect the engine, in a window or as a picture", "./cs550 view");
   declare(app, line.options);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return with_short_words(files::usage_fault(error.what())) +
+           "\n./cs550 view --help explains the options.\n";
+  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    std::ostringstream complaint;
-    line.exit_code = app.exit(error, std::cout, complaint) == 0 ? good : misused;
-    std::cerr << with_short_words(complaint.str());
+    line.exit_code = app.exit(error) == 0 ? good : misused;
   }
   return line;
 }

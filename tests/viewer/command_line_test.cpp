@@ -76,6 +76,7 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
       {{"--failure", std::string(300, 'x')}, "found 300 letters"},
       {{"no_such_scene"}, "no_such_scene"},
       {{"--no-such-option"}, "--no-such-option"},
+      {{"--student=5"}, "--student takes no value"},
   };
   for (const Mistake& mistake : mistakes) {
     std::vector<std::string> arguments = mistake.arguments;
