@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "serialisation/shape_archive.hpp"
+#include "serialisation/named_content.hpp"
 
 namespace cs550::serialisation {
 
@@ -25,6 +25,15 @@ struct Parameter {
   static const Stored& store(const Stored& argument) { return argument; }
   static P pass(Stored& stored) { return stored; }
   static void assign(Stored& original, Stored&& changed) { original = std::move(changed); }
+};
+
+/// A mesh is sent once, however many calls it is an argument of.
+template <>
+struct Parameter<const HalfEdgeMesh&> {
+  using Stored = NamedMesh;
+  static constexpr bool is_output = false;
+  static Stored store(const HalfEdgeMesh& argument) { return Stored(argument); }
+  static const HalfEdgeMesh& pass(const Stored& stored) { return *stored.mesh; }
 };
 
 template <class T>

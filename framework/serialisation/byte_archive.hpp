@@ -16,7 +16,7 @@
 
 namespace cs550::serialisation {
 
-class ShapeRegistry;
+class ContentRegistry;
 
 /// Appends values to a string.
 class ByteWriter : public cereal::OutputArchive<ByteWriter, cereal::AllowEmptyClassElision> {
@@ -46,9 +46,9 @@ class ByteWriter : public cereal::OutputArchive<ByteWriter, cereal::AllowEmptyCl
 class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
  public:
   /// @param bytes must outlive the reader
-  /// @param shapes those that the values may refer to
-  explicit ByteReader(std::string_view bytes, const ShapeRegistry* shapes = nullptr)
-      : InputArchive(this), rest_(bytes), shapes_(shapes) {}
+  /// @param known shapes and meshes that the values may refer to
+  explicit ByteReader(std::string_view bytes, const ContentRegistry* known = nullptr)
+      : InputArchive(this), rest_(bytes), known_(known) {}
 
   void read(void* data, std::size_t count) {
     if (count > rest_.size()) throw cereal::Exception("the bytes end too early");
@@ -63,7 +63,7 @@ class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyCla
   }
   /// How many bytes have not been read yet.
   std::size_t left() const { return rest_.size(); }
-  const ShapeRegistry* shapes() const { return shapes_; }
+  const ContentRegistry* known() const { return known_; }
 
   /// Whether a number that was read is NaN or infinite.
   bool has_non_finite() const { return has_non_finite_; }
@@ -71,7 +71,7 @@ class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyCla
 
  private:
   std::string_view rest_;
-  const ShapeRegistry* shapes_;
+  const ContentRegistry* known_;
   bool has_non_finite_ = false;
 };
 

@@ -16,11 +16,11 @@ std::string to_bytes(const Value& value) {
   return archive.take();
 }
 
-/// Reads what to_bytes() wrote. @param shapes those that the value may refer to
+/// Reads what to_bytes() wrote. @param known shapes and meshes that the value may refer to
 /// @throws cereal::Exception if the bytes end too early
 template <class Value>
-Value from_bytes(std::string_view bytes, const ShapeRegistry* shapes = nullptr) {
-  ByteReader archive(bytes, shapes);
+Value from_bytes(std::string_view bytes, const ContentRegistry* known = nullptr) {
+  ByteReader archive(bytes, known);
   Value value{};
   archive(value);
   return value;

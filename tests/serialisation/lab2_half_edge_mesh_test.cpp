@@ -15,8 +15,8 @@ TEST(Serialisation, Lab2IsCalledAcrossAWire) {
   EXPECT_SAME_ACROSS_WIRE(build_half_edge_mesh, soup.vertices, soup.triangles);
   EXPECT_SAME_ACROSS_WIRE(build_half_edge_mesh, soup.vertices, open);
   EXPECT_SAME_ACROSS_WIRE(polygon_plane, soup.vertices);
-  EXPECT_SAME_ACROSS_WIRE(face_plane, mesh, 3);
-  EXPECT_SAME_ACROSS_WIRE(merge_coplanar_faces, mesh, coplanar_tolerance);
+  EXPECT_SAME_ACROSS_WIRE(face_plane, NamedMesh(mesh), 3);
+  EXPECT_SAME_ACROSS_WIRE(merge_coplanar_faces, NamedMesh(mesh), coplanar_tolerance);
 }
 
 TEST(Serialisation, NoMemberOfLab2IsForgotten) {

@@ -10,8 +10,8 @@ namespace {
 TEST(Serialisation, Lab3IsCalledAcrossAWire) {
   const HalfEdgeMesh sphere = fixture_mesh("icosphere2");
   EXPECT_SAME_ACROSS_WIRE(support_brute_force, sphere.vertices, {1, 2, 3});
-  EXPECT_SAME_ACROSS_WIRE(hill_climb, sphere, {1, 2, 3}, 5, std::vector<Index>());
-  EXPECT_SAME_ACROSS_WIRE(hill_climb, sphere, {1, 2, 3}, 5, std::nullopt);
+  EXPECT_SAME_ACROSS_WIRE(hill_climb, NamedMesh(sphere), {1, 2, 3}, 5, std::vector<Index>());
+  EXPECT_SAME_ACROSS_WIRE(hill_climb, NamedMesh(sphere), {1, 2, 3}, 5, std::nullopt);
   EXPECT_SAME_ACROSS_WIRE(support, two_bodies().b, {1, 2, 3}, 5);
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 
 #include "helpers/fixtures.hpp"
@@ -23,7 +24,7 @@ struct TwoBodies {
   ShapePtr hull = fixture_shape("dodecahedron");
   PosedShape a{cube.get(), {{0.1F, 0.2F, 0.3F}, rotation_exp({0.5F, 0.6F, 0.7F})}};
   PosedShape b{hull.get(), {{1.2F, 0.9F, 1.0F}, rotation_exp({-1, 2, 0.5F})}};
-  ShapeRegistry known;
+  ContentRegistry known;
 
   TwoBodies() {
     known.add(cube);
@@ -36,9 +37,16 @@ inline const TwoBodies& two_bodies() {
   return bodies;
 }
 
+inline void send(ContentRegistry& receiver, const NamedMesh& named) {
+  receiver.add(std::make_shared<HalfEdgeMesh>(*named.mesh));
+}
+template <class Other>
+void send(ContentRegistry& /*receiver*/, const Other& /*is sent with the call*/) {}
+
 template <class R, class... P>
 void expect_same_across_wire(R (*function)(P...), typename Parameter<P>::Stored... stored) {
-  const ShapeRegistry& known = two_bodies().known;
+  ContentRegistry known = two_bodies().known;
+  (send(known, stored), ...);
   Arguments<P...> arguments(stored...);
   const std::string request = to_bytes(arguments);
   const Answer<R, P...> direct = answer(function, arguments);

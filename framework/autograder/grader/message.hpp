@@ -17,6 +17,7 @@ inline constexpr std::uint32_t longest_message = 16U << 20U;
 enum class Request : std::uint8_t {
   Call,   ///< then the function's name and its arguments
   Shape,  ///< then a shape, to be named by its hash from now on; there is no reply
+  Mesh,   ///< then a mesh, likewise
 };
 
 /// The first byte of a reply.

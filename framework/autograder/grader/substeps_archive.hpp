@@ -5,7 +5,7 @@
 #include <cereal/types/string.hpp>
 
 #include "engine/world_state.hpp"
-#include "serialisation/shape_archive.hpp"
+#include "serialisation/named_content.hpp"
 
 namespace cs550 {
 

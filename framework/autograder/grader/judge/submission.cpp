@@ -107,15 +107,15 @@ void Submission::end_worker() {
 void Submission::end_test() {
   channel_.reset();
   worker_.reset();
-  shapes_.clear();
+  known_.clear();
   failure_.clear();
 }
 
-void Submission::tell(std::uint64_t shape, const std::string& message) {
+void Submission::tell(std::uint64_t content, const std::string& message) {
   if (!failure_.empty()) fail(status_, failure_);
   if (!channel_) start();
-  if (!channel_->send(message)) fail_closed("a shape");
-  shapes_.insert(shape);
+  if (!channel_->send(message)) fail_closed("a mesh");
+  known_.insert(content);
 }
 
 std::string Submission::ask(std::string_view function, const std::string& request) {

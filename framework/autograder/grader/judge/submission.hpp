@@ -32,9 +32,9 @@ class Submission {
   /// Ends the worker, and with it everything that it may have started.
   void end_test();
 
-  /// Whether the worker has been told a shape.
-  bool knows(std::uint64_t shape) const { return shapes_.count(shape) != 0; }
-  void tell(std::uint64_t shape, const std::string& message);
+  /// Whether the worker has been sent a shape or mesh, by its hash.
+  bool knows(std::uint64_t content) const { return known_.count(content) != 0; }
+  void tell(std::uint64_t content, const std::string& message);
   /// @return the bytes of the answer. @throws NotImplemented if that is the answer
   std::string ask(std::string_view function, const std::string& request);
 
@@ -54,7 +54,7 @@ class Submission {
   WorkerSettings settings_;
   std::unique_ptr<isolation::Channel> channel_;
   std::unique_ptr<Process> worker_;
-  std::set<std::uint64_t> shapes_;
+  std::set<std::uint64_t> known_;
   std::chrono::steady_clock::time_point test_ends_;
   std::string failure_;  ///< of this test
   std::string status_;   ///< "crashed", "timeout" or "failed", with the failure

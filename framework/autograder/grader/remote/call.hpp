@@ -14,17 +14,20 @@
 
 namespace cs550::grader {
 
-/// Sends a shape before its first use in a worker.
-inline void make_known(const PosedShape& body) {
-  const std::uint64_t hash = serialisation::content_hash(*body.shape);
-  if (!submission().knows(hash)) {
-    serialisation::ByteWriter message;
-    message(Request::Shape, *body.shape);
-    submission().tell(hash, message.take());
-  }
+/// Sends a shape or a mesh before its first use in a worker.
+template <class Content>
+void tell(Request kind, const Content& content) {
+  const std::uint64_t hash = serialisation::content_hash(content);
+  if (submission().knows(hash)) return;
+  serialisation::ByteWriter message;
+  message(kind, content);
+  submission().tell(hash, message.take());
 }
+
+inline void make_known(const PosedShape& body) { tell(Request::Shape, *body.shape); }
+inline void make_known(const HalfEdgeMesh& mesh) { tell(Request::Mesh, mesh); }
 template <class Other>
-void make_known(const Other& /*has no shape*/) {}
+void make_known(const Other& /*is sent with each call*/) {}
 
 /// Takes over one output of the answer. Inputs were copies, so they cannot have changed.
 template <class P>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "serialisation/shape_archive.hpp"
+#include "serialisation/named_content.hpp"
 
 namespace cs550::grader {
 

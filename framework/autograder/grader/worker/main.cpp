@@ -53,21 +53,25 @@ class Worker {
 
   /// @return the reply; empty if there is none
   std::string serve(const std::string& bytes) {
-    ByteReader request(bytes, &shapes_);
+    ByteReader request(bytes, &known_);
     Request kind{};
     request(kind);
-    if (kind == Request::Shape) {
-      auto shape = std::make_shared<ConvexShape>();
-      request(*shape);
-      shapes_.add(shape);
-      return {};
-    }
+    if (kind == Request::Shape) return learn<ConvexShape>(request);
+    if (kind == Request::Mesh) return learn<HalfEdgeMesh>(request);
     std::string name;
     request(name);
     return call(functions().at(name), name, request);
   }
 
  private:
+  template <class Content>
+  std::string learn(ByteReader& request) {
+    auto content = std::make_shared<Content>();
+    request(*content);
+    known_.add(content);
+    return {};
+  }
+
   void* address_of(const std::string& name) const {
     const char* symbol = functions().at(name).symbol;
     if (symbol == nullptr) return nullptr;
@@ -93,7 +97,7 @@ class Worker {
   }
 
   std::vector<void*> labs_;
-  serialisation::ShapeRegistry shapes_;
+  serialisation::ContentRegistry known_;
 };
 
 /// @return what to call functions of. Nothing that the submission does can be undone from here on.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "helpers/fixtures.hpp"
-#include "serialisation/shape_archive.hpp"
+#include "serialisation/named_content.hpp"
 
 namespace cs550::test {
 namespace {
@@ -21,8 +21,24 @@ TEST(Serialisation, AShapeIsNamedByItsContent) {
 
 TEST(Serialisation, AShapeThatWasNeverSentIsMissed) {
   const std::string bytes = to_bytes(PosedShape{fixture_shape("cube").get(), {}});
-  const ShapeRegistry none;
+  const ContentRegistry none;
   EXPECT_THROW(from_bytes<PosedShape>(bytes, &none), std::out_of_range);
+}
+
+TEST(Serialisation, AMeshIsNamedByItsContent) {
+  const HalfEdgeMesh cube = fixture_mesh("cube");
+  const HalfEdgeMesh twin = cube;
+  HalfEdgeMesh other = cube;
+  other.vertices.front().x() += 1;
+  EXPECT_EQ(content_hash(cube), content_hash(twin));
+  EXPECT_NE(content_hash(cube), content_hash(other));
+  EXPECT_LT(to_bytes(NamedMesh(cube)).size(), 50U);
+}
+
+TEST(Serialisation, AMeshThatWasNeverSentIsMissed) {
+  const HalfEdgeMesh cube = fixture_mesh("cube");
+  const ContentRegistry none;
+  EXPECT_THROW(from_bytes<NamedMesh>(to_bytes(NamedMesh(cube)), &none), std::out_of_range);
 }
 
 }  // namespace
