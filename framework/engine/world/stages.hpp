@@ -48,13 +48,13 @@ void detect_collisions(WorldState& world, Real h);
 
 /// The parameters of a substep. @param h substep (s)
 ContactStep contact_step(const WorldSettings& settings, Real h);
-/// From contacts to constraints, with their masses and first impulses.
+/// Gives the constraints their masses and first impulses.
 void prepare(WorldState& world, const ContactStep& step);
 /// Moves the bodies by one substep and solves their contacts.
 void substep(WorldState& world, const ContactStep& step);
-/// All substeps of a step. The grader's judge of lab 7 links another definition, which lets another
-/// process run this one: a round trip for each contact would take minutes. What substeps read of
-/// the world is listed in autograder/grader/substeps_archive.hpp.
+/// Prepares the constraints and runs all substeps of a step. The grader's judge of lab 7 links another
+/// definition, which lets another process run this one: a round trip for each contact would take
+/// minutes. What this reads of the world is listed in autograder/grader/substeps_archive.hpp.
 void run_substeps(WorldState& world, const ContactStep& step, int count);
 
 /// Checks of what a stage promised. Broken promises are reported in problems(), and their effect is

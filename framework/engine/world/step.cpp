@@ -71,7 +71,7 @@ void advance(WorldState& world, Real h) {
   const int substeps = substep_count(world.settings);
   const ContactStep step = contact_step(world.settings, h / static_cast<Real>(substeps));
   apply_gravity(world);
-  run_stage(world, Stage::Prepare, prepare, step);
+  run_stage(world, Stage::Prepare, make_constraints);
   begin_audit(world);
   run_substeps(world, step, substeps);
   end_audit(world, h);

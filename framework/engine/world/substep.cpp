@@ -163,7 +163,6 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 }
 
 void prepare(WorldState& world, const ContactStep& step) {
-  make_constraints(world);
   if (world.settings.solver == SolverKind::Naive) return;
   with_solver_bodies(world, [&](std::span<const SolverBody> bodies) {
     for_blocks(world.team, world.constraints.size(), 64, [&](std::size_t first, std::size_t last) {

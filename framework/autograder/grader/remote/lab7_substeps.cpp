@@ -58,10 +58,12 @@ std::string output_of(WorldState& world) {
 }
 
 void run_here(WorldState& world, const ContactStep& step, int count) {
+  run_stage(world, Stage::Prepare, prepare, step);
   for (int i = 0; i < count; ++i) substep(world, step);
 }
 
-void ask(WorldState& world, const ContactStep& step, int count) {
+/// @returns whether the worker ran them. It does not if a function that they call is unwritten.
+bool ask(WorldState& world, const ContactStep& step, int count) {
   ByteWriter request;
   request(grader::Request::Call, std::string(name));
   grader::archive_substeps_input(request, world);
@@ -69,12 +71,16 @@ void ask(WorldState& world, const ContactStep& step, int count) {
   const std::string reply = submission().ask(name, request.take());
   ByteReader answer(reply);
   try {
+    bool is_unwritten = false;
+    answer(is_unwritten);
+    if (is_unwritten) return false;
     take_output(world, answer);
   } catch (const cereal::Exception& error) {
     submission().fail_malformed(name, error.what());
   }
   if (answer.left() > 0) submission().fail_malformed(name, "it is too long");
   if (answer.has_non_finite() && !request.has_non_finite()) submission().fail_not_finite(name);
+  return true;
 }
 
 }  // namespace
@@ -82,11 +88,15 @@ void ask(WorldState& world, const ContactStep& step, int count) {
 void run_substeps(WorldState& world, const ContactStep& step, int count) {
   const bool calls_the_submission = !world.constraints.empty();
   if (!calls_the_submission || world.settings.audit_momentum) return run_here(world, step, count);
-  if (!is_checked(world)) return ask(world, step, count);
+  if (!is_checked(world)) {
+    if (!ask(world, step, count)) run_here(world, step, count);
+    return;
+  }
   WorldState here = world;
   run_here(here, step, count);
-  ask(world, step, count);
-  if (output_of(world) != output_of(here)) {
+  if (!ask(world, step, count)) {
+    world = std::move(here);
+  } else if (output_of(world) != output_of(here)) {
     submission().fail_malformed(name, "the functions of the submission do not reproduce it");
   }
 }

@@ -44,7 +44,7 @@ std::string serve_substeps(void* /*given*/, serialisation::ByteReader& reader) {
   reader(step, count);
   run_substeps(world, step, count);
   serialisation::ByteWriter writer;
-  writer(Reply::Returned);
+  writer(Reply::Returned, world.unwritten.any());
   archive_substeps_output(writer, world);
   return writer.take();
 }
