@@ -63,15 +63,15 @@ bool is_better(const FaceQuery& query, const FaceQuery& best) {
 
 /// The best face of A, or any with a separation above the margin. Tries the face with the largest
 /// bound until there are enough witnesses, then every face that is not ruled out.
-/// @param first tried before all others, if not empty
+/// @param first the query of the face to begin with; the face with the largest bound if empty
 /// @param[out] bounds of all faces by the witnesses that were used
 FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, FaceBounds& bounds) {
   bounds.start(pair.a, pair.position);
   FaceQuery best;
-  Index face = first ? first.face : bounds.largest();
-  Index start = first ? first.vertex : 0;
-  while (!bounds.full()) {
-    const FaceQuery query = query_face(pair, face, start);
+  FaceQuery query = first ? first : query_face(pair, bounds.largest(), 0);
+  Index face = no_index;
+  Index start = no_index;
+  while (true) {
     if (is_better(query, best)) best = query;
     if (best.separation > margin) return best;
 
@@ -79,6 +79,8 @@ FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, Fac
     face = bounds.largest();
     start = query.vertex;
     if (face == best.face || bounds.of(face) < best.separation) return best;
+    if (bounds.full()) break;
+    query = query_face(pair, face, start);
   }
   for (face = 0; face < pair.a.face_count(); ++face) {
     if (bounds.of(face) < best.separation) continue;
@@ -88,6 +90,11 @@ FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, Fac
     start = query.vertex;
   }
   return best;
+}
+
+/// The query of a face of last step at the current poses; empty if there is none.
+FaceQuery query_again(const Pair& pair, const FaceQuery& last) {
+  return last ? query_face(pair, last.face, last.vertex) : FaceQuery{};
 }
 
 /// The pair of edges at a crossing that the walk found, with the axis from their cross product.
@@ -208,10 +215,10 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
   // Last step's feature first: a pair that stays apart needs nothing else.
   EdgeQuery hinted_edges;
   if (hint.feature == AxisFeature::FaceA) {
-    result.face_a = query_face(ab, hint.face_a.face, hint.face_a.vertex);
+    result.face_a = query_again(ab, hint.face_a);
     if (result.face_a.separation > margin) return with_feature(AxisFeature::FaceA, result, a, b);
   } else if (hint.feature == AxisFeature::FaceB) {
-    result.face_b = query_face(ba, hint.face_b.face, hint.face_b.vertex);
+    result.face_b = query_again(ba, hint.face_b);
     if (result.face_b.separation > margin) return with_feature(AxisFeature::FaceB, result, a, b);
   } else if (hint.feature == AxisFeature::Edges) {
     hinted_edges = query_edge_pair(ab, hint.edges.edge_a, hint.edges.edge_b);
@@ -222,11 +229,13 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
     }
   }
 
+  const FaceQuery tried_a = result.face_a;
+  const FaceQuery tried_b = result.face_b;
   FaceBounds bounds;
   result = {};
-  result.face_b = query_faces(ba, hint.face_b, margin, bounds);
+  result.face_b = query_faces(ba, tried_b ? tried_b : query_again(ba, hint.face_b), margin, bounds);
   if (result.face_b.separation > margin) return with_feature(AxisFeature::FaceB, result, a, b);
-  result.face_a = query_faces(ab, hint.face_a, margin, bounds);
+  result.face_a = query_faces(ab, tried_a ? tried_a : query_again(ab, hint.face_a), margin, bounds);
   if (result.face_a.separation > margin) return with_feature(AxisFeature::FaceA, result, a, b);
 
   const Real tolerance = tie_tolerance * std::min(a.shape->radius, b.shape->radius);
