@@ -23,6 +23,7 @@ INNOCENT = {
     "framework/engine/world/substep.cpp": "calls the labs' functions on its constraints",
     "framework/engine/contacts/cold_start.cpp": "states the formula of v_n, which the handout gives",
     "framework/engine/body_sweeps.cpp": "is what the fast form of lab 1 replaces, and calls lab 1 itself",
+    "framework/engine/contacts/contact_passes.cpp": "is what the fast form of lab 7 replaces, and calls lab 7 itself",
     "framework/engine/world/rigid_body.cpp": "turns velocities into momenta, as the fast sweeps do",
     "framework/engine/world/momentum_audit.cpp": "adds up impulses along n, u and v, as the header of L7.5 states",
     "framework/serialisation/contract_archive.hpp": "lists the members of every type",

@@ -16,6 +16,8 @@ namespace cs550 {
     pass_step.backwards = pass % 2 == 1;
     solve_contacts(constraints, bodies, pass_step);
   }
+  if (!passes.mark_impacts) return;
+  for (ContactConstraint& constraint : constraints) constraint.mark_impact();
 }
 
 }  // namespace cs550

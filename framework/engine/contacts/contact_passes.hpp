@@ -16,9 +16,12 @@ struct Passes {
   bool warm_start = false;  ///< whether the accumulated impulses are applied first
   int first = 0;            ///< passes with odd numbers visit the constraints backwards
   int count = 0;
+  bool mark_impacts =
+      false;  ///< whether constraints are marked at the end: ContactConstraint::mark_impact()
 };
 
-/// warm_start() for every constraint, if asked for, then solve_contacts() for each pass.
+/// warm_start() for every constraint, if asked for, then solve_contacts() for each pass, then mark_impact() for
+/// every constraint, if asked for.
 /// @param mirror of the constraints; used by the fast form only
 void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);

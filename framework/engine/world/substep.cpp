@@ -87,15 +87,13 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
   });
 }
 
-/// Removes the velocity that the bias has added.
+/// Removes the velocity that the bias has added. Where nothing bounces, the marks are all that
+/// apply_restitution() would leave.
 void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
+  const WorldSettings& settings = world.settings;
   step.use_bias = false;
-  solve(world, bodies, step, {false, world.settings.iterations, world.settings.relax_iterations});
-}
-
-/// What is left of apply_restitution() where nothing bounces.
-void mark_impacts(WorldState& world) {
-  for (ContactConstraint& constraint : world.constraints) constraint.mark_impact();
+  solve(world, bodies, step,
+        {false, settings.iterations, settings.relax_iterations, !world.any_bounces});
 }
 
 /// Impacts bounce here if contacts are soft. The other models bounce in their passes.
@@ -106,11 +104,7 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
       refresh_masses_of_thin_bodies(world, step);
       restart_after_push(world, bodies, step);
       relax(world, bodies, step);
-      if (world.any_bounces) {
-        apply_restitution(world.constraints, bodies, step);
-      } else {
-        mark_impacts(world);
-      }
+      if (world.any_bounces) apply_restitution(world.constraints, bodies, step);
     });
   } else {
     if (world.settings.solver == SolverKind::Constraint) return_friction(world);

@@ -3,6 +3,7 @@
 #if CS550_HAS_AVX2_FORMS
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -109,8 +109,10 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
       solve_forwards(mirror, bodies, step);
     }
   }
-  for_rows(constraints, mirror,
-           [](const WideConstraint& row, const auto& lanes) { store_impulses(row, lanes); });
+  for_rows(constraints, mirror, [&](WideConstraint& row, const auto& lanes) {
+    if (passes.mark_impacts) mark_impacts(row);
+    store_impulses(row, lanes);
+  });
 }
 
 }  // namespace cs550::CS550_LANES

@@ -2,6 +2,7 @@
 /// @file wide_constraint.hpp
 /// The constraints of a row, one in each lane, as the mirror keeps them.
 
+#include <bit>
 #include <cstddef>
 #include <span>
 
@@ -64,7 +65,7 @@ inline void copy_constants(const PerLane<ContactConstraint>& constraints, WideCo
 /// The four Reals of a constraint that hold the flag impact_handled and the three impulses.
 inline constexpr std::size_t before_impulses =
     offsetof(ContactConstraint, normal_impulse) - sizeof(Real);
-static_assert(offsetof(ContactConstraint, impact_handled) >= before_impulses);
+static_assert(offsetof(ContactConstraint, impact_handled) == before_impulses);
 static_assert(offsetof(ContactConstraint, tangent_impulse) == before_impulses + 2 * sizeof(Real));
 
 inline void load_impulses(const PerLane<ContactConstraint>& constraints, WideConstraint& copy) {
@@ -75,6 +76,16 @@ inline void load_impulses(const PerLane<ContactConstraint>& constraints, WideCon
   copy.normal_impulse = four.second;
   copy.tangent_u = four.third;
   copy.tangent_v = four.fourth;
+}
+
+/// ContactConstraint::mark_impact(). The flag is the first byte of its number, and true is 1.
+inline void mark_impacts(WideConstraint& copy) {
+  static_assert(std::endian::native == std::endian::little);
+  const WideMask pushes = copy.normal_impulse > all_lanes(0);
+  copy.flag = by_part([&](std::size_t i) {
+    const auto bits = __builtin_bit_cast(PartMask, copy.flag.part[i]);
+    return __builtin_bit_cast(Part, bits | (pushes.part[i] & 1));
+  });
 }
 
 inline void store_impulses(const WideConstraint& copy,
