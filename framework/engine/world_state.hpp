@@ -3,6 +3,7 @@
 /// What a world consists of. All of it is copied with the world, so that a copy continues
 /// identically.
 
+#include <array>
 #include <bitset>
 #include <cstdint>
 #include <span>
@@ -99,6 +100,23 @@ class UnwrittenStages {
 /// Contacts that are solved side by side, by their index in the list.
 using ContactGroup = StaticVector<Index, lane_count>;
 
+/// What the solve order depends on: a contact with points, and the bodies that tie it to others.
+struct ContactLink {
+  Index contact = no_index;
+  Index body_a = no_index;  ///< no_index if the body is immovable
+  Index body_b = no_index;  ///< no_index if the body is immovable
+  Index points = 0;
+
+  bool operator==(const ContactLink&) const = default;
+};
+
+/// Working storage of the schedule, for each link.
+struct LinkState {
+  Index waits_for = 0;  ///< links that must come before and have no group yet
+  Index height = 0;     ///< links in the longest chain that waits for this one
+  std::array<Index, 2> followers = {no_index, no_index};  ///< the next link of each body
+};
+
 /// The index of the constraint of each contact point, with the points of all contacts counted in
 /// turn; and the working storage of arrange_constraints().
 struct SolveOrder {
@@ -113,7 +131,12 @@ struct SolveOrder {
   }
 
   std::vector<ContactGroup> groups;
-  std::vector<Index> group_after_body;
+  std::vector<ContactLink> links;    ///< working storage: those of the present contacts
+  std::vector<ContactLink> grouped;  ///< those for which the groups were made
+  std::vector<LinkState> states;
+  std::vector<Index> next_of_body;  ///< the next link of each body
+  /// Links that wait for no other, by their number of points: heaps, the highest link on top.
+  std::array<std::vector<Index>, max_manifold_points> ready;
 };
 
 /// How far a body has turned, in terms of what a turn changes about its contacts.

@@ -171,5 +171,58 @@ TEST(SolveOrder, ContactsThatCarryWeightComeBeforeThoseOfNeighbours) {
   EXPECT_LT(order.groups.size(), weightless.groups.size()) << "the rows are no longer one chain";
 }
 
+TEST(SolveOrder, TowersFillTheirGroups) {
+  constexpr Index towers = 25;
+  constexpr Index boxes = 10;
+  constexpr Index floor = towers * boxes;
+  std::vector<Contact> contacts;
+  for (Index box = 0; box < floor; ++box) {
+    if (box % boxes == 0) contacts.push_back(contact_between(box, floor, 4));
+    if (box % boxes != boxes - 1) contacts.push_back(contact_between(box, box + 1, 4));
+  }
+  SolveOrder order;
+  arrange_constraints(contacts, bodies_of_kinds(floor, 1), Vec3::Zero(), order);
+  // All towers at once need a group for each eight contacts, if none is left to be finished alone.
+  EXPECT_EQ(order.groups.size(), (contacts.size() + lane_count - 1) / lane_count);
+}
+
+TEST(SolveOrder, AnOrderThatIsUsedAgainIsThatOfTheseContacts) {
+  const std::vector<RigidBody> bodies = bodies_of_kinds(3, 1);
+  const std::vector<Contact> chain{contact_between(0, 3, 4), contact_between(0, 1, 2),
+                                   contact_between(1, 2, 3)};
+  std::vector<Contact> fewer_points = chain;
+  fewer_points[1] = contact_between(0, 1, 1);
+  std::vector<Contact> other_body = chain;
+  other_body[2] = contact_between(2, 3, 3);
+  std::vector<Contact> apart = chain;
+  apart[0].manifold.points.clear();
+  std::vector<Contact> one_more{contact_between(2, 3, 0)};
+  one_more.insert(one_more.end(), chain.begin(), chain.end());
+  std::vector<RigidBody> one_fixed = bodies;
+  one_fixed[1].kind = BodyKind::Static;
+
+  SolveOrder used;
+  const auto expect_fresh = [&](const std::vector<Contact>& contacts,
+                                const std::vector<RigidBody>& present) {
+    SolveOrder fresh;
+    arrange_constraints(contacts, present, Vec3::Zero(), fresh);
+    arrange_constraints(contacts, present, Vec3::Zero(), used);
+    EXPECT_EQ(used.place_of_point, fresh.place_of_point);
+    EXPECT_EQ(used.first_point, fresh.first_point);
+    EXPECT_EQ(used.contacts, fresh.contacts);
+    ASSERT_EQ(used.groups.size(), fresh.groups.size());
+    for (std::size_t i = 0; i < fresh.groups.size(); ++i) {
+      EXPECT_TRUE(std::equal(used.groups[i].begin(), used.groups[i].end(), fresh.groups[i].begin(),
+                             fresh.groups[i].end()));
+    }
+  };
+  for (const auto& contacts :
+       {chain, chain, fewer_points, other_body, apart, one_more, {}, chain}) {
+    expect_fresh(contacts, bodies);
+  }
+  expect_fresh(chain, one_fixed);
+  expect_fresh(chain, bodies);
+}
+
 }  // namespace
 }  // namespace cs550::test

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cs550 {
 
@@ -9,51 +10,107 @@ namespace {
 
 Index point_count(const Contact& contact) { return contact.manifold.points.size(); }
 
-/// Puts every contact into the first group that comes after those of both its bodies (list
-/// scheduling), has room, and does not become longer: a lane that has run out of points idles.
-class Grouping {
+/// Makes room for twice as many items if there is not enough for `count`.
+template <class... Arrays>
+void make_room(std::size_t count, Arrays&... arrays) {
+  constexpr std::size_t fewest = 128;
+  const auto reserve = [&](auto& array) {
+    if (array.capacity() < count) array.reserve(2 * std::max(count, fewest));
+  };
+  (reserve(arrays), ...);
+}
+
+/// Puts links into groups of those that wait for no other (list scheduling). Links that share a movable body
+/// wait for each other. Those that hold up the longest chains come first: what is left at the end then fills
+/// whole groups, rather than being a chain.
+class Schedule {
+  using Queue = std::vector<Index>;
+
  public:
-  Grouping(std::span<const Contact> contacts, std::vector<ContactGroup>& groups)
-      : contacts_(contacts), groups_(groups) {
-    groups_.clear();
+  Schedule(SolveOrder& order, std::size_t bodies) : order_(order) {
+    order_.groups.clear();
+    order_.states.clear();
+    order_.states.resize(order_.links.size());
+    order_.next_of_body.assign(bodies, no_index);
   }
 
-  /// @param earliest the first group after those of the contact's bodies
-  Index place(Index contact, Index earliest) {
-    Index group = std::max(earliest, first_open_);
-    while (group < count() && !takes(at(group), contact)) ++group;
-    if (group == count()) groups_.emplace_back();
-    at(group).push_back(contact);
-    while (first_open_ < count() && at(first_open_).full()) ++first_open_;
-    return group;
+  void run() {
+    for (Index i = link_count() - 1; i >= 0; --i) tie_to_followers(i);
+    for (Index i = 0; i < link_count(); ++i) {
+      if (state(i).waits_for == 0) make_ready(i);
+    }
+    while (const std::size_t points = longest_of_next_group()) form_group(points);
   }
 
  private:
-  Index count() const { return static_cast<Index>(groups_.size()); }
-  ContactGroup& at(Index group) { return groups_[group]; }
-  Index points_of(Index contact) const { return point_count(contacts_[contact]); }
-  bool takes(const ContactGroup& group, Index contact) const {
-    return !group.full() && points_of(contact) <= points_of(group[0]);
+  Index link_count() const { return static_cast<Index>(order_.links.size()); }
+  LinkState& state(Index link) { return order_.states[link]; }
+  Queue& ready(std::size_t points) { return order_.ready[points - 1]; }
+
+  /// @pre done for all links after this one
+  void tie_to_followers(Index i) {
+    auto follower = state(i).followers.begin();
+    for (const Index body : {order_.links[i].body_a, order_.links[i].body_b}) {
+      if (body == no_index) continue;
+      const Index next = std::exchange(order_.next_of_body[body], i);
+      if (next == no_index) continue;
+      *follower++ = next;
+      ++state(next).waits_for;
+      state(i).height = std::max(state(i).height, state(next).height + 1);
+    }
   }
 
-  std::span<const Contact> contacts_;
-  std::vector<ContactGroup>& groups_;
-  Index first_open_ = 0;
+  /// Of equal heights the first link wins.
+  bool comes_later(Index i, Index k) {
+    return state(i).height != state(k).height ? state(i).height < state(k).height : i > k;
+  }
+
+  void make_ready(Index link) {
+    Queue& queue = ready(static_cast<std::size_t>(order_.links[link].points));
+    queue.push_back(link);
+    std::push_heap(queue.begin(), queue.end(), [&](Index i, Index k) { return comes_later(i, k); });
+  }
+
+  Index take_from(Queue& queue) {
+    std::pop_heap(queue.begin(), queue.end(), [&](Index i, Index k) { return comes_later(i, k); });
+    const Index link = queue.back();
+    queue.pop_back();
+    return link;
+  }
+
+  /// The number of points of the highest link that is ready, if possible among as many as fill a group:
+  /// a lane that has run out of points idles. @returns 0 if no link is left
+  std::size_t longest_of_next_group() {
+    for (const std::size_t enough : {lane_count, std::size_t(1)}) {
+      std::size_t best = 0;
+      for (std::size_t points = max_manifold_points; points > 0; --points) {
+        if (ready(points).size() < enough) continue;
+        if (best == 0 || state(ready(points)[0]).height > state(ready(best)[0]).height) {
+          best = points;
+        }
+      }
+      if (best > 0) return best;
+    }
+    return 0;
+  }
+
+  /// Links of that many points, then of fewer.
+  void form_group(std::size_t points) {
+    StaticVector<Index, lane_count> taken;
+    for (; points > 0; --points) {
+      while (!taken.full() && !ready(points).empty()) taken.push_back(take_from(ready(points)));
+    }
+    ContactGroup& group = order_.groups.emplace_back();
+    for (const Index link : taken) {
+      group.push_back(order_.links[link].contact);
+      for (const Index follower : state(link).followers) {
+        if (follower != no_index && --state(follower).waits_for == 0) make_ready(follower);
+      }
+    }
+  }
+
+  SolveOrder& order_;
 };
-
-void find_groups(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
-                 SolveOrder& order) {
-  Grouping grouping(contacts, order.groups);
-  order.group_after_body.assign(bodies.size(), 0);
-  for (const Index i : order.contacts) {
-    const Index a = contacts[i].body_a;
-    const Index b = contacts[i].body_b;
-    const Index earliest = std::max(order.group_after_body[a], order.group_after_body[b]);
-    const Index group = grouping.place(i, earliest);
-    if (bodies[a].kind == BodyKind::Dynamic) order.group_after_body[a] = group + 1;
-    if (bodies[b].kind == BodyKind::Dynamic) order.group_after_body[b] = group + 1;
-  }
-}
 
 void number_points(std::span<const Contact> contacts, SolveOrder& order) {
   order.first_point.assign(1, 0);
@@ -69,12 +126,19 @@ bool links_neighbours(const Contact& contact, const Vec3& gravity) {
 
 /// Contacts that link the neighbours of a row come last. If each were visited between the contacts of its bodies
 /// with the next row, the rows would become one chain of contacts that wait for each other.
-void list_contacts(std::span<const Contact> contacts, const Vec3& gravity, SolveOrder& order) {
+void list_contacts(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
+                   const Vec3& gravity, SolveOrder& order) {
+  const auto movable = [&](Index body) {
+    return bodies[body].kind == BodyKind::Dynamic ? body : no_index;
+  };
   order.contacts.clear();
+  order.links.clear();
   for (const bool neighbours : {false, true}) {
     for (Index i = 0; i < static_cast<Index>(contacts.size()); ++i) {
       if (point_count(contacts[i]) > 0 && links_neighbours(contacts[i], gravity) == neighbours) {
         order.contacts.push_back(i);
+        order.links.push_back({i, movable(contacts[i].body_a), movable(contacts[i].body_b),
+                               point_count(contacts[i])});
       }
     }
   }
@@ -84,9 +148,13 @@ void list_contacts(std::span<const Contact> contacts, const Vec3& gravity, Solve
 
 void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
                          const Vec3& gravity, SolveOrder& order) {
+  make_room(contacts.size(), order.contacts, order.links, order.grouped, order.states);
+  for (auto& queue : order.ready) make_room(contacts.size(), queue);
   number_points(contacts, order);
-  list_contacts(contacts, gravity, order);
-  find_groups(contacts, bodies, order);
+  list_contacts(contacts, bodies, gravity, order);
+  if (order.links == order.grouped) return;  // most steps of a scene at rest
+  Schedule(order, bodies.size()).run();
+  std::swap(order.grouped, order.links);
   order.place_of_point.resize(order.first_point.back());
   const auto points_of = [&](Index i) { return point_count(contacts[i]); };
   Index place = 0;
