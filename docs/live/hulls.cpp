@@ -14,7 +14,7 @@
 
 #include "cs550/primitives.hpp"
 #include "cs550/scene.hpp"
-#include "engine/shapes/obj_check.hpp"
+#include "engine/mesh_files/obj_check.hpp"
 
 namespace cs550::live {
 

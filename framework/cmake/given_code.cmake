@@ -11,6 +11,8 @@ function(cs550_given_library name folders)
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC cs550_contract ${ARGN} PRIVATE cs550_warnings)
+  # Students step through their own code and the tests. Line numbers of the rest take a tenth of its compilation.
+  target_compile_options(${name} PRIVATE $<$<BOOL:${CS550_STUDENTS_COPY}>:-g0>)
   cs550_unity(${name} 16)
 endfunction()
 
@@ -18,16 +20,20 @@ endfunction()
 # printing a message.
 set(engine_folders contacts islands pairs shapes threads world)
 list(TRANSFORM engine_folders PREPEND engine/)
-cs550_given_library(cs550_engine "engine;${engine_folders}" nlohmann_json::nlohmann_json tinyobjloader::tinyobjloader
-                    Qhull::qhull_r TBB::tbb Threads::Threads)
+cs550_given_library(cs550_engine "engine;${engine_folders}" Qhull::qhull_r TBB::tbb Threads::Threads)
 target_compile_definitions(cs550_engine PRIVATE CS550_HAS_TBB=1)  # the browser's engine has one thread
-# Files of scenes: a library of its own, since no lab's tests read them and students would wait for it.
-cs550_given_library(cs550_scenes engine/scenes cs550_engine)
+# Files of meshes and of scenes: libraries of their own, since the tests of few labs read meshes, and of no lab scenes.
+# Students would wait for the parsers.
+cs550_given_library(cs550_mesh_files engine/mesh_files cs550_engine nlohmann_json::nlohmann_json
+                    tinyobjloader::tinyobjloader)
+cs550_given_library(cs550_scenes engine/scenes cs550_mesh_files)
 # They become part of the installed shared library.
-set_target_properties(cs550_engine cs550_scenes PROPERTIES POSITION_INDEPENDENT_CODE ON)
-foreach(library cs550_engine cs550_scenes)
+set(engine_libraries cs550_engine cs550_mesh_files cs550_scenes)
+set_target_properties(${engine_libraries} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+foreach(library IN LISTS engine_libraries)
   target_compile_options(${library} PRIVATE -fno-semantic-interposition)
 endforeach()
+list(TRANSFORM engine_libraries REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE engine_objects)
 # Object files of their own: a lab's fast kernels, or a judge of the grader, may replace them.
 set_source_files_properties("${PROJECT_SOURCE_DIR}/framework/engine/body_sweeps.cpp"
                             "${PROJECT_SOURCE_DIR}/framework/engine/world/substeps.cpp" PROPERTIES

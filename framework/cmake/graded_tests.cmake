@@ -8,14 +8,22 @@ include(manifests)
 set(result_folder "${PROJECT_BINARY_DIR}/results")
 add_custom_target(update_manifests)
 
-# Helpers shared by tests, and the libraries used as oracles.
-file(GLOB support_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/helpers/*.cpp")
-add_library(cs550_test_support STATIC ${support_sources})
-target_link_libraries(cs550_test_support PRIVATE cs550_warnings fmt::fmt
+# Helpers shared by tests, and the libraries used as oracles. cs550_test_support adds the recorded meshes.
+file(GLOB helper_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/helpers/*.cpp")
+set(support_sources ${helper_sources})
+list(FILTER support_sources INCLUDE REGEX "/(fixtures|recorded_meshes)\\.cpp$")
+list(REMOVE_ITEM helper_sources ${support_sources})
+add_library(cs550_test_helpers STATIC ${helper_sources})
+target_link_libraries(cs550_test_helpers PRIVATE cs550_warnings fmt::fmt
   PUBLIC cs550_engine cs550_drawing cs550_autograder GTest::gtest PkgConfig::ccd cereal::cereal)
+cs550_unity(cs550_test_helpers 16)
+add_library(cs550_test_support STATIC ${support_sources})
+target_link_libraries(cs550_test_support PUBLIC cs550_test_helpers cs550_mesh_files PRIVATE cs550_warnings)
 cs550_unity(cs550_test_support 16)
-target_include_directories(cs550_test_support PUBLIC "${PROJECT_SOURCE_DIR}/tests")
-target_compile_definitions(cs550_test_support
+# The labs whose tests need no recorded mesh.
+set(labs_without_meshes 1 6 7)
+target_include_directories(cs550_test_helpers PUBLIC "${PROJECT_SOURCE_DIR}/tests")
+target_compile_definitions(cs550_test_helpers
   PRIVATE CS550_PICTURES_DIR="${PROJECT_SOURCE_DIR}/build/results/pictures"
   PUBLIC CS550_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/fixtures"
          CS550_ASSETS="${PROJECT_SOURCE_DIR}/framework/assets")
@@ -66,7 +74,11 @@ function(cs550_add_graded_lab number)
   endif()
   # Compiled once and linked with every variant.
   add_library(lab${number}_tests OBJECT EXCLUDE_FROM_ALL ${sources})
-  target_link_libraries(lab${number}_tests PUBLIC cs550_test_support PRIVATE cs550_warnings)
+  set(helpers cs550_test_support)
+  if(number IN_LIST labs_without_meshes)
+    set(helpers cs550_test_helpers)
+  endif()
+  target_link_libraries(lab${number}_tests PUBLIC ${helpers} PRIVATE cs550_warnings)
   # Two batches for two cores.
   list(LENGTH sources half)
   math(EXPR half "(${half} + 1) / 2")

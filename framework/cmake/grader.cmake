@@ -19,8 +19,8 @@ add_custom_target(judges)
 add_custom_target(mistakes)
 
 # The given code, for submissions to call. Where it calls a lab, it calls the submission.
-add_library(cs550_given SHARED EXCLUDE_FROM_ALL $<TARGET_OBJECTS:cs550_engine> $<TARGET_OBJECTS:cs550_scenes>)
-target_link_libraries(cs550_given PUBLIC cs550_contract PRIVATE cs550_engine)
+add_library(cs550_given SHARED EXCLUDE_FROM_ALL ${engine_objects})
+target_link_libraries(cs550_given PUBLIC cs550_contract PRIVATE cs550_mesh_files)
 set_target_properties(cs550_given PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${lab_folder}")
 
 # Processes, the channel, and the judge's end of it.

@@ -12,6 +12,10 @@ if(build_folder STREQUAL "${PROJECT_SOURCE_DIR}/build")
        "${PROJECT_SOURCE_DIR}/compile_commands.json" SYMBOLIC)
 endif()
 
+# g++ collects its garbage whenever its memory has doubled, from 128 MB on. In a batch of files (given_code.cmake) that
+# takes a tenth of the time. Without it, the largest batch needs 1.0 GB of memory instead of 0.8 GB.
+add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
+
 if(CS550_LTO)
   include(CheckIPOSupported)
   check_ipo_supported(LANGUAGES CXX)

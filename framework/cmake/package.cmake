@@ -8,7 +8,7 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/cs550")
 
-add_library(cs550_package SHARED $<TARGET_OBJECTS:cs550_engine> $<TARGET_OBJECTS:cs550_scenes>)
+add_library(cs550_package SHARED ${engine_objects})
 target_link_libraries(cs550_package PUBLIC cs550_contract PRIVATE cs550_scenes)
 cs550_link_labs(cs550_package fast reference stub)
 set_target_properties(cs550_package PROPERTIES OUTPUT_NAME cs550 EXPORT_NAME cs550 INSTALL_RPATH "$ORIGIN"

@@ -8,7 +8,7 @@ add_executable(cs550_cli ${command_sources} ${service_sources})
 target_link_libraries(cs550_cli PRIVATE cs550_files CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json
                       Threads::Threads cs550_warnings)
 target_compile_definitions(cs550_cli PRIVATE CS550_VERSION="${PROJECT_VERSION}")
-target_compile_options(cs550_cli PRIVATE -O0)
+target_compile_options(cs550_cli PRIVATE -O0 -g0)
 set_target_properties(cs550_cli PROPERTIES OUTPUT_NAME cs550)
 # Two batches for two cores. Only the commands include CLI11, the most expensive header.
 cs550_unity(cs550_cli 0)

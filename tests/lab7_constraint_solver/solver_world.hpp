@@ -1,12 +1,9 @@
 #pragma once
 /// @file solver_world.hpp
-/// Complete worlds for tests of the solver: shapes from recorded meshes, a floor, and steps that
-/// end the test at the first missing or failed stage.
-
-#include <stdexcept>
+/// Complete worlds for tests of the solver: boxes, a floor, and steps that end the test at the first
+/// missing or failed stage.
 
 #include "cs550/world.hpp"
-#include "helpers/fixtures.hpp"
 #include "helpers/require.hpp"
 #include "helpers/story.hpp"
 
@@ -15,15 +12,8 @@ namespace cs550::test {
 inline constexpr Real step_length = Real(1) / 60;
 inline constexpr double gravity = 9.81;
 
-/// A box: the recorded cube, scaled.
-inline ShapePtr box_shape(const Vec3& half_extents) {
-  HalfEdgeMesh mesh = fixture_mesh("cube");
-  for (Vec3& vertex : mesh.vertices) vertex = 2 * vertex.cwiseProduct(half_extents);
-  for (Face& face : mesh.faces) face.plane.offset = face.plane.normal.cwiseAbs().dot(half_extents);
-  const ShapeResult result = make_shape(mesh);
-  if (!result) throw std::runtime_error(result.error);
-  return result.shape;
-}
+/// A box, without the code of lab 2.
+ShapePtr box_shape(const Vec3& half_extents);
 
 inline BodyDef body_at(const ShapePtr& shape, const Vec3& position) {
   BodyDef def;

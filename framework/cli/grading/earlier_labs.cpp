@@ -21,7 +21,7 @@ using LabsOfTests = std::map<std::string, std::set<int>>;
 /// The earlier labs that each test calls, as tests/mutants/record_earlier_labs.py has recorded them.
 LabsOfTests recorded_calls(const std::string& lab_name) {
   std::ifstream stream(project_root() / "tests" / lab_name / "earlier_labs.json");
-  return stream ? nlohmann::json::parse(stream).get<LabsOfTests>() : LabsOfTests();
+  return stream ? nlohmann::ordered_json::parse(stream).get<LabsOfTests>() : LabsOfTests();
 }
 
 /// The earlier labs that may be why tests did not pass: those that a failing test calls, and those that

@@ -50,7 +50,7 @@ std::vector<KnownCause> known_causes(const std::string& lab_name) {
   if (!stream) return known;
   using Tests = std::map<std::string, std::set<std::string>>;  // by where they are
   for (const auto& [words, tests] :
-       nlohmann::json::parse(stream).get<std::map<std::string, Tests>>()) {
+       nlohmann::ordered_json::parse(stream).get<std::map<std::string, Tests>>()) {
     const auto endless = tests.find("endless");
     known.push_back({words, tests.at("step"), tests.at("elsewhere"),
                      endless == tests.end() ? std::set<std::string>() : endless->second});

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "cs550/mesh_validation.hpp"
-#include "engine/shapes/obj_check.hpp"
+#include "engine/mesh_files/obj_check.hpp"
 
 namespace cs550 {
 namespace {

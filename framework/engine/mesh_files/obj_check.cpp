@@ -1,4 +1,4 @@
-#include "engine/shapes/obj_check.hpp"
+#include "engine/mesh_files/obj_check.hpp"
 
 #include <algorithm>
 #include <charconv>
