@@ -164,15 +164,16 @@ TEST(LabReport, ACauseOfEndlessLoopsComesFirstIfATestWasStopped) {
       << "a test that ends excludes a cause for which it never does";
 }
 
-TEST(LabReport, ACrashWithAPlaceHasNoCausesOfWrongValues) {
-  const std::string report =
-      printed({ended("A",
-                     "memory error: heap-buffer-overflow\n  in climb, labs/climb.cpp:7\n"
-                     "in this case:\n  given     a cube\n  likely    sign\n"),
-               verdict("B", "L3.1", Kind::Failed, "up\n  likely    sign\n")});
-  EXPECT_NE(report.find("a cube\n  FAILED    0/4  L3.1  B\n      up\n        likely    sign\n"),
-            std::string::npos)
-      << report;
+TEST(LabReport, ACrashHasNoCausesOfWrongValues) {
+  for (const char* how : {"memory error: heap-buffer-overflow\n  in climb, labs/climb.cpp:7\n",
+                          "crashed: Segmentation fault\ntry  ./cs550 lab 3 --asan\n"}) {
+    const std::string report = printed(
+        {ended("A", std::string(how) + "in this case:\n  given     a cube\n  likely    sign\n"),
+         verdict("B", "L3.1", Kind::Failed, "up\n  likely    sign\n")});
+    EXPECT_NE(report.find("a cube\n  FAILED    0/4  L3.1  B\n      up\n        likely    sign\n"),
+              std::string::npos)
+        << report;
+  }
 }
 
 TEST(LabReport, AnEarlierLabThatFailsByItselfIsToBeFixedFirst) {

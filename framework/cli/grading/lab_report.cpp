@@ -71,9 +71,9 @@ std::string shortened(const std::string& report) {
 /// Whether a test was stopped as an endless loop.
 bool was_stopped(const Verdict& verdict) { return verdict.ending.rfind("stopped", 0) == 0; }
 
-/// Whether a crash has a report of the place: a sanitizer's, or that of an assertion.
-bool names_the_place(const Verdict& verdict) {
-  return !verdict.ending.empty() && verdict.message.find("\n  in ") != std::string::npos;
+/// Whether a test ended the program by itself: a crash, a sanitizer's report, an exit.
+bool ended_the_program(const Verdict& verdict) {
+  return !verdict.ending.empty() && !was_stopped(verdict);
 }
 
 bool is_unwritten(const Verdict& verdict) {
@@ -143,7 +143,7 @@ void LabReport::print_reason(const Verdict& verdict) {
   Message message = split(verdict.message);
   // Causes of wrong values explain no crash.
   message.causes =
-      names_the_place(verdict) ? std::vector<std::string>() : take_causes(verdict.test.step);
+      ended_the_program(verdict) ? std::vector<std::string>() : take_causes(verdict.test.step);
   const bool is_first = explained_steps_.insert(verdict.test.step).second;
   if (!is_first && !everything_) {
     const std::string short_form = shortened(message.before + message.after);
