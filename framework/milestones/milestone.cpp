@@ -48,7 +48,7 @@ std::vector<Milestone> milestones_of(int lab) {
   return chosen;
 }
 
-Track run(const Milestone& milestone, const Scene& scene) {
+Track run(const Milestone& milestone, const Scene& scene, const std::function<void()>& stepped) {
   const int steps_per_observation =
       std::max(1, static_cast<int>(std::lround(1 / (observations_per_second * scene.h))));
   const int steps = milestone.seconds > 0
@@ -61,6 +61,7 @@ Track run(const Milestone& milestone, const Scene& scene) {
     observe(milestone, world, scene, track);
     for (int step = 1; step <= steps; ++step) {
       world.step(scene.h);
+      stepped();
       track.problem = first_problem(world, milestone.lab);
       if (!track.problem.empty()) break;
       if (step % steps_per_observation == 0) observe(milestone, world, scene, track);

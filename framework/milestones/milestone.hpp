@@ -3,6 +3,7 @@
 /// What each lab adds to the assembled engine: a run that is compared with a record of the
 /// reference.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct Track {
 
 /// Runs a scene with the labs that this program is linked with. A missing or broken stage of labs 1
 /// to `lab` ends the run; stages of later labs are ignored.
-Track run(const Milestone& milestone, const Scene& scene);
+/// @param stepped called after each step
+Track run(
+    const Milestone& milestone, const Scene& scene, const std::function<void()>& stepped = [] {});
 
 }  // namespace cs550::milestones

@@ -117,6 +117,18 @@ echo "// mended" >"$lab3"
 runs 0 lab 3
 [ -z "$(ls "${picture%/*}")" ] || wrong "pictures are left: $(ls "${picture%/*}")"
 
+echo "A list of pictures fits on a screen:"
+for number in $(seq 10 39); do : >"${picture%/*}/Lab3.Test$number.svg"; done
+for arguments in "--failure" "--failure Lab3.Absent"; do
+  runs 2 view $arguments
+  prints "Lab3.Test29"
+  prints "and 10 more"
+  [ "$(wc -l <"$copy/printed")" -le 24 ] || wrong "the list is longer than a screen"
+done
+rm "${picture%/*}"/Lab3.Test*.svg
+runs 2 view --failure
+prints "./cs550 lab N draws one"
+
 echo "--run has the exit code of the engine:"
 for option in "" --asan --debug; do
   runs 0 lab 3 --run $option
@@ -137,8 +149,15 @@ prints "a scene"
 prints "not reached: crashed: Aborted"
 prints "try  ./cs550 lab 3 --run --asan"
 echo "// ENDLESS" >"$lab3"
-CS550_ENGINE_SECONDS=1 runs 1 lab 3 --run
+for option in "" --debug; do
+  CS550_ENGINE_SECONDS=24 runs 1 lab 3 --run $option
+  prints "not reached: stopped: it made no step for 2 s"
+  prints "try  ./cs550 lab 3 --run --debug"
+done
+prints GDB
+echo "// SLOW" >"$lab3"
+CS550_ENGINE_SECONDS=360 runs 0 lab 3 --run
+CS550_ENGINE_SECONDS=2 runs 1 lab 3 --run
 prints "a scene"
-prints "not reached: stopped: it did not end in time"
-prints "try  ./cs550 lab 3 --run --debug"
+prints "not reached: stopped: it"
 rm -rf "$copy"

@@ -16,6 +16,7 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
+#include "cli/system/watch.hpp"
 
 namespace cs550::cli {
 
@@ -45,39 +46,58 @@ seconds patience(bool sanitized) {
   return sanitized ? 5 * plain : plain;
 }
 
+/// How long one step may take, as long as a graded test: an endless loop is found early.
+seconds patience_of_a_step(bool sanitized) {
+  return std::max(seconds{1}, patience(sanitized) / 12);
+}
+
+struct EngineEnding {
+  Ending ending;
+  std::string in_words;  ///< meaningful if it did not end by itself
+};
+
 /// Runs a program until it ends or takes too long, and prints its output, or in short what the
 /// sanitizers report.
-Ending run_limited(const std::vector<std::string>& command, bool sanitized) {
+EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
   const fs::path output = project_root() / "build/results/engine_run.txt";
   fs::create_directories(output.parent_path());
   if (sanitized) ask_sanitizers_for_places();
+  const fs::path pulse = project_root() / "build/results/engine_run.pulse";
+  command.insert(command.end(), {"--pulse", pulse});
+  Watch steps(pulse, patience_of_a_step(sanitized));
+  bool without_a_step = false;
   const auto start = Clock::now();
   auto next_status = start + seconds{2};
   const auto is_stuck = [&] {
     const auto now = Clock::now();
     if (now > next_status) {
-      show_status(
-          fmt::format("Running your engine, stopped after {} s", patience(sanitized).count()));
+      show_status(fmt::format("Running your engine, stopped after {} s, or {} s without a step",
+                              patience(sanitized).count(), patience_of_a_step(sanitized).count()));
       next_status = now + seconds{10};
     }
-    return now > start + patience(sanitized);
+    without_a_step = steps.is_stuck();
+    return without_a_step || now > start + patience(sanitized);
   };
   const Ending ending = run(command, {{}, output, is_stuck});
   show_status("");
   const std::string printed = read_text(output);
   fs::remove(output);
+  fs::remove(pulse);
   const std::string report = sanitized ? crash_report(printed) : "";
   std::cout << (report.empty() ? printed : "not reached: " + report) << std::flush;
-  return ending;
+  if (!ending.stopped || !without_a_step) return {ending, ending.in_words()};
+  return {ending, fmt::format("stopped: it made no step for {} s (an endless loop?)",
+                              patience_of_a_step(sanitized).count())};
 }
 
 /// How the engine ended if not by itself, and what to try.
-void print_ending(int lab, const Ending& ending) {
+void print_ending(int lab, const EngineEnding& how) {
+  const Ending& ending = how.ending;
   if (ending.signal == 0) return;
   const std::string advice = ending.stopped ? "--debug  and Ctrl-C: gdb shows where it loops"
                                             : "--asan  which prints the line";
-  std::cout << fmt::format("\nnot reached: {}\ntry  ./cs550 lab {} --run {}\n", ending.in_words(),
-                           lab, advice);
+  std::cout << fmt::format("\nnot reached: {}\ntry  ./cs550 lab {} --run {}\n", how.in_words, lab,
+                           advice);
 }
 
 }  // namespace
@@ -91,12 +111,12 @@ int run_engine(int lab, Grading grading) {
   const std::vector<std::string> arguments{"--lab", std::to_string(lab)};
   const std::vector<std::string> command{built_program("student", program), arguments[0],
                                          arguments[1]};
-  const Ending ending = run_limited(command, sanitized);
-  if (ending.good()) {
+  const EngineEnding how = run_limited(command, sanitized);
+  if (how.ending.good()) {
     if (grading == Grading::Debugged) std::cout << "There is nothing to debug.\n";
     return Good;
   }
-  print_ending(lab, ending);
+  print_ending(lab, how);
   offer_solutions(lab);
   if (grading != Grading::Debugged) return Failed;
   return run_in_gdb("milestones_" + variant(Grading::Debugged), arguments, "your engine");

@@ -15,12 +15,12 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
+#include "cli/system/watch.hpp"
 
 namespace cs550::cli {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
 
 namespace {
 
@@ -103,29 +103,6 @@ std::vector<Verdict> in_order_of(const std::vector<GradedTest>& tests,
   return ordered;
 }
 
-/// Reports a file that has not changed for too long: the graded program writes it at the start and
-/// at the end of each test.
-class Watch {
- public:
-  Watch(fs::path file, Clock::duration patience) : file_(std::move(file)), patience_(patience) {}
-
-  bool is_stuck() {
-    std::error_code absent;
-    const fs::file_time_type written = fs::last_write_time(file_, absent);
-    if (!absent && written != written_) {
-      written_ = written;
-      since_ = Clock::now();
-    }
-    return Clock::now() - since_ > patience_;
-  }
-
- private:
-  fs::path file_;
-  Clock::duration patience_;
-  fs::file_time_type written_;
-  Clock::time_point since_ = Clock::now();
-};
-
 std::size_t processors() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 /// Deals the tests out like cards: neighbours, which often take equally long, go to different
@@ -145,7 +122,7 @@ std::vector<Verdict> run_share(const fs::path& program, int lab,
   std::vector<GradedTest> waiting = tests;
   while (!waiting.empty()) {
     outputs.remove();
-    Watch watch(outputs.results, patience);
+    Watch watch(outputs.results, patience);  // written at the start and at the end of each test
     const Ending ending = run({program, filter(lab, waiting), "--results", outputs.results},
                               {project_root(), outputs.printed, [&] { return watch.is_stuck(); }});
 

@@ -1,4 +1,6 @@
 // ./cs550 view: builds the viewer and becomes it. The viewer parses the rest of the command line.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 
@@ -30,16 +32,22 @@ std::string* value_of(Words& words, const std::string& option) {
   return nullptr;
 }
 
+/// The failing tests that have a picture, on one screen.
+std::string existing_pictures() {
+  constexpr std::size_t most = 20;
+  const Words tests = tests_with_pictures();
+  if (tests.empty()) return ".\n  ./cs550 lab N draws one for most tests that fail.";
+  std::string list = ". These are:";
+  for (std::size_t i = 0; i < std::min(most, tests.size()); ++i) list += "\n  " + tests[i];
+  if (tests.size() > most) list += fmt::format("\nand {} more", tests.size() - most);
+  return list;
+}
+
 /// What is wrong with the name of a failing test; empty if it has a picture.
 std::string fault_of_failure(const std::string& test) {
   std::error_code no_such_file;
   if (fs::exists(picture_of(test), no_such_file)) return {};
-  std::string fault = "there is no picture of a failing test " + excerpt(test);
-  const Words tests = tests_with_pictures();
-  fault +=
-      tests.empty() ? ".\n  ./cs550 lab N draws one for most tests that fail." : ". These are:";
-  for (const std::string& one : tests) fault += "\n  " + one;
-  return fault;
+  return "there is no picture of a failing test " + excerpt(test) + existing_pictures();
 }
 
 int misuse(const std::string& fault) {
@@ -61,6 +69,9 @@ Action declare_view(CLI::App& app) {
     if (std::string* test = value_of(arguments, "--failure")) {
       if (const std::string fault = fault_of_failure(*test); !fault.empty()) return misuse(fault);
       *test = picture_of(*test);
+    } else if (!arguments.empty() && arguments.back() == "--failure") {
+      return misuse("--failure needs the name of a failing test that has a picture" +
+                    existing_pictures());
     }
     const auto student = std::find(arguments.begin(), arguments.end(), "--student");
     const bool wants_student = student != arguments.end();

@@ -2,6 +2,8 @@
 // records.
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include "files/output_file.hpp"
@@ -19,13 +21,13 @@ Scene scene_of(const Milestone& milestone) {
 }
 
 /// Prints `lab4_ghosts: Four shapes fly ...`, then the result.
-bool show(const Milestone& milestone, double share) {
+bool show(const Milestone& milestone, double share, const std::function<void()>& stepped) {
   std::cout << milestone.name() << std::flush;
   Comparison outcome;
   try {
     const Scene scene = scene_of(milestone);
     std::cout << ": " << scene.title << std::flush;
-    outcome = compare(run(milestone, scene), read_record(record_file(milestone)), share);
+    outcome = compare(run(milestone, scene, stepped), read_record(record_file(milestone)), share);
   } catch (const std::exception& missing) {
     outcome.sentence = missing.what();
   }
@@ -51,10 +53,15 @@ int main(int argc, char** argv) {
   int lab = 0;
   bool update = false;
   double share = 1;
+  std::filesystem::path pulse;
   app.add_option("--lab", lab, "run this lab's milestones only");
   app.add_flag("--update", update, "record the reference again");
   app.add_option("--share", share, "share of the tolerances that may be used, from 0 to 1");
+  app.add_option("--pulse", pulse, "write this file anew after each step of the engine");
   CLI11_PARSE(app, argc, argv);
+  const auto stepped = [&pulse] {
+    if (!pulse.empty()) std::ofstream(pulse) << '.';
+  };
   try {
     const std::vector<Milestone> milestones = lab > 0 ? milestones_of(lab) : all_milestones();
     if (milestones.empty()) std::cout << "Lab " << lab << " has no milestone.\n";
@@ -63,7 +70,7 @@ int main(int argc, char** argv) {
       if (update) {
         update_record(milestone);
       } else {
-        all_reached = show(milestone, share) && all_reached;
+        all_reached = show(milestone, share, stepped) && all_reached;
       }
     }
     files::check_standard_output();
