@@ -116,11 +116,11 @@ copy_mathjax() {
 
 print_pdf() {
   for browser in chromium chromium-browser google-chrome; do
-    command -v "$browser" >/dev/null && break
+    "$browser" --version >/dev/null 2>&1 && break  # Ubuntu's package holds a script that asks for a snap
     browser=
   done
   if [ -z "$browser" ]; then
-    echo "No PDF: that needs a browser. Debian: apt-get install chromium"
+    echo "No PDF: that needs a browser that starts. Debian: apt-get install chromium"
     return
   fi
   python3 docs/tools/make_print.py "$docs"

@@ -5,6 +5,7 @@
 #
 # In a students' copy, tests that need a missing reference are skipped.
 include(GoogleTest)
+include(browser)
 set(skip_unwritten "")
 foreach(number IN LISTS CS550_LABS)
   if(NOT TARGET lab${number}_reference_code)

@@ -1,21 +1,14 @@
-# docs.book: opens every page of the built book in headless browsers. It needs a driver and its Python module,
-# and is skipped if the book is not built. Builds with sanitizers leave it out.
-find_program(CS550_CHROMEDRIVER chromedriver)
-find_program(CS550_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
-if(CS550_CHROMEDRIVER AND CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
-  execute_process(COMMAND "${CS550_SYSTEM_PYTHON}" -c "import selenium" RESULT_VARIABLE without_selenium
-                  OUTPUT_QUIET ERROR_QUIET)
-  if(NOT without_selenium)
-    add_test(NAME docs.book
-             COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/book_test.py"
-                     "${PROJECT_SOURCE_DIR}/build/docs/html")
-    # docs.live: every figure that answers. Skipped where the book was built without emscripten.
-    add_test(NAME docs.live
-             COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/live_test.py"
-                     "${PROJECT_SOURCE_DIR}/build/docs/html" $<TARGET_FILE:cs550_demo>)
-    # Each starts a browser for every processor.
-    set_tests_properties(docs.book docs.live PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 900 RUN_SERIAL ON)
-  endif()
+# docs.book: opens every page of the built book in headless browsers. It is skipped if the book is not built.
+if(CS550_HAS_BROWSER)
+  add_test(NAME docs.book
+           COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/book_test.py"
+                   "${PROJECT_SOURCE_DIR}/build/docs/html")
+  # docs.live: every figure that answers. Skipped where the book was built without emscripten.
+  add_test(NAME docs.live
+           COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/live_test.py"
+                   "${PROJECT_SOURCE_DIR}/build/docs/html" $<TARGET_FILE:cs550_demo>)
+  # Each starts a browser for every processor.
+  set_tests_properties(docs.book docs.live PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 900 RUN_SERIAL ON)
 endif()
 
 # docs.listings: functions that chapters show are cut from the source.

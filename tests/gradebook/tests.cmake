@@ -5,7 +5,6 @@ endif()
 cs550_add_own_tests(gradebook cs550_gradebook)
 target_compile_definitions(tests_gradebook PRIVATE CS550_ROOT="${PROJECT_SOURCE_DIR}")
 if(NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
-  find_program(CS550_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
   add_test(NAME gradebook.verb
            COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/grade_test.py"
                    "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/grade_test")
@@ -28,10 +27,7 @@ if(NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
                      "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/classroom_test")
     set_tests_properties(gradebook.classroom PROPERTIES LABELS attack TIMEOUT 3600)
   endif()
-  find_program(CS550_CHROMEDRIVER chromedriver)
-  execute_process(COMMAND "${CS550_SYSTEM_PYTHON}" -c "import selenium" RESULT_VARIABLE without_selenium
-                  OUTPUT_QUIET ERROR_QUIET)
-  if(CS550_CHROMEDRIVER AND NOT without_selenium)
+  if(CS550_HAS_BROWSER)
     add_test(NAME gradebook.page
              COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/page_test.py"
                      "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/page_test")
