@@ -18,6 +18,7 @@ target_link_libraries(cs550_gradebook
   PUBLIC cs550_contract cs550_files nlohmann_json::nlohmann_json fmt::fmt Threads::Threads
          PkgConfig::gradebook_packages
   PRIVATE cs550_warnings)
+cs550_unity(cs550_gradebook 13)
 
 add_executable(cs550_grade "${PROJECT_SOURCE_DIR}/framework/gradebook/program/main.cpp"
                "${PROJECT_SOURCE_DIR}/framework/cli/command_line.cpp")

@@ -23,6 +23,7 @@ function(cs550_add_own_tests folder)
   target_link_libraries(${target} PRIVATE cs550_test_support cs550_scenes cs550_warnings GTest::gtest_main
                         ${ARGN})
   cs550_link_labs(${target} fast reference stub)
+  cs550_unity(${target} 6)
   cs550_discover_tests(${target} ${folder} "-*Long:*Long/*:*Soak:*Soak/*" "${folder}" 120)
   cs550_discover_tests(${target} ${folder} "*Long:*Long/*" long 600)
   cs550_discover_tests(${target} ${folder} "*Soak:*Soak/*" soak 7200)

@@ -12,14 +12,10 @@
 namespace cs550::gradebook {
 namespace {
 
-Course parse(const std::string& text) {
-  return parse_course(text, "course.toml", project_catalogue());
-}
-
 /// The message of the error; empty if the file is accepted.
 std::string fault_of(const std::string& text) {
   try {
-    parse(text);
+    course_of(text);
     return {};
   } catch (const CourseError& error) {
     return error.what();
@@ -49,7 +45,7 @@ TEST(CourseFile, EveryExampleWorksByItself) {
 TEST(CourseFile, AllExamplesTogetherAreAFile) {
   std::string all;
   for (const CourseTable& table : course_tables()) all += std::string(table.example) + "\n\n";
-  const Course course = parse(all);
+  const Course course = course_of(all);
   EXPECT_EQ(course.title, "Rigid bodies, autumn 2026");
   EXPECT_EQ(course.retention_days, 400);
   EXPECT_EQ(course.leaderboard, (std::vector<std::string>{"points", "seconds"}));
@@ -87,7 +83,7 @@ TEST(CourseFile, TheExampleOfTheDocumentationIsComplete) {
 }
 
 TEST(CourseFile, AnEmptyFileHasTheDefaults) {
-  const Course course = parse("");
+  const Course course = course_of("");
   EXPECT_EQ(course.lab(1).points, 60);
   EXPECT_FALSE(course.late);
   EXPECT_EQ(course.secret, "");

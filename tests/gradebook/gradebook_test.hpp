@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gradebook/course/catalogue.hpp"
+#include "gradebook/course/course_file.hpp"
 #include "gradebook/records/record.hpp"
 
 namespace cs550::gradebook {
@@ -14,6 +15,10 @@ namespace cs550::gradebook {
 inline const Catalogue& project_catalogue() {
   static const Catalogue catalogue = read_catalogue(CS550_ROOT);
   return catalogue;
+}
+
+inline Course course_of(const std::string& text) {
+  return parse_course(text, "course.toml", project_catalogue());
 }
 
 /// Lab 3 with two visible tests of 24 points and a hidden one of 12.

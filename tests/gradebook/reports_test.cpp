@@ -26,10 +26,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-Course course_of(const std::string& text) {
-  return parse_course(text, "course.toml", project_catalogue());
-}
-
 StudentMark mark_of(const Record& record, const Course& course) {
   return mark_student({"ada", "Ada", "", "", {}, true, {&record}}, {3}, course);
 }

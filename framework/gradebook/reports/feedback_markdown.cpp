@@ -36,7 +36,7 @@ std::string failures(const LabRecord& lab) {
   return text;
 }
 
-std::string lab_section(const LabMark& mark, const Course& course) {
+std::string lab_in_markdown(const LabMark& mark, const Course& course) {
   std::string text = fmt::format("\n## Lab {}: {} of {} points\n\n", mark.lab,
                                  points_text(mark.mark), points_text(mark.points));
   for (const std::string& note : mark.notes) text += "- " + markdown(note) + '\n';
@@ -53,7 +53,7 @@ std::string lab_section(const LabMark& mark, const Course& course) {
 }
 
 /// The student's labs together, as one engine.
-std::string engine_section(const StudentMark& mark) {
+std::string engine_in_markdown(const StudentMark& mark) {
   const std::string heading = engine_heading(mark);
   if (heading.empty()) return {};
   const LabRecord& engine = *mark.engine.record->engine;
@@ -78,9 +78,9 @@ std::string feedback_markdown(const StudentMark& mark, const Course& course) {
     text += "\n**The submission could not be graded:** " + markdown(record.trouble) + '\n';
   }
   for (const LabMark& lab : mark.labs) {
-    if (lab.record != nullptr || lab.mark > 0) text += lab_section(lab, course);
+    if (lab.record != nullptr || lab.mark > 0) text += lab_in_markdown(lab, course);
   }
-  text += engine_section(mark);
+  text += engine_in_markdown(mark);
   if (const std::string missing = missing_labs(mark); !missing.empty()) {
     text += '\n' + missing + ".\n";
   }
