@@ -96,11 +96,11 @@ TEST(ShippedScenes, ThrownShapes) { expect_sound("thrown_shapes"); }
 TEST(ShippedScenes, Ghosts) { expect_sound("ghosts"); }
 TEST(ShippedScenes, OverTheEdge) { expect_sound("over_the_edge"); }
 TEST(ShippedScenes, Collisions) { expect_sound("collisions"); }
-TEST(ShippedScenes, StandingWall) { expect_sound("standing_wall"); }
+TEST(ShippedScenes, StandingWallLong) { expect_sound("standing_wall"); }
 TEST(ShippedScenes, Bounce) { expect_sound("bounce"); }
 TEST(ShippedScenes, NewtonCradle) { expect_sound("newton_cradle"); }
 TEST(ShippedScenes, Stack10) { expect_sound("stack10"); }
-TEST(ShippedScenes, Dominoes) { expect_sound("dominoes"); }
+TEST(ShippedScenes, DominoesLong) { expect_sound("dominoes"); }
 TEST(ShippedScenes, BunnyAndTeapot) { expect_sound("bunny_and_teapot"); }
 TEST(ShippedScenes, WallLong) { expect_sound("wall"); }
 TEST(ShippedScenes, Pyramid20Long) { expect_sound("pyramid20"); }
