@@ -12,6 +12,14 @@ viewer=${2-}
 docs=build/docs
 mathjax=/usr/share/javascript/mathjax
 
+# begin WHAT: prints which part of the book is made, since all parts together take minutes.
+parts=6
+begun=0
+begin() {
+  begun=$((begun + 1))
+  echo "[$begun/$parts] $1"
+}
+
 # plot_figure NAME FILE: a table that a student's code cannot fill has the reason in its first line.
 plot_figure() {
   table=$(sed -n 's|.*data \. "/\(.*\)\.dat".*|\1|p' "docs/figures/plots/$1.gp")  # that of another plot
@@ -81,6 +89,7 @@ start_live_engine() {
 # Two scripts: live_engine.js, a function that is the source of a worker, and live.js.
 finish_live_engine() {
   [ -n "$compiling" ] || return 0
+  begin "Compiling the live figures $(sed -n 's/^\(\[[0-9]*\/[0-9]*\]\).*/\1/p' "$docs/live.log" | tail -n 1)"
   wait "$compiling" || {
     cat "$docs/live.log" >&2
     echo "The live figures cannot be compiled. To leave them out: CS550_LIVE_FIGURES=off ./cs550 docs" >&2
@@ -144,15 +153,20 @@ write_site() {
 
 rm -rf "$docs/html"
 mkdir -p "$docs"
+begin "Measuring, and drawing what the engine draws"
 measure
 start_live_engine
+begin "Drawing the other figures"
 draw_figures
+begin "Running Doxygen"
 python3 docs/tools/make_pages.py "$docs/pages"
 doxygen docs/Doxyfile
+begin "Indexing the pages for the search"
 python3 docs/tools/make_search.py "$docs"
 python3 docs/tools/drop_mathjax.py "$docs/html"
 cp -R "$docs/figures" "$docs/html/figures"
 copy_mathjax
+begin "Printing the PDF"
 print_pdf
 finish_live_engine
 [ ! -f "$docs/live_engine.js" ] || cp "$docs/live_engine.js" "$docs/live.js" "$docs/html/"
