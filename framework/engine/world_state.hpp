@@ -5,6 +5,7 @@
 
 #include <array>
 #include <bitset>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -117,6 +118,14 @@ struct LinkState {
   std::array<Index, 2> followers = {no_index, no_index};  ///< the next link of each body
 };
 
+/// A link that waits for no other. The largest one comes next: the highest, of equal heights the first.
+struct ReadyLink {
+  Index height = 0;
+  Index negated_link = 0;
+
+  auto operator<=>(const ReadyLink&) const = default;
+};
+
 /// The index of the constraint of each contact point, with the points of all contacts counted in
 /// turn; and the working storage of arrange_constraints().
 struct SolveOrder {
@@ -131,12 +140,12 @@ struct SolveOrder {
   }
 
   std::vector<ContactGroup> groups;
+  std::vector<Index> neighbours;     ///< working storage: contacts across gravity
   std::vector<ContactLink> links;    ///< working storage: those of the present contacts
   std::vector<ContactLink> grouped;  ///< those for which the groups were made
   std::vector<LinkState> states;
-  std::vector<Index> next_of_body;  ///< the next link of each body
-  /// Links that wait for no other, by their number of points: heaps, the highest link on top.
-  std::array<std::vector<Index>, max_manifold_points> ready;
+  std::vector<Index> next_of_body;                                ///< the next link of each body
+  std::array<std::vector<ReadyLink>, max_manifold_points> ready;  ///< heaps, by number of points
 };
 
 /// How far a body has turned, in terms of what a turn changes about its contacts.
@@ -155,6 +164,7 @@ struct ColdPair {
 /// Working storage of guess_cold_impulses().
 struct ColdStart {
   std::vector<ColdPair> pairs;
+  std::vector<char> is_cold;       ///< of each body, whether it is movable and of a pair
   std::vector<SolverBody> bodies;  ///< with the velocities that gravity and the impulses give them
 };
 

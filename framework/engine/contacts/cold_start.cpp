@@ -69,16 +69,30 @@ void list_cold_pairs(WorldState& world) {
   });
 }
 
-/// The velocities that gravity and the known impulses will give the bodies.
+/// Marks the movable bodies of cold pairs: the sweeps use their velocities only.
+void mark_cold_bodies(WorldState& world) {
+  std::vector<char>& is_cold = world.cold_start.is_cold;
+  is_cold.assign(world.bodies.size(), 0);
+  for (const ColdPair& pair : world.cold_start.pairs) {
+    for (const Index body : {pair.middle.body_a, pair.middle.body_b}) {
+      is_cold[body] = world.bodies[body].kind == BodyKind::Dynamic;
+    }
+  }
+}
+
+/// The velocities that gravity and the known impulses will give the marked bodies.
 void predict_velocities(WorldState& world, Real h) {
+  const std::vector<char>& is_cold = world.cold_start.is_cold;
   std::vector<SolverBody>& bodies = world.cold_start.bodies;
   bodies = world.solver_bodies;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const RigidBody& body = world.bodies[i];
-    if (body.kind == BodyKind::Dynamic) bodies[i].v += h * body.inverse_mass * body.force;
+    if (is_cold[i]) bodies[i].v += h * body.inverse_mass * body.force;
   }
   for (const ContactConstraint& constraint : world.constraints) {
-    push_apart(bodies, constraint, constraint.normal_impulse);
+    if (is_cold[constraint.body_a] || is_cold[constraint.body_b]) {
+      push_apart(bodies, constraint, constraint.normal_impulse);
+    }
   }
 }
 
@@ -116,6 +130,7 @@ void guess_cold_impulses(WorldState& world, Real h) {
   ColdStart& cold = world.cold_start;
   list_cold_pairs(world);
   if (cold.pairs.empty()) return;
+  mark_cold_bodies(world);
   predict_velocities(world, h);
   sweep(cold, enough * h * world.settings.gravity.norm(), h);
   for (const ColdPair& pair : cold.pairs) {

@@ -19,11 +19,14 @@ bool is_touching(const WorldState& world, const Contact& contact, std::span<cons
 void note_touching(WorldState& world) {
   PairList& pairs = world.pairs;
   for (Index i = 0; i < static_cast<Index>(pairs.size()); ++i) {
+    const std::span<const Index> places = world.solve_order.places_of(i);
+    // Most pairs are only near. They are not read: all of them together do not fit the cache.
+    if (places.empty() && !pairs.touching[i]) continue;
     const Contact& contact = pairs.contacts[i];
-    const bool touching = is_touching(world, contact, world.solve_order.places_of(i));
-    const ContactEvent event{world.id_at(contact.body_a), world.id_at(contact.body_b)};
-    if (touching && !pairs.touching[i]) world.began.push_back(event);
-    if (!touching && pairs.touching[i]) world.ended.push_back(event);
+    const bool touching = is_touching(world, contact, places);
+    if (touching == static_cast<bool>(pairs.touching[i])) continue;
+    std::vector<ContactEvent>& events = touching ? world.began : world.ended;
+    events.push_back({world.id_at(contact.body_a), world.id_at(contact.body_b)});
     pairs.touching[i] = static_cast<char>(touching);
   }
 }

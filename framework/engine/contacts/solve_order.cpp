@@ -24,8 +24,6 @@ void make_room(std::size_t count, Arrays&... arrays) {
 /// wait for each other. Those that hold up the longest chains come first: what is left at the end then fills
 /// whole groups, rather than being a chain.
 class Schedule {
-  using Queue = std::vector<Index>;
-
  public:
   Schedule(SolveOrder& order, std::size_t bodies) : order_(order) {
     order_.groups.clear();
@@ -45,7 +43,7 @@ class Schedule {
  private:
   Index link_count() const { return static_cast<Index>(order_.links.size()); }
   LinkState& state(Index link) { return order_.states[link]; }
-  Queue& ready(std::size_t points) { return order_.ready[points - 1]; }
+  std::vector<ReadyLink>& ready(std::size_t points) { return order_.ready[points - 1]; }
 
   /// @pre done for all links after this one
   void tie_to_followers(Index i) {
@@ -60,20 +58,15 @@ class Schedule {
     }
   }
 
-  /// Of equal heights the first link wins.
-  bool comes_later(Index i, Index k) {
-    return state(i).height != state(k).height ? state(i).height < state(k).height : i > k;
-  }
-
   void make_ready(Index link) {
-    Queue& queue = ready(static_cast<std::size_t>(order_.links[link].points));
-    queue.push_back(link);
-    std::push_heap(queue.begin(), queue.end(), [&](Index i, Index k) { return comes_later(i, k); });
+    std::vector<ReadyLink>& queue = ready(static_cast<std::size_t>(order_.links[link].points));
+    queue.push_back({state(link).height, -link});
+    std::push_heap(queue.begin(), queue.end());
   }
 
-  Index take_from(Queue& queue) {
-    std::pop_heap(queue.begin(), queue.end(), [&](Index i, Index k) { return comes_later(i, k); });
-    const Index link = queue.back();
+  Index take_from(std::vector<ReadyLink>& queue) {
+    std::pop_heap(queue.begin(), queue.end());
+    const Index link = -queue.back().negated_link;
     queue.pop_back();
     return link;
   }
@@ -85,9 +78,7 @@ class Schedule {
       std::size_t best = 0;
       for (std::size_t points = max_manifold_points; points > 0; --points) {
         if (ready(points).size() < enough) continue;
-        if (best == 0 || state(ready(points)[0]).height > state(ready(best)[0]).height) {
-          best = points;
-        }
+        if (best == 0 || ready(points)[0].height > ready(best)[0].height) best = points;
       }
       if (best > 0) return best;
     }
@@ -119,28 +110,30 @@ void number_points(std::span<const Contact> contacts, SolveOrder& order) {
   }
 }
 
-/// Whether the normal is across gravity: within 6° (the cosine is 0.1).
-bool links_neighbours(const Contact& contact, const Vec3& gravity) {
-  return std::abs(contact.manifold.normal.dot(gravity)) < Real(0.1) * gravity.norm();
+/// Contacts that link the neighbours of a row come last: those whose normals are across gravity, within 6° (the
+/// cosine is 0.1). If each were visited between the contacts of its bodies with the next row, the rows would
+/// become one chain of contacts that wait for each other.
+void list_contacts(std::span<const Contact> contacts, const Vec3& gravity, SolveOrder& order) {
+  const Real across = Real(0.1) * gravity.norm();
+  order.contacts.clear();
+  order.neighbours.clear();
+  for (Index i = 0; i < static_cast<Index>(contacts.size()); ++i) {
+    if (order.first_point[i] == order.first_point[i + 1]) continue;
+    const bool links_neighbours = std::abs(contacts[i].manifold.normal.dot(gravity)) < across;
+    (links_neighbours ? order.neighbours : order.contacts).push_back(i);
+  }
+  order.contacts.insert(order.contacts.end(), order.neighbours.begin(), order.neighbours.end());
 }
 
-/// Contacts that link the neighbours of a row come last. If each were visited between the contacts of its bodies
-/// with the next row, the rows would become one chain of contacts that wait for each other.
-void list_contacts(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
-                   const Vec3& gravity, SolveOrder& order) {
+void list_links(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
+                SolveOrder& order) {
   const auto movable = [&](Index body) {
     return bodies[body].kind == BodyKind::Dynamic ? body : no_index;
   };
-  order.contacts.clear();
   order.links.clear();
-  for (const bool neighbours : {false, true}) {
-    for (Index i = 0; i < static_cast<Index>(contacts.size()); ++i) {
-      if (point_count(contacts[i]) > 0 && links_neighbours(contacts[i], gravity) == neighbours) {
-        order.contacts.push_back(i);
-        order.links.push_back({i, movable(contacts[i].body_a), movable(contacts[i].body_b),
-                               point_count(contacts[i])});
-      }
-    }
+  for (const Index i : order.contacts) {
+    order.links.push_back(
+        {i, movable(contacts[i].body_a), movable(contacts[i].body_b), point_count(contacts[i])});
   }
 }
 
@@ -148,10 +141,12 @@ void list_contacts(std::span<const Contact> contacts, std::span<const RigidBody>
 
 void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
                          const Vec3& gravity, SolveOrder& order) {
-  make_room(contacts.size(), order.contacts, order.links, order.grouped, order.states);
+  make_room(contacts.size(), order.contacts, order.neighbours, order.links, order.grouped,
+            order.states);
   for (auto& queue : order.ready) make_room(contacts.size(), queue);
   number_points(contacts, order);
-  list_contacts(contacts, bodies, gravity, order);
+  list_contacts(contacts, gravity, order);
+  list_links(contacts, bodies, order);
   if (order.links == order.grouped) return;  // most steps of a scene at rest
   Schedule(order, bodies.size()).run();
   std::swap(order.grouped, order.links);

@@ -40,11 +40,12 @@ Real depth(const Manifold& manifold) {
 /// overlap. A misplaced pair remains one until it is free, however fast it parts.
 bool is_misplaced(const WorldState& world, std::size_t pair, Real h) {
   const PairList& pairs = world.pairs;
+  if (pairs.touching[pair] && !pairs.misplaced[pair]) return false;
   const Contact& contact = pairs.contacts[pair];
   const Real deepest = depth(contact.manifold);
-  if (pairs.misplaced[pair]) return deepest > spare_margin(world);
-  if (pairs.touching[pair]) return false;
-  return deepest > contact_margin(world, contact.body_a, contact.body_b, h);
+  if (deepest <= spare_margin(world)) return false;  // the margin of this step is at least that
+  return pairs.misplaced[pair] ||
+         deepest > contact_margin(world, contact.body_a, contact.body_b, h);
 }
 
 /// A body that touches a recovering one recovers too: their impulses must stay equal and opposite.
