@@ -52,8 +52,9 @@ struct PairList {
   void clear();
   /// Makes room for that many pairs, or for twice as many if there is not enough.
   void make_room(std::size_t count);
-  /// Appends pair i of another list.
-  void append(const PairList& other, std::size_t i);
+  /// Appends pairs of another list, from `first` to before `last`.
+  void append(const PairList& other, std::size_t first, std::size_t last);
+  void append(const PairList& other, std::size_t i) { append(other, i, i + 1); }
 };
 
 /// What decides whether a body is at rest. A window of time begins with each larger displacement.
@@ -209,8 +210,9 @@ struct WorldState {
   ColdStart cold_start;
   OverlapRecovery recovery;
   PairList next_pairs;
-  std::vector<char> outgrown;  ///< of each body, whether it has left its leaf's box
-  std::vector<Index> moved;    ///< bodies whose leaves have moved since the last search for pairs
+  std::vector<char> outgrown;   ///< of each body, whether it has left its leaf's box
+  std::vector<Index> moved;     ///< bodies whose leaves have moved since the last search for pairs
+  std::vector<char> has_moved;  ///< of each body, whether it is one of these
   std::vector<Index> found;
   std::vector<std::uint64_t> new_keys;
   std::vector<RigidBody> bodies_before;

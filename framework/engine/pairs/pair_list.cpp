@@ -86,13 +86,19 @@ void refit_leaves(WorldState& world, Real h) {
 /// Keys of the pairs whose boxes began to overlap, sorted, each once; old ones among them.
 void find_new_keys(WorldState& world) {
   world.new_keys.clear();
+  world.has_moved.assign(world.slot_count(), 0);
+  for (const Index body : world.moved) world.has_moved[body] = 1;
+  // Two bodies that have both moved find each other twice: only the smaller index counts.
+  const auto counts = [&](Index body, Index other) {
+    return other > body || (other < body && !world.has_moved[other]);
+  };
   for (const Index body : world.moved) {
     if (!world.slots[body].alive) continue;
     world.found.clear();
     const Index leaf = world.slots[body].leaf;
     world.tree.query(world.tree.bounds(leaf), world.found);
     for (const Index other : world.found) {
-      if (other != body && may_touch(world, body, other)) {
+      if (counts(body, other) && may_touch(world, body, other)) {
         world.new_keys.push_back(pair_key(body, other));
       }
     }
@@ -138,19 +144,25 @@ void merge_pairs(WorldState& world) {
   PairList& merged = world.next_pairs;
   merged.clear();
   merged.make_room(old.size() + world.new_keys.size());
+  std::size_t appended = 0;  // of the old pairs, with those that have ended
+  const auto append_up_to = [&](std::size_t i) {
+    merged.append(old, appended, i);
+    appended = i;
+  };
   auto key = world.new_keys.begin();
   for (std::size_t i = 0; i < old.size(); ++i) {
     const std::uint64_t old_key = pair_key(old.contacts[i]);
     for (; key != world.new_keys.end() && *key < old_key; ++key) {
+      append_up_to(i);
       append_new_pair(world, *key, merged);
     }
     if (key != world.new_keys.end() && *key == old_key) ++key;
-    if (leaves_overlap(world, old.contacts[i])) {
-      merged.append(old, i);
-    } else {
-      note_end(world, i, world.ended);
-    }
+    if (leaves_overlap(world, old.contacts[i])) continue;
+    append_up_to(i);
+    ++appended;
+    note_end(world, i, world.ended);
   }
+  append_up_to(old.size());
   for (; key != world.new_keys.end(); ++key) append_new_pair(world, *key, merged);
   std::swap(world.pairs, world.next_pairs);
 }
@@ -173,14 +185,18 @@ void PairList::make_room(std::size_t count) {
   reserve(contacts, axes, memories, kept, touching, impulse_energy, misplaced);
 }
 
-void PairList::append(const PairList& other, std::size_t i) {
-  contacts.push_back(other.contacts[i]);
-  axes.push_back(other.axes[i]);
-  memories.push_back(other.memories[i]);
-  kept.push_back(other.kept[i]);
-  touching.push_back(other.touching[i]);
-  impulse_energy.push_back(other.impulse_energy[i]);
-  misplaced.push_back(other.misplaced[i]);
+void PairList::append(const PairList& other, std::size_t first, std::size_t last) {
+  const auto append_to = [&](auto& array, const auto& items) {
+    array.insert(array.end(), items.begin() + static_cast<std::ptrdiff_t>(first),
+                 items.begin() + static_cast<std::ptrdiff_t>(last));
+  };
+  append_to(contacts, other.contacts);
+  append_to(axes, other.axes);
+  append_to(memories, other.memories);
+  append_to(kept, other.kept);
+  append_to(touching, other.touching);
+  append_to(impulse_energy, other.impulse_energy);
+  append_to(misplaced, other.misplaced);
 }
 
 Real spare_margin(const WorldState& world) { return 4 * world.slop(); }
