@@ -1,8 +1,7 @@
 #pragma once
 /// @file constraint_mirror.hpp
 /// A copy of the contact constraints in structure-of-arrays form, for passes that solve eight of them
-/// at a time. It holds only what passes read and do not change, so it stays valid from one pass to the
-/// next.
+/// at a time. Passes change impulses and marks in both, so it stays valid from one pass to the next.
 
 #include <array>
 #include <vector>
@@ -35,7 +34,8 @@ struct alignas(lane_count * sizeof(Real)) LaneNumbers {
 
 /// The mirror of an array of constraints.
 struct ConstraintMirror {
-  bool stale = true;  ///< set it whenever anything but a pass has changed the constraints
+  bool stale = true;           ///< set it whenever anything but a pass has changed the constraints
+  bool stale_impulses = true;  ///< enough if only impulses or marks have changed
   std::vector<PairGroup> groups;
   std::vector<ConstraintRow> rows;
   std::vector<LaneNumbers> numbers;  ///< of each row in turn, laid out by the passes

@@ -308,6 +308,40 @@ TEST(Passes, AStaleMirrorIsBuiltAgain) {
   expect_same_bits(system, one_by_one);
 }
 
+TEST(Passes, ChangedImpulsesAndMarksAreReadAgain) {
+  Random random(2);
+  const ContactStep step = step_of(ContactModel::Soft, true);
+  System system = random_system(random, step);
+  ASSERT_FALSE(system.constraints.empty());
+  ConstraintMirror mirror;
+  run_passes(mirror, system.constraints, system.bodies, step, {true, 0, 2});
+  for (ContactConstraint& constraint : system.constraints) {
+    constraint.normal_impulse += 1;
+    constraint.tangent_impulse.setZero();
+    constraint.impact_handled = false;
+  }
+  mirror.stale_impulses = true;
+  System one_by_one = system;
+  run_passes(mirror, system.constraints, system.bodies, step, {true, 1, 1});
+  run_one_by_one(one_by_one, step, {true, 1, 1});
+  expect_same_bits(system, one_by_one);
+}
+
+TEST(Passes, GoOnWhereTheLastPassesEnded) {
+  Random random(3);
+  const ContactStep step = step_of(ContactModel::Soft, true);
+  System system = random_system(random, step);
+  ASSERT_FALSE(system.constraints.empty());
+  System one_by_one = system;
+  ConstraintMirror mirror;
+  for (const Passes& passes : {Passes{true, 0, 0}, Passes{false, 0, 2}, Passes{false, 2, 1, true},
+                               Passes{true, 0, 1}, Passes{false, 0, 0, true}}) {
+    run_passes(mirror, system.constraints, system.bodies, step, passes);
+    run_one_by_one(one_by_one, step, passes);
+    expect_same_bits(system, one_by_one);
+  }
+}
+
 /// Contacts of one to four points with loads, some of them zero, in the order of the world.
 struct RollingSystem {
   std::vector<Contact> contacts;

@@ -38,6 +38,7 @@ void forget_impulses(WorldState& world) {
     constraint.normal_impulse = 0;
     constraint.tangent_impulse.setZero();
   }
+  world.mirror.stale_impulses = true;
 }
 
 /// Passes of the chosen solver.
@@ -104,7 +105,9 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
       refresh_masses_of_thin_bodies(world, step);
       restart_after_push(world, bodies, step);
       relax(world, bodies, step);
-      if (world.any_bounces) apply_restitution(world.constraints, bodies, step);
+      if (!world.any_bounces) return;
+      apply_restitution(world.constraints, bodies, step);
+      world.mirror.stale_impulses = true;
     });
   } else {
     if (world.settings.solver == SolverKind::Constraint) return_friction(world);
@@ -113,6 +116,7 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
       constraint.mark_impact();
       if (constraint.impact_handled) constraint.approach_velocity = 0;
     }
+    world.mirror.stale_impulses = true;
   }
 }
 

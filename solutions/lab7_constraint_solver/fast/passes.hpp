@@ -98,9 +98,13 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
     for_rows(constraints, mirror,
              [](WideConstraint& row, const auto& lanes) { copy_constants(lanes, row); });
     mirror.stale = false;
+    mirror.stale_impulses = true;
   }
-  for_rows(constraints, mirror,
-           [](WideConstraint& row, const auto& lanes) { load_impulses(lanes, row); });
+  if (mirror.stale_impulses) {
+    for_rows(constraints, mirror,
+             [](WideConstraint& row, const auto& lanes) { load_impulses(lanes, row); });
+    mirror.stale_impulses = false;
+  }
   if (passes.warm_start) warm_start_all(mirror, bodies);
   for (int pass = passes.first; pass < passes.first + passes.count; ++pass) {
     if (pass % 2 == 1) {
@@ -109,6 +113,7 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
       solve_forwards(mirror, bodies, step);
     }
   }
+  if (passes.count == 0 && !passes.mark_impacts) return;
   for_rows(constraints, mirror, [&](WideConstraint& row, const auto& lanes) {
     if (passes.mark_impacts) mark_impacts(row);
     store_impulses(row, lanes);
