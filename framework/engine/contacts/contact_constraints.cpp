@@ -1,7 +1,6 @@
 #include "engine/contacts/contact_constraints.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 #include "engine/contacts/solve_order.hpp"
 
@@ -32,17 +31,12 @@ TurnSize turn_size(const RigidBody& body, const SolverBody& solver_body) {
 /// Sets the turn of each body to `turn(index)`. @returns whether any is not small
 template <class Turn>
 bool measure_turns(WorldState& world, const Turn& turn) {
-  constexpr std::size_t block = 128;
-  std::atomic<bool> any = false;
+  bool any = false;
   world.turns.resize(world.bodies.size());
-  for_blocks(world.team, world.bodies.size(), block, [&](std::size_t first, std::size_t last) {
-    bool any_here = false;
-    for (std::size_t i = first; i < last; ++i) {
-      world.turns[i] = turn(i);
-      any_here = any_here || world.turns[i] != TurnSize::Small;
-    }
-    if (any_here) any.store(true, std::memory_order_relaxed);
-  });
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    world.turns[i] = turn(i);
+    any = any || world.turns[i] != TurnSize::Small;
+  }
   return any;
 }
 

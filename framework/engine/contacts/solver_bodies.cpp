@@ -15,9 +15,9 @@ void gather(const RigidBody& body, SolverBody& solver_body) {
 }
 
 void gather_solver_bodies(WorldState& world) {
-  for_body_blocks(world, [](std::span<const RigidBody> bodies, std::span<SolverBody> gathered) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) gather(bodies[i], gathered[i]);
-  });
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    gather(world.bodies[i], world.solver_bodies[i]);
+  }
 }
 
 }  // namespace cs550

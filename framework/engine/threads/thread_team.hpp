@@ -2,7 +2,7 @@
 /// @file thread_team.hpp
 /// The threads that share the loops of a step.
 ///
-/// A step has dozens of short loops, so the worker threads start once per step, not once per loop, and
+/// A step has several short loops, so the worker threads start once per step, not once per loop, and
 /// wait actively for the loops of the main thread, which runs the step. Nothing relies on their start:
 /// the main thread processes the blocks that no worker has taken.
 

@@ -121,15 +121,11 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
 }
 
 void apply_forces(WorldState& world, const ContactStep& step) {
-  for_body_blocks(world, [&](std::span<RigidBody> bodies, std::span<SolverBody>) {
-    integrate_momenta(bodies, step.h);
-  });
+  integrate_momenta(world.bodies, step.h);
 }
 
 void move_bodies(WorldState& world, const ContactStep& step) {
-  for_body_blocks(world, [&](std::span<RigidBody> bodies, std::span<SolverBody> solver_bodies) {
-    integrate_poses(bodies, solver_bodies, step.h, world.settings.rotation);
-  });
+  integrate_poses(world.bodies, world.solver_bodies, step.h, world.settings.rotation);
 }
 
 /// Runs a part of the substep that changes bodies, and checks them after it if the settings ask for
@@ -161,14 +157,14 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 }
 
 void prepare(WorldState& world, const ContactStep& step) {
-  if (world.settings.solver == SolverKind::Naive) return;
-  with_solver_bodies(world, [&](std::span<const SolverBody> bodies) {
-    for_blocks(world.team, world.constraints.size(), 64, [&](std::size_t first, std::size_t last) {
-      prepare_contacts(std::span(world.constraints).subspan(first, last - first), bodies, step);
-    });
-    limit_carried_impulses(world, step);
-    if (world.settings.warm_starting) guess_cold_impulses(world, step.h);
+  if (world.settings.solver == SolverKind::Naive || world.constraints.empty()) return;
+  gather_solver_bodies(world);  // only to read them
+  for_blocks(world.team, world.constraints.size(), 64, [&](std::size_t first, std::size_t last) {
+    prepare_contacts(std::span(world.constraints).subspan(first, last - first), world.solver_bodies,
+                     step);
   });
+  limit_carried_impulses(world, step);
+  if (world.settings.warm_starting) guess_cold_impulses(world, step.h);
 }
 
 void substep(WorldState& world, const ContactStep& step) {
