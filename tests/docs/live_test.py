@@ -226,7 +226,7 @@ def check_scenes(browser, figure, demo):
         if problem := run(browser, "return figure.live.problem.textContent", figure):
             yield f"scene {scene}: {problem}"
         live = run(browser, f"return figure.live.engine.ask('hash', '{scene}', {STEPS_OF_A_WORLD})", figure)
-        command = [demo, scene, "--steps", str(STEPS_OF_A_WORLD), "--no-picture"]
+        command = [demo, scene, "--sleeping", "off", "--steps", str(STEPS_OF_A_WORLD), "--no-picture"]
         native = re.search(r"state hash\s+(\w+)", subprocess.run(command, capture_output=True, text=True).stdout)
         equal += [scene] if native and live == native[1] else []
         print(f"scene {scene}: {step:.1f} ms per step, {drawn:.0f} ms per picture and plots")

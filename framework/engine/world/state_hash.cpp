@@ -85,6 +85,22 @@ void add_pair(Fnv1a& hash, const PairList& pairs, std::size_t i) {
   hash.add_all(pairs.touching[i], pairs.impulse_energy[i], pairs.misplaced[i]);
 }
 
+void add_pairs(Fnv1a& hash, const PairList& pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) add_pair(hash, pairs, i);
+}
+
+/// What decides when a body falls asleep, and which island it wakes with.
+void add_rest(Fnv1a& hash, const BodyRest& rest) {
+  hash.add_all(rest.start, rest.middle, rest.first_half, rest.time, rest.settled, rest.island);
+}
+
+void add_sleeping(Fnv1a& hash, const WorldState& world) {
+  add_pairs(hash, world.sleeping.pairs);
+  if (!world.settings.sleeping) return;                 // whoever sleeps wakes in the next step
+  hash.add(world.sleeping.settings == world.settings);  // if not, the next step wakes all
+  for (const BodyRest& rest : world.sleeping.bodies) add_rest(hash, rest);
+}
+
 }  // namespace
 
 std::uint64_t World::state_hash() const {
@@ -96,7 +112,8 @@ std::uint64_t World::state_hash() const {
     add_state(hash, state_->bodies[i]);
     hash.add(state_->tree.bounds(slot.leaf));  // decides how long its pairs last
   }
-  for (std::size_t i = 0; i < state_->pairs.size(); ++i) add_pair(hash, state_->pairs, i);
+  add_pairs(hash, state_->pairs);
+  add_sleeping(hash, *state_);
   for (const Index body : state_->moved) hash.add(body);
   return hash.value();
 }
