@@ -14,7 +14,7 @@ Bounds united(const Bounds& a, const Bounds& b) {
   return result;
 }
 
-/// Half the surface area: how likely a random query or ray meets the box, up to a factor.
+/// Half the surface area: how likely a random ray meets the box, up to a factor.
 Real area(const Bounds& bounds) {
   const Vec3 size = bounds.extent();
   return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
