@@ -91,7 +91,7 @@ double largest_gain(const Vec3& half_extents, double speed) {
   return largest;
 }
 
-/// contraction factor, largest gain of energy within a second: of a plank, a board, a needle
+/// contraction factor, largest gain of energy within a second: of a board, a needle, a box
 void fixed_point(std::ostream& out) {
   for (int k = 0; k <= 50; ++k) {
     const double kappa = std::pow(10.0, -1 + 4.0 * k / 50);
