@@ -4,7 +4,7 @@ namespace cs550 {
 namespace {
 
 /// How much a unit impulse along d at r changes the velocity of that point along d, through the
-/// turn of the body alone: d·[(I⁻¹(r × d)) × r]. The bracket matters: the cross product comes last.
+/// turn of the body alone: d·[(W(r × d)) × r]. The bracket matters: the cross product comes last.
 Real turning_response(const SolverBody& body, const Vec3& r, const Vec3& d) {
   const Vec3 turn = body.world_inverse_inertia * r.cross(d);
   return d.dot(turn.cross(r));

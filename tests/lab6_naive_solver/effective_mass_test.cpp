@@ -8,7 +8,7 @@ namespace cs550::test {
 namespace {
 
 Story with_mass_causes(Story story) {
-  return story.likely("the bracket: d·[(I⁻¹(r × d)) × r], the cross product with r comes last")
+  return story.likely("the bracket: d·[(W(r × d)) × r], the cross product with r comes last")
       .likely("the turning terms are missing, or their sign is wrong: both make the mass smaller")
       .likely("a mass is impulse per velocity: the sum is its inverse");
 }

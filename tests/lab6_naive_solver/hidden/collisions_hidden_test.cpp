@@ -20,7 +20,7 @@ GRADED_TEST(Lab6, EffectiveMassOfNeedlesAndPlates, 3, "L6.1") {
       const double exact = dense_effective_mass(a, b, r_a, r_b, d);
       Story story("m_e = 1/(J·M⁻¹·Jᵀ), for thin bodies and great ratios of mass");
       story.seed(random.seed()).given("half-extents", Vec3(size * shape), "m");
-      story.likely("the bracket: d·[(I⁻¹(r × d)) × r], the cross product with r comes last");
+      story.likely("the bracket: d·[(W(r × d)) × r], the cross product with r comes last");
       // The inertia of a needle varies by a factor of 1000 with direction: that many roundings more.
       story.expect_near("m_e", effective_mass(a, b, r_a, r_b, d), exact, 1e-3 * exact, "kg");
     }
