@@ -38,4 +38,11 @@ cmp "$student/$handout" "$root/$handout" || [ -n "$(git -C "$root" status --porc
 [ ! -e "$student/docs/old_page.md" ] || wrong "the student still has the page"
 tail -n 1 "$student/$work" | grep -qxF '// my work' || wrong "the student's work is lost"
 [ "$(git -C "$student" ls-files | wc -l)" = "$(git -C "$copy" ls-files | wc -l)" ] || wrong "files are missing"
+
+# The scripts that compute stages again from the book belong to the last solution.
+"$program" starter --release-solutions 6 "$scratch/six" >/dev/null 2>&1
+[ ! -e "$scratch/six/docs/rebuild" ] || wrong "docs/rebuild is released before lab 7"
+"$program" starter --release-solutions 7 "$scratch/seven" >/dev/null 2>&1
+[ -s "$scratch/seven/docs/rebuild/stack.py" ] || wrong "docs/rebuild is not released with lab 7"
+[ -d "$(echo "$scratch"/seven/solutions/lab7_*)" ] || wrong "the solution of lab 7 is not released"
 rm -rf "$scratch"

@@ -1,9 +1,8 @@
 // ./cs550 starter DIR: makes the students' copy of this repository, or updates one.
 //
 // A students' copy is the last commit without what .gitattributes marks as export-ignore, with its
-// starters also in .starters/, which --reset and --update compare with. Solutions are added for
-// labs
-// 1..K only, and manifests list the visible tests.
+// starters also in .starters/, which --reset and --update compare with. Solutions are added for labs
+// 1..K only, docs/rebuild with that of lab 7, and manifests list the visible tests.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,10 +56,14 @@ void unpack(const std::string& tree, const fs::path& folder) {
   fs::remove(archive);
 }
 
+/// The scripts in docs/rebuild compute stages of labs 4, 5 and 7.
+constexpr int last_rebuilt_lab = 7;
+
 void add_solutions(const fs::path& folder, int released) {
   for (const std::string& name : lab_names()) {
     if (lab_number(name) <= released) unpack("HEAD:solutions/" + name, folder / "solutions" / name);
   }
+  if (released >= last_rebuilt_lab) unpack("HEAD:docs/rebuild", folder / "docs/rebuild");
 }
 
 void list_visible_tests_only(const fs::path& folder) {
