@@ -54,7 +54,7 @@ TEST(Scene, ReadsEveryWorldSetting) {
   const SceneResult result = load_text(R"({"schema": 1, "h": 0.01, "steps": 7, "world": {
       "gravity": [0, 0, -1.6], "length_unit": 2, "substeps": 3, "iterations": 5,
       "relax_iterations": 6, "solver": "naive", "contact_model": "baumgarte",
-      "rotation": "explicit", "warm_starting": false, "temporal_coherence": true,
+      "rotation": "explicit", "warm_starting": false, "temporal_coherence": false,
       "sleeping": true, "threads": 3, "contact_hertz": 10, "contact_damping_ratio": 2, "baumgarte": 0.1, "slop": 0.002, "max_push_speed": 4,
       "restitution_threshold": 1.5, "restitution_iterations": 9, "rolling_resistance": 0.01,
       "check_stages": true,
@@ -75,7 +75,7 @@ TEST(Scene, ReadsEveryWorldSetting) {
   EXPECT_EQ(settings.contact_model, ContactModel::Baumgarte);
   EXPECT_EQ(settings.rotation, RotationMethod::Explicit);
   EXPECT_FALSE(settings.warm_starting);
-  EXPECT_TRUE(settings.temporal_coherence);
+  EXPECT_FALSE(settings.temporal_coherence);
   EXPECT_TRUE(settings.sleeping);
   EXPECT_EQ(settings.threads, 3);
   EXPECT_EQ(settings.contact_hertz, 10);

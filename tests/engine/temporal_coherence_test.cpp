@@ -15,12 +15,6 @@ namespace {
 
 using namespace test;
 
-World coherent_world() {
-  WorldSettings settings;
-  settings.temporal_coherence = true;
-  return World(settings);
-}
-
 /// How the second body of a pair moves past the first.
 struct Trajectory {
   const char* name;
@@ -60,7 +54,7 @@ std::vector<ShapePtr> shapes_of_all_kinds() {
 class MovingPair {
  public:
   MovingPair(const ShapePtr& a, const ShapePtr& b, const Trajectory& trajectory, Random& random)
-      : world_(coherent_world()), trajectory_(trajectory) {
+      : trajectory_(trajectory) {
     world_.settings().gravity.setZero();
     radius_ = std::min(a->radius, b->radius);
     origin_ = trajectory.place * random.unit_vector();
@@ -211,14 +205,9 @@ TEST_P(TemporalCoherenceOnTrajectories, KeptContactsHaveTheStatedErrorLong) {
 
 INSTANTIATE_TEST_SUITE_P(All, TemporalCoherenceOnTrajectories, testing::ValuesIn(trajectories));
 
-World coherent_pile(int count, std::uint32_t seed) {
-  World world = falling_hulls(count, seed);
-  world.settings().temporal_coherence = true;
-  return world;
-}
-
-TEST(TemporalCoherence, IsOffByDefault) {
+TEST(TemporalCoherence, SwitchedOffItKeepsNothing) {
   World world = falling_hulls(8, 73);
+  world.settings().temporal_coherence = false;
   for (int step = 0; step < 120; ++step) {
     world.step(step_length);
     ASSERT_EQ(world.stats().kept, 0);
@@ -226,7 +215,7 @@ TEST(TemporalCoherence, IsOffByDefault) {
 }
 
 TEST(TemporalCoherence, FreshQueriesAgreeInEveryStepOfAPile) {
-  World world = coherent_pile(20, 74);
+  World world = falling_hulls(20, 74);
   world.settings().check_stages = true;
   for (int step = 0; step < 400; ++step) {
     world.step(step_length);
@@ -238,7 +227,7 @@ TEST(TemporalCoherence, FreshQueriesAgreeInEveryStepOfAPile) {
 }
 
 TEST(TemporalCoherence, CopyContinuesToTheLastBit) {
-  World world = coherent_pile(12, 75);
+  World world = falling_hulls(12, 75);
   run(world, 150);
   ASSERT_GT(world.stats().kept, 5);
   World copy = world;
@@ -250,7 +239,7 @@ TEST(TemporalCoherence, CopyContinuesToTheLastBit) {
 
 /// A box that rests on the floor, with its contact kept.
 World resting_box() {
-  World world = coherent_world();
+  World world;
   world.add_body(floor_body());
   world.add_body(body_at(box_shape(Vec3::Constant(Real(0.5))), {0, 0, Real(0.5)}));
   run(world, 60);

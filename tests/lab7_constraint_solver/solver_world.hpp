@@ -28,6 +28,7 @@ inline Quat yaw(Real angle) { return rotation_exp(Vec3(0, 0, angle)); }
 inline World checked_world() {
   WorldSettings settings;
   settings.check_stages = true;
+  settings.temporal_coherence = false;  // every step has fresh contacts
   return World(settings);
 }
 

@@ -10,8 +10,8 @@ namespace {
 template <class Settings>
 auto determined(Settings& settings) {
   return std::tie(settings.substeps, settings.iterations, settings.relax_iterations,
-                  settings.temporal_coherence, settings.contact_hertz,
-                  settings.contact_damping_ratio, settings.rolling_resistance);
+                  settings.contact_hertz, settings.contact_damping_ratio,
+                  settings.rolling_resistance);
 }
 
 WorldSettings settings_of(Quality quality) {
@@ -27,7 +27,6 @@ WorldSettings game_settings() {
   settings.substeps = 4;
   settings.iterations = 2;
   settings.relax_iterations = 1;
-  settings.temporal_coherence = true;
   settings.contact_hertz = 32;
   settings.contact_damping_ratio = 40;
   settings.rolling_resistance = Real(3e-3);

@@ -35,8 +35,9 @@ struct WorldSettings {
   ContactModel contact_model = ContactModel::Soft;             ///< how penetration is corrected
   RotationMethod rotation = RotationMethod::ImplicitMidpoint;  ///< how bodies are rotated
   bool warm_starting = true;  ///< start from the accumulated impulses of the last step
-  /// Query a pair again only once its bodies have moved relative to each other.
-  bool temporal_coherence = false;
+  /// Query a pair again only once its bodies have moved relative to each other. Depths then differ by at
+  /// most 1/1000 of the smaller body's diameter.
+  bool temporal_coherence = true;
   /// Skip groups of touching bodies that are at rest, until something disturbs them.
   bool sleeping = false;
   /// Threads that share the work of a step, 1 to 16. Results are the same bits for any number. With more
@@ -68,7 +69,7 @@ enum class Quality : std::uint8_t {
 };
 
 /// Default settings with the members that a quality determines: substeps, iterations,
-/// relax_iterations, temporal_coherence, contact_hertz, contact_damping_ratio, rolling_resistance.
+/// relax_iterations, contact_hertz, contact_damping_ratio, rolling_resistance.
 /// @{
 WorldSettings accurate_settings();
 WorldSettings game_settings();

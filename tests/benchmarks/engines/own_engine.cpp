@@ -1,5 +1,4 @@
-/// This engine as a program uses it: through the world. Once with its default settings, which query
-/// every pair in every step, and once with temporal coherence.
+/// This engine as a program uses it: through the world, with each of the two named settings.
 #include "benchmarks/engines/engine.hpp"
 
 namespace cs550::bench {
@@ -24,26 +23,26 @@ class OwnSimulation : public Simulation {
   std::vector<BodyId> ids_;
 };
 
-WorldSettings coherent() {
-  WorldSettings settings;
-  settings.temporal_coherence = true;
-  return settings;
-}
-
 std::unique_ptr<Simulation> start(const BenchScene& scene, WorldSettings settings, int substeps) {
   settings.substeps = substeps;
   return std::make_unique<OwnSimulation>(scene, settings);
 }
 
+std::unique_ptr<Simulation> start_accurate(const BenchScene& scene, int substeps) {
+  return start(scene, accurate_settings(), substeps);
+}
+
+std::unique_ptr<Simulation> start_game(const BenchScene& scene, int substeps) {
+  return start(scene, game_settings(), substeps);
+}
+
 }  // namespace
 
 std::vector<Engine> own_engines() {
-  const std::vector<int> efforts = {4, 8, 12, 16};
-  return {
-      {"this engine", "substeps", WorldSettings().substeps, efforts,
-       [](const BenchScene& scene, int substeps) { return start(scene, {}, substeps); }},
-      {"this engine, coherent", "substeps", coherent().substeps, efforts,
-       [](const BenchScene& scene, int substeps) { return start(scene, coherent(), substeps); }}};
+  const int accurate = accurate_settings().substeps;
+  const int game = game_settings().substeps;
+  return {{"this engine, accurate", "substeps", accurate, {4, 8, 12, 16}, start_accurate},
+          {"this engine, game", "substeps", game, {3, 4, 6, 8}, start_game}};
 }
 
 }  // namespace cs550::bench
