@@ -107,7 +107,18 @@ EMSCRIPTEN_KEEPALIVE const char* live_rewind() {
 }
 EMSCRIPTEN_KEEPALIVE void live_orbit(float yaw, float pitch) { figure()->orbit(yaw, pitch); }
 EMSCRIPTEN_KEEPALIVE void live_zoom(float factor) { figure()->zoom(factor); }
-EMSCRIPTEN_KEEPALIVE void live_drag(float right, float up) { figure()->drag(right, up); }
+EMSCRIPTEN_KEEPALIVE const char* live_move(int handle, float right, float up) {
+  return answer([&] {
+    figure()->move(static_cast<std::size_t>(handle), right, up);
+    return std::string();
+  });
+}
+EMSCRIPTEN_KEEPALIVE const char* live_turn(int handle, float right, float up) {
+  return answer([&] {
+    figure()->turn(static_cast<std::size_t>(handle), right, up);
+    return std::string();
+  });
+}
 
 // On a canvas: positions in pixels.
 EMSCRIPTEN_KEEPALIVE const char* live_paint(int width, int height) {

@@ -1,7 +1,7 @@
 // Figures that answer: the static picture is replaced by one that the engine draws anew, at the reader's first touch.
 // A link restores every setting.
 const TURN = 0.008; // rad per pixel
-const KEY_TURN = 0.12; // rad per key
+const KEY_DRAG = 15; // pixels per key
 const ZOOM = 1.1; // per key or notch of the wheel
 const FRAME = 1000 / 30; // ms between steps of a walk that plays
 const NARROW = 520; // pixels
@@ -94,8 +94,7 @@ class LiveFigure {
 
   addButtons() {
     const button = (text, act) => element('button', {type: 'button', textContent: text, onclick: act});
-    this.dragsBody = element('input', {type: 'checkbox'});
-    if (this.facts.drag) this.buttons.append(element('label', {}, this.dragsBody, ' drag moves the body '));
+    this.addDrags();
     this.playing = button('play', () => this.play());
     if (this.facts.walks) {
       const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -104,6 +103,34 @@ class LiveFigure {
     }
     if (this.facts.canvas) this.buttons.append(button('throw a box', () => this.throwBox()));
     this.buttons.append(this.link);
+  }
+
+  /** What a drag and the arrow keys do: turn the view, or move or turn what the page lets the reader drag. */
+  addDrags() {
+    const ways = this.facts.handles.flatMap(({name, turns}, handle) =>
+        ['move', ...(turns ? ['turn'] : [])].map(way => ({text: `${way} ${name}`, value: `${way} ${handle}`})));
+    const options = [{text: 'turn the view', value: 'orbit'}, ...ways].map(each => element('option', each));
+    this.drags = element('select', {}, ...options);
+    if (ways.length > 0) this.buttons.append(element('label', {}, 'drag and arrow keys ', this.drags));
+  }
+
+  /** A way on the screen in pixels does what the reader has chosen. */
+  drag(right, up) {
+    const [way, handle] = this.drags.value.split(' ');
+    if (way === 'orbit') return this.run('orbit', -right * TURN, -up * TURN);
+    const perPixel = way === 'turn' ? TURN : 2 / this.stage.getBoundingClientRect().height;
+    return this.run(way, Number(handle), right * perPixel, up * perPixel);
+  }
+
+  /** After a drag the settings that it has changed are shown, and belong to the link. */
+  async endDrag() {
+    if (this.drags.value === 'orbit') return;
+    const before = this.vectors;
+    await this.list();
+    for (const [name, value] of this.vectors) {
+      if (before.get(name) !== value) this.changed.set(name, value);
+    }
+    this.drawSoon();
   }
 
   /** A figure that has been stopped gets a new worker. */
@@ -189,6 +216,8 @@ class LiveFigure {
   /** Makes the inputs from what the page describes. */
   async list() {
     const described = JSON.parse(await this.engine.ask('describe'));
+    const vectors = described.filter(({kind}) => kind === 'vector');
+    this.vectors = new Map(vectors.map(({name, value}) => [name, value.join()]));
     this.controls.replaceChildren();
     let group = this.controls;
     for (const control of described) {
@@ -302,7 +331,8 @@ class LiveFigure {
     const {facts} = this;
     this.shown = performance.now();
     if (this.canvas) this.showLegend();
-    this.stage.setAttribute('aria-label', `${facts.title}. Arrow keys turn the view; space goes a step further.` +
+    const arrows = facts.handles.length > 0 ? 'turn the view, or do what the list below names' : 'turn the view';
+    this.stage.setAttribute('aria-label', `${facts.title}. Arrow keys ${arrows}; space goes a step further.` +
         (this.canvas ? ' Plus and minus zoom; P plays; N selects the next body; T throws a box.' : ''));
     this.canvas?.setAttribute('aria-label', facts.story);
     this.fitSteps(facts.steps);
@@ -344,6 +374,13 @@ class LiveFigure {
         .replace('"title description"', `"${prefix}title ${prefix}description"`);
   }
 
+  /** An arrow key moves the eye or a body its way. A pointer drags what is seen, so that the eye goes the other way. */
+  dragByKey(right, up) {
+    const sign = this.drags.value === 'orbit' ? -1 : 1;
+    this.drag(sign * KEY_DRAG * right, sign * KEY_DRAG * up);
+    this.endDrag();
+  }
+
   key(event) {
     if (event.target !== this.stage || event.ctrlKey || event.metaKey || event.altKey) return;
     const turns = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
@@ -351,7 +388,7 @@ class LiveFigure {
                       n: () => this.run('select_next'), p: () => this.playing.isConnected && this.play(),
                       t: () => this.throwBox()};
     if (turns[event.key]) {
-      this.run('orbit', ...turns[event.key].map(turn => turn * KEY_TURN));
+      this.dragByKey(...turns[event.key]);
     } else if (event.key === ' ') {
       this.advance();
     } else if (this.canvas && onCanvas[event.key]) {

@@ -142,12 +142,17 @@ void LiveFigure::rewind() {
   page_->rewind();
 }
 
-void LiveFigure::drag(Real right, Real up) {
-  const std::optional<Vec3> handle = page_->handle();
-  if (!handle) return;
+void LiveFigure::move(std::size_t handle, Real right, Real up) {
   const Axes axes = axes_of(camera_);
   const Real radius = page_->content().focus.radius;
-  page_->move_handle(*handle + radius * (right * axes.right + up * axes.up));
+  const Vec3 point = page_->handles().at(handle).point;
+  page_->move_handle(handle, point + radius * (right * axes.right + up * axes.up));
+}
+
+void LiveFigure::turn(std::size_t handle, Real right, Real up) {
+  const Axes axes = axes_of(camera_);
+  if (!page_->handles().at(handle).turns) return;
+  page_->turn_handle(handle, right * axes.up - up * axes.right);
 }
 
 std::string LiveFigure::svg(const drawing::Size& size) {
@@ -174,6 +179,10 @@ std::string LiveFigure::plot_svg(std::size_t plot) {
 
 std::string LiveFigure::facts() {
   const pages::Content& content = page_->content();
+  nlohmann::json handles = nlohmann::json::array();
+  for (const pages::Handle& handle : page_->handles()) {
+    handles.push_back({{"name", handle.name}, {"turns", handle.turns}});
+  }
   nlohmann::json facts = nlohmann::json::array();
   for (const pages::Fact& fact : content.facts) facts.push_back({fact.name, fact.value});
   const nlohmann::json all = {{"title", page_->title()},
@@ -183,7 +192,7 @@ std::string LiveFigure::facts() {
                               {"h", world_ != nullptr ? world_->step_length() : Real(0)},
                               {"steps", content.step_count},
                               {"plots", content.plots.size()},
-                              {"drag", page_->handle().has_value()},
+                              {"handles", handles},
                               {"problem", content.problem},
                               {"facts", facts}};
   return all.dump();

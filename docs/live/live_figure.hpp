@@ -30,9 +30,11 @@ class LiveFigure {
   void advance() { page_->advance(); }
   /// Begins the walk or the scene again.
   void rewind();
-  /// Moves what can be dragged in the plane of the picture. @param right, up multiples of the
+  /// Moves one of the page's handles in the plane of the picture. @param right, up multiples of the
   /// focus's radius
-  void drag(Real right, Real up);
+  void move(std::size_t handle, Real right, Real up);
+  /// Turns the body around a handle, so that its front follows. @param right, up rad
+  void turn(std::size_t handle, Real right, Real up);
 
   /// Of page 0: its picture on a canvas, on which bodies are picked and thrown. Null on other pages.
   WorldCanvas* canvas() { return canvas_.get(); }
@@ -46,7 +48,7 @@ class LiveFigure {
   /// A plot beside it; empty if there is none of that number.
   std::string plot_svg(std::size_t plot);
   /// What is said beside the picture, as JSON: title, story, walks, canvas, h,
-  /// steps, plots, drag, problem, facts.
+  /// steps, plots, handles, problem, facts.
   std::string facts();
 
  private:

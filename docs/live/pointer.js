@@ -1,5 +1,5 @@
 // Mouse and touch on a live figure. On a canvas a body follows the pointer, two fingers or the wheel zoom, and a double
-// click throws a box. Everything else turns the view, or moves what the page lets drag.
+// click throws a box. Everything else turns the view, or what the reader has chosen.
 
 function listenToPointers(live) {
   const {stage} = live;
@@ -26,11 +26,8 @@ function listenToPointers(live) {
       if (live.canvas) live.run('zoom', apart / spread());
     } else if (pulls) {
       live.run('pull', ...now);
-    } else if (live.dragsBody.checked) {
-      const perPixel = 2 / stage.getBoundingClientRect().height;
-      live.run('drag', right * perPixel, up * perPixel);
     } else {
-      live.run('orbit', -right * TURN, -up * TURN);
+      live.drag(right, up);
     }
   }
 
@@ -38,7 +35,7 @@ function listenToPointers(live) {
     if (!pointers.delete(event.pointerId)) return;
     if (pulls) live.run('release');
     pulls = false;
-    if (live.dragsBody.checked) live.list();
+    live.endDrag();
   }
 
   stage.addEventListener('pointerdown', async event => {

@@ -43,6 +43,7 @@ void App::open(int lab) {
   world_ = dynamic_cast<WorldPage*>(page_.get());
   if (world_ != nullptr) world_->show_times(!hides_times_);
   drag_depth_.reset();
+  grip_.reset();
   plays_ = false;
   page_->refresh();
   frame_focus();

@@ -2,6 +2,9 @@
 /// @file app.hpp
 /// The viewer: a page, a camera and panels, driven by a window or a snapshot.
 
+#include <imgui/imgui.h>
+
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -37,6 +40,10 @@ class App {
   void toggle_panels() { options_.ui = !options_.ui; }
   /// Throws a box towards the mouse.
   void throw_box();
+  /// Which of a page's handles a key moves: A or B, where it has two.
+  enum class Nudged : std::uint8_t { First, Last };
+  /// Moves a handle in the plane of the picture. @param right, up -1, 0 or 1
+  void nudge(Nudged nudged, Real right, Real up);
   /// Opens the page of a lab; 0 is the world, failure_page the failing test of the options.
   void open(int lab);
   /// Leaves out timings, so that the same command produces the same picture.
@@ -55,10 +62,18 @@ class App {
   WorldPage* world() { return world_; }
 
  private:
+  /// What the mouse holds on the page of a lab.
+  struct Grip {
+    std::size_t handle = 0;       ///< index in the page's handles
+    ImGuiMouseButton button = 0;  ///< held down: the left one moves, the right one turns
+    Real depth = 0;               ///< of the point from the eye, along the view (m)
+  };
+
   void hear_mouse();
   void hear_drag_of_body(const Vec2& mouse);
   void hear_drag_of_handle(const Vec2& mouse);
-  Vec3 dragged_to(const Vec2& mouse) const;
+  std::optional<Grip> grip_at(const Vec2& mouse, ImGuiMouseButton button) const;
+  Vec3 at_depth(const Vec2& mouse, Real depth) const;
   void pass_time();
   Area picture_area() const { return layout().picture; }
   void show_panel(const Layout& layout);
@@ -80,7 +95,8 @@ class App {
   int slowness_ = 1;  ///< frames per step
   int frames_since_step_ = 0;
   bool hides_times_ = false;
-  std::optional<Real> drag_depth_;  ///< of the dragged point from the eye, along the view (m)
+  std::optional<Real> drag_depth_;  ///< of a dragged body's point from the eye, along the view (m)
+  std::optional<Grip> grip_;
 };
 
 }  // namespace cs550::viewer

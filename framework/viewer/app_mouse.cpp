@@ -1,4 +1,4 @@
-// The mouse turns the camera, drags bodies and moves a page's handle.
+// The mouse turns the camera, drags bodies, and moves and turns what a page lets the user drag.
 #include <imgui/imgui.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ void App::hear_mouse() {
   } else {
     hear_drag_of_handle(mouse);
   }
-  if (io.WantCaptureMouse || drag_depth_) return;
+  if (io.WantCaptureMouse || drag_depth_ || grip_) return;
   const Vec2 change(io.MouseDelta.x, io.MouseDelta.y);
   const bool shifts = ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
                       (io.KeyShift && ImGui::IsMouseDown(ImGuiMouseButton_Left));
@@ -61,38 +61,65 @@ void App::hear_drag_of_body(const Vec2& mouse) {
   }
   if (!drag_depth_) return;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    world_->drag_to(dragged_to(mouse));
+    world_->drag_to(at_depth(mouse, *drag_depth_));
   } else {
     world_->let_go();
     drag_depth_.reset();
   }
 }
 
-/// A page may let the user move one point: the tip of an arrow, the middle of a body.
-void App::hear_drag_of_handle(const Vec2& mouse) {
-  constexpr Real reach = 18;  // pixels
-  const std::optional<Vec3> handle = page_->handle();
-  if (!handle) return;
+/// The handle nearest to the mouse, within its reach.
+std::optional<App::Grip> App::grip_at(const Vec2& mouse, ImGuiMouseButton button) const {
   const Projection seen = projection();
-  const bool pressed =
-      ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::GetIO().WantCaptureMouse;
-  if (pressed && seen.is_in_front(*handle) &&
-      (seen.pixel(*handle) - mouse).norm() < reach * interface_.scale()) {
-    drag_depth_ = (*handle - seen.eye()).dot(seen.forward());
+  Real reach = 18 * interface_.scale();  // pixels
+  std::optional<Grip> grip;
+  const std::vector<pages::Handle> handles = page_->handles();
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    const pages::Handle& handle = handles[i];
+    if (button == ImGuiMouseButton_Right && !handle.turns) continue;
+    if (!seen.is_in_front(handle.point)) continue;
+    const Real distance = (seen.pixel(handle.point) - mouse).norm();
+    if (distance >= reach) continue;
+    reach = distance;
+    grip = {i, button, (handle.point - seen.eye()).dot(seen.forward())};
   }
-  if (!drag_depth_) return;
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    page_->move_handle(dragged_to(mouse));
+  return grip;
+}
+
+/// A lab's page may let the user move points, and turn the bodies around them with the right button.
+void App::hear_drag_of_handle(const Vec2& mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  for (const ImGuiMouseButton button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right}) {
+    const bool pressed = ImGui::IsMouseClicked(button) && !io.WantCaptureMouse;
+    if (pressed && !grip_) grip_ = grip_at(mouse, button);
+  }
+  if (!grip_) return;
+  if (!ImGui::IsMouseDown(grip_->button)) {
+    grip_.reset();
+  } else if (grip_->button == ImGuiMouseButton_Left) {
+    page_->move_handle(grip_->handle, at_depth(mouse, grip_->depth));
   } else {
-    drag_depth_.reset();
+    const Projection seen = projection();
+    page_->turn_handle(grip_->handle, turn_per_pixel * (io.MouseDelta.x * seen.up() +
+                                                        io.MouseDelta.y * seen.right()));
   }
 }
 
-/// The point under the mouse at the depth at which the drag began.
-Vec3 App::dragged_to(const Vec2& mouse) const {
+void App::nudge(Nudged nudged, Real right, Real up) {
+  const std::vector<pages::Handle> handles = page_->handles();
+  if (handles.empty()) return;
+  const std::size_t handle = nudged == Nudged::First ? 0 : handles.size() - 1;
+  const Projection seen = projection();
+  const Real step = Real(0.04) * page_->content().focus.radius;
+  page_->move_handle(handle,
+                     handles[handle].point + step * (right * seen.right() + up * seen.up()));
+}
+
+/// The point under the mouse at a distance from the eye, along the view.
+Vec3 App::at_depth(const Vec2& mouse, Real depth) const {
   const Projection seen = projection();
   const Vec3 ray = seen.ray(mouse);
-  return seen.eye() + *drag_depth_ / ray.dot(seen.forward()) * ray;
+  return seen.eye() + depth / ray.dot(seen.forward()) * ray;
 }
 
 }  // namespace cs550::viewer

@@ -23,9 +23,21 @@ WindowSystem open_screen() {
   }
 }
 
-void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*modifiers*/) {
+/// With Ctrl the arrow keys move A, with Shift B. @return whether the key was one of these
+bool hear_nudge(App& app, int key, int modifiers) {
+  const bool is_first = (modifiers & GLFW_MOD_CONTROL) != 0;
+  const bool is_last = (modifiers & GLFW_MOD_SHIFT) != 0;
+  const Real right = key == GLFW_KEY_RIGHT ? 1 : key == GLFW_KEY_LEFT ? -1 : 0;
+  const Real up = key == GLFW_KEY_UP ? 1 : key == GLFW_KEY_DOWN ? -1 : 0;
+  if ((!is_first && !is_last) || (right == 0 && up == 0)) return false;
+  app.nudge(is_first ? App::Nudged::First : App::Nudged::Last, right, up);
+  return true;
+}
+
+void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
   auto* app = static_cast<App*>(glfwGetWindowUserPointer(window));
   if (action == GLFW_RELEASE || app == nullptr) return;
+  if (hear_nudge(*app, key, modifiers)) return;
   if (key >= GLFW_KEY_0 && key <= GLFW_KEY_0 + lab_page_count) app->open(key - GLFW_KEY_0);
   switch (key) {
     case GLFW_KEY_SPACE:

@@ -61,6 +61,13 @@ void click(int x, int y) {
            "sleep", "0.2", "mouseup", "1"});
 }
 
+/// The numbers that a page prints.
+std::string numbers(const App& app) {
+  std::string all;
+  for (const pages::Fact& fact : app.page().content().facts) all += fact.value + '\n';
+  return all;
+}
+
 TEST(Window, IsOpenedUsedResizedAndClosed) {
   if (!is_installed("Xvfb") || !is_installed("xdotool")) GTEST_SKIP() << "no Xvfb or no xdotool";
   const Screen screen;
@@ -71,6 +78,11 @@ TEST(Window, IsOpenedUsedResizedAndClosed) {
   options.size = {1280, 720};
   Real yaw = 0;
   Vec3 body_at = Vec3::Zero();
+  std::vector<pages::Handle> handles;
+  const auto has_moved = [&](const App& app, std::size_t handle) {
+    return app.page().handles()[handle].point != handles[handle].point;
+  };
+  std::string numbers_before;
   const auto steps = [](App& app) { return app.world()->frame().step; };
 
   Play play({
@@ -125,6 +137,48 @@ TEST(Window, IsOpenedUsedResizedAndClosed) {
        [](App& app) { return !app.world()->is_dragging(); }},
       {"another page", [](App&) { press_key("4"); },
        [](App& app) { return app.page().lab() == 4; }},
+      {"take A of the two bodies",
+       [&](App& app) {
+         handles = app.page().handles();
+         const Vec2 pixel = app.pixel_of(handles[0].point);
+         xdotool({"mousemove", std::to_string(static_cast<int>(pixel.x())),
+                  std::to_string(static_cast<int>(pixel.y())), "sleep", "0.2", "mousedown", "1"});
+       },
+       [](App&) { return ImGui::IsMouseDown(ImGuiMouseButton_Left); }},
+      {"drag it",
+       [](App&) {
+         xdotool({"mousemove_relative", "--", "-60", "0"});
+       },
+       [&](App& app) { return has_moved(app, 0) && !has_moved(app, 1); }},
+      {"let it go",
+       [](App&) {
+         xdotool({"mouseup", "1"});
+       },
+       [](App&) { return !ImGui::IsMouseDown(ImGuiMouseButton_Left); }},
+      {"move B by keys", [](App&) { press_key("shift+Up"); },
+       [&](App& app) { return has_moved(app, 1); }},
+      {"take B with the right button",
+       [&](App& app) {
+         handles = app.page().handles();
+         numbers_before = numbers(app);
+         yaw = app.camera().yaw;
+         const Vec2 pixel = app.pixel_of(handles[1].point);
+         xdotool({"mousemove", std::to_string(static_cast<int>(pixel.x())),
+                  std::to_string(static_cast<int>(pixel.y())), "sleep", "0.2", "mousedown", "3"});
+       },
+       [](App&) { return ImGui::IsMouseDown(ImGuiMouseButton_Right); }},
+      {"turn it",
+       [](App&) {
+         xdotool({"mousemove_relative", "--", "-60", "0"});
+       },
+       [&](App& app) {
+         return numbers(app) != numbers_before && !has_moved(app, 1) && app.camera().yaw == yaw;
+       }},
+      {"let it go",
+       [](App&) {
+         xdotool({"mouseup", "3"});
+       },
+       [](App&) { return !ImGui::IsMouseDown(ImGuiMouseButton_Right); }},
       {"resize",
        [](App&) {
          xdotool({"search", "--name", "CS550", "windowsize", "800", "500"});

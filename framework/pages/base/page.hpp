@@ -2,8 +2,8 @@
 /// @file page.hpp
 /// A page of the viewer: its settings and its content.
 
+#include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +15,13 @@
 namespace cs550::pages {
 
 using isolation::Isolation;
+
+/// A point that the user can drag: the middle of a body, the tip of an arrow.
+struct Handle {
+  std::string name;    ///< "A"
+  Vec3 point;          ///< world (m)
+  bool turns = false;  ///< whether the body around it can be turned as well
+};
 
 /// A page of the viewer. Its content depends on its settings, and for the world also on time.
 class Page {
@@ -42,10 +49,12 @@ class Page {
   virtual void advance() = 0;
   /// Returns to the first step of a walk.
   virtual void rewind() {}
-  /// The point that the user can drag, if any (world, m).
-  virtual std::optional<Vec3> handle() const { return {}; }
-  /// Moves the dragged point.
-  virtual void move_handle(const Vec3& /*point*/) {}
+  /// The points that the user can drag.
+  virtual std::vector<Handle> handles() const { return {}; }
+  /// Moves a dragged point. @param handle index in handles() @param point world (m)
+  virtual void move_handle(std::size_t /*handle*/, const Vec3& /*point*/) {}
+  /// Turns the body around a point. @pre its Handle::turns @param rotation vector, world (rad)
+  virtual void turn_handle(std::size_t /*handle*/, const Vec3& /*rotation*/) {}
 };
 
 /// Number of labs with a page.

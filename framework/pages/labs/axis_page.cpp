@@ -115,8 +115,13 @@ Content show(const AxisSettings& settings) {
   return content;
 }
 
-Vec3 handle(const AxisSettings& settings) { return settings.pair.position; }
-void move_handle(AxisSettings& settings, const Vec3& point) { settings.pair.position = point; }
+std::vector<Handle> handles(const AxisSettings& settings) { return pages::handles(settings.pair); }
+void move_handle(AxisSettings& settings, std::size_t handle, const Vec3& point) {
+  pages::move_handle(settings.pair, handle, point);
+}
+void turn_handle(AxisSettings& settings, std::size_t handle, const Vec3& rotation) {
+  pages::turn_handle(settings.pair, handle, rotation);
+}
 
 }  // namespace
 
@@ -126,12 +131,13 @@ std::unique_ptr<Page> make_axis_page(Isolation isolation) {
   parts.story =
       "Two edges make a face of the Minkowski difference if their arcs cross on the Gauss maps of "
       "A and −B. Only these pairs and the faces are tried, and the largest separation wins. Drag "
-      "B by its middle.";
+      "A or B by its middle to move it, and with the right button to turn it.";
   parts.first_view = seen_from(Real(-1.5), Real(0.22));
   parts.describe = describe;
   parts.show = show;
-  parts.handle = handle;
+  parts.handles = handles;
   parts.move_handle = move_handle;
+  parts.turn_handle = turn_handle;
   return std::make_unique<LabPage<AxisSettings>>(parts, isolation);
 }
 

@@ -57,11 +57,11 @@ Content show(const ClimbSettings& settings) {
   return content;
 }
 
-Vec3 handle(const ClimbSettings& settings) {
-  return handle_distance * settings.direction.normalized();
+std::vector<Handle> handles(const ClimbSettings& settings) {
+  return {{"the arrow", handle_distance * settings.direction.normalized()}};
 }
 
-void move_handle(ClimbSettings& settings, const Vec3& point) {
+void move_handle(ClimbSettings& settings, std::size_t /*handle*/, const Vec3& point) {
   if (point.norm() > Real(0.1)) settings.direction = point.normalized();
 }
 
@@ -76,7 +76,7 @@ std::unique_ptr<Page> make_climb_page(Isolation isolation) {
   parts.first_view = seen_from(Real(-1.25), Real(0.3));
   parts.describe = describe;
   parts.show = show;
-  parts.handle = handle;
+  parts.handles = handles;
   parts.move_handle = move_handle;
   return std::make_unique<LabPage<ClimbSettings>>(parts, isolation);
 }

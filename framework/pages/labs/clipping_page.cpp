@@ -111,8 +111,15 @@ Content show(const ClippingSettings& settings) {
   return content;
 }
 
-Vec3 handle(const ClippingSettings& settings) { return settings.pair.position; }
-void move_handle(ClippingSettings& settings, const Vec3& point) { settings.pair.position = point; }
+std::vector<Handle> handles(const ClippingSettings& settings) {
+  return pages::handles(settings.pair);
+}
+void move_handle(ClippingSettings& settings, std::size_t handle, const Vec3& point) {
+  pages::move_handle(settings.pair, handle, point);
+}
+void turn_handle(ClippingSettings& settings, std::size_t handle, const Vec3& rotation) {
+  pages::turn_handle(settings.pair, handle, rotation);
+}
 
 }  // namespace
 
@@ -121,12 +128,14 @@ std::unique_ptr<Page> make_clipping_page(Isolation isolation) {
   parts.lab = 5;
   parts.story =
       "The incident face is clipped by the planes beside the reference face, one after the other. "
-      "On a box these are its side planes. The last step shows the manifold: at most four points.";
+      "On a box these are its side planes. The last step shows the manifold: at most four points. "
+      "Drag A or B by its middle to move it, and with the right button to turn it.";
   parts.first_view = seen_from(Real(-1.2), Real(0.62));
   parts.describe = describe;
   parts.show = show;
-  parts.handle = handle;
+  parts.handles = handles;
   parts.move_handle = move_handle;
+  parts.turn_handle = turn_handle;
   return std::make_unique<LabPage<ClippingSettings>>(parts, isolation);
 }
 

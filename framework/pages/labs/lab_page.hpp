@@ -3,6 +3,7 @@
 /// The page of a lab: a pure function of its settings. A child process can run it.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "pages/base/content_archive.hpp"
@@ -22,10 +23,11 @@ struct LabPageParts {
   void (*describe)(Settings& settings, ControlVisitor& visit) = nullptr;
   /// Makes the content. It calls functions of the lab, which may throw, crash or never return.
   Content (*show)(const Settings& settings) = nullptr;
-  /// The point that can be dragged, if any.
+  /// The points that can be dragged, and what a drag does; null if there are none. See Page.
   /// @{
-  Vec3 (*handle)(const Settings& settings) = nullptr;
-  void (*move_handle)(Settings& settings, const Vec3& point) = nullptr;
+  std::vector<Handle> (*handles)(const Settings& settings) = nullptr;
+  void (*move_handle)(Settings& settings, std::size_t handle, const Vec3& point) = nullptr;
+  void (*turn_handle)(Settings& settings, std::size_t handle, const Vec3& rotation) = nullptr;
   /// @}
 };
 
@@ -68,12 +70,15 @@ class LabPage final : public Page {
 
   void rewind() override { settings_.step = 0; }
 
-  std::optional<Vec3> handle() const override {
-    if (parts_.handle == nullptr) return {};
-    return parts_.handle(settings_);
+  std::vector<Handle> handles() const override {
+    if (parts_.handles == nullptr) return {};
+    return parts_.handles(settings_);
   }
-  void move_handle(const Vec3& point) override {
-    if (point.allFinite()) parts_.move_handle(settings_, point);
+  void move_handle(std::size_t handle, const Vec3& point) override {
+    if (point.allFinite()) parts_.move_handle(settings_, handle, point);
+  }
+  void turn_handle(std::size_t handle, const Vec3& rotation) override {
+    if (rotation.allFinite()) parts_.turn_handle(settings_, handle, rotation);
   }
 
  private:

@@ -40,6 +40,17 @@ Pose pose_from(const Vec3& position, const Vec3& turn_degrees) {
   return {position, orientation};
 }
 
+Vec3 turn_degrees(const Quat& orientation) {
+  const Mat3 r = orientation.toRotationMatrix();
+  const Real x = std::atan2(r(2, 1), r(2, 2));
+  const Real y = std::atan2(-r(2, 0), std::hypot(r(2, 1), r(2, 2)));
+  // From what remains after the turn about x is taken back: where y is a right angle, r(0, 0) and
+  // r(1, 0) vanish.
+  const Real z = std::atan2(std::sin(x) * r(0, 2) - std::cos(x) * r(0, 1),
+                            std::cos(x) * r(1, 1) - std::sin(x) * r(1, 2));
+  return (180 / pi * Vec3(x, y, z)).cwiseMax(-180).cwiseMin(180);
+}
+
 Solid solid_of(const PosedShape& body, drawing::Role role, float opacity) {
   Solid solid;
   solid.mesh = std::make_shared<const HalfEdgeMesh>(body.mesh());

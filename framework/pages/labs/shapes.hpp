@@ -23,6 +23,9 @@ ShapePtr recorded_shape(int name);
 /// A pose from a position (m) and a turn about the fixed x, then y, then z axis (degrees).
 Pose pose_from(const Vec3& position, const Vec3& turn_degrees);
 
+/// The turn with which pose_from() makes an orientation (degrees), each between −180 and 180.
+Vec3 turn_degrees(const Quat& orientation);
+
 /// A body as a solid.
 Solid solid_of(const PosedShape& body, drawing::Role role, float opacity);
 
