@@ -11,17 +11,22 @@ namespace cs550::live {
 
 using pages::Control;
 
-/// The one setting that the browser cannot offer: the Minkowski difference needs the hull library.
-inline constexpr std::string_view unavailable = "minkowski";
+/// Why the browser cannot offer a setting; empty for all that it can.
+constexpr std::string_view why_unavailable(std::string_view setting) {
+  if (setting == "minkowski") return "the Minkowski difference needs the hull library";
+  if (setting == "threads") return "the browser's engine has one thread";
+  return {};
+}
 
-/// Lists every setting: {kind, name, label, unit, value}, and least and most or names as the kind
-/// needs.
+/// Lists every setting that the browser can offer: {kind, name, label, unit, value}, and least and
+/// most or names as the kind needs.
 class ControlJson final : public pages::ControlVisitor {
  public:
   void section(const char* title) override {
     all_.push_back({{"kind", "section"}, {"label", title}});
   }
   void whole(const Control& control, int& value, int least, int most) override {
+    if (!why_unavailable(control.name).empty()) return;
     add("whole", control, value).update({{"least", least}, {"most", most}});
   }
   void number(const Control& control, Real& value, Real least, Real most) override {
@@ -32,7 +37,7 @@ class ControlJson final : public pages::ControlVisitor {
         .update({{"least", -most}, {"most", most}});
   }
   void toggle(const Control& control, bool& value) override {
-    if (control.name != unavailable) add("toggle", control, value);
+    if (why_unavailable(control.name).empty()) add("toggle", control, value);
   }
   void choice(const Control& control, int& value, std::span<const char* const> names) override {
     add("choice", control, names[value])["names"] = names;

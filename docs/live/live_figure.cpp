@@ -95,10 +95,8 @@ LiveFigure::LiveFigure(const std::string& description) {
 }
 
 void LiveFigure::set(const std::string& assignment) {
-  if (assignment.starts_with(std::string(unavailable) + '=')) {
-    throw std::invalid_argument(
-        "the Minkowski difference needs the hull library: use ./cs550 view");
-  }
+  const std::string_view reason = why_unavailable(assignment.substr(0, assignment.find('=')));
+  if (!reason.empty()) throw std::invalid_argument(std::string(reason) + ": use ./cs550 view");
   if (world_ != nullptr && assignment.starts_with("scene=")) {
     choose_scene(assignment.substr(assignment.find('=') + 1));
     return;
