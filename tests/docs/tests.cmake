@@ -11,6 +11,15 @@ if(CS550_HAS_BROWSER)
   set_tests_properties(docs.book docs.live PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 900 RUN_SERIAL ON)
 endif()
 
+# docs.firefox: the figures that answer, in another browser. Skipped where Firefox, the library that speaks to it or
+# live figures are missing.
+if(CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
+  add_test(NAME docs.firefox
+           COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/firefox_test.py"
+                   "${PROJECT_SOURCE_DIR}/build/docs/html")
+  set_tests_properties(docs.firefox PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 600 RUN_SERIAL ON)
+endif()
+
 # docs.listings: functions that chapters show are cut from the source.
 if(CS550_SYSTEM_PYTHON)
   add_test(NAME docs.listings COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/listing_test.py")
