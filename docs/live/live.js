@@ -189,7 +189,7 @@ class LiveFigure {
     try {
       while (this.isPlaying) {
         const picture = await next;
-        next = askForNext();
+        next = this.isPlaying ? askForNext() : null;  // stopped meanwhile: no further step
         if (picture) this.showPicture(picture);
         await nextFrame();
       }
