@@ -54,11 +54,12 @@ version=$(cat "$copy/.starters/version")
 [ "${version#* }" = "$(git -C "$root" rev-parse --short=12 HEAD)" ] || wrong "its version is $version"
 ! "$copy/cs550" help | grep -qE '^ *(starter|grade|bench) ' || wrong "its help lists a verb for instructors"
 
-echo "The book's figures, if the book was built:"
+echo "The book's figures, those that were built:"
 if [ -d "$root/build/docs/figures" ]; then
   for chapter in "$copy"/docs/chapters/*.md; do
     grep -o '(figures/[a-z_0-9]*\.[a-z]*' "$chapter" | while read -r figure; do
-      [ -s "$copy/docs/chapters/${figure#(}" ] || wrong "${chapter##*/} has no ${figure#(}"
+      [ ! -s "$root/build/docs/${figure#(}" ] || [ -s "$copy/docs/chapters/${figure#(}" ] ||
+        wrong "${chapter##*/} has no ${figure#(}"
     done
   done
 else
