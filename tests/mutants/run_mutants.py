@@ -6,7 +6,8 @@ lose points in the step that the mistake breaks, keep those of every step that i
 a test that fails for it must name the cause.
 
 A vacuous answer replaces a function of the reference by one that does nothing, or nearly nothing: it
-returns a constant, or what it was given. It must not earn a single point in its step.
+returns a constant, or what it was given. It must not earn a single point in its step. The first such answers of all
+steps together must not earn a single point of the lab.
 
 An endless mutant is a mutant for which a test of its step never ends. It names a cause of its own: ./cs550 lab
 lists such causes only if a test was stopped. Students' own tests do not have to find it (build_libraries.py).
@@ -232,9 +233,16 @@ def judge_mutant(reference, mutant):
     return own, sum(row["points"] for row in failed) - own, found
 
 
+def vacuous_answers(listed):
+    """The vacuous answers of a lab, and then the first of every step, all together."""
+    answers = [answer | {"bodies": [(answer["function"], answer["body"])]} for answer in listed]
+    first = {answer["step"]: answer["bodies"][0] for answer in reversed(answers)}
+    return [*answers, {"step": None, "answer": "nothing", "bodies": first.values()}]
+
+
 def judge_vacuous(reference, answer):
     """Returns the points lost in the answer's step, 0, and the tests that it passes."""
-    sources = sources_with_bodies(reference, [(answer["function"], answer["body"])])
+    sources = sources_with_bodies(reference, answer["bodies"])
     rows = run_edited(reference, name_of(answer), sources, answer["step"])
     lost = sum(row["points"] for row in rows if row["status"] == "failed")
     return lost, 0, [f"{row['test']} passes: {row['points']} points for nothing"
@@ -249,8 +257,8 @@ def judge(reference, wrong):
 
 
 def name_of(wrong):
-    """A mutant's name, or "L3.2_nothing" for a vacuous answer."""
-    return wrong["name"] if "name" in wrong else f"{wrong['step']}_{wrong['answer']}"
+    """A mutant's name, or "L3.2_nothing" or "all_nothing" for vacuous answers."""
+    return wrong["name"] if "name" in wrong else f"{wrong['step'] or 'all'}_{wrong['answer']}"
 
 
 def prove_lab(build, file, only, jobs, record_causes):
@@ -259,7 +267,8 @@ def prove_lab(build, file, only, jobs, record_causes):
     listed = json.loads(file.read_text())
     mutants = [mutant | {"is_endless": name == "endless"}
                for name in ("mutants", "endless") for mutant in listed.get(name, [])]
-    answers = [wrong for wrong in mutants + listed["vacuous"] if fnmatch.fnmatch(name_of(wrong), only)]
+    answers = [wrong for wrong in mutants + vacuous_answers(listed["vacuous"])
+               if fnmatch.fnmatch(name_of(wrong), only)]
     if not answers:
         return 0, 0
     reference = Reference(build, lab)
@@ -269,7 +278,7 @@ def prove_lab(build, file, only, jobs, record_causes):
         for wrong, (own, elsewhere, found) in zip(answers, verdicts):
             faulty += bool(found)
             verdict = "\n      ".join(found) or "caught"
-            print(f"{lab:3}  {name_of(wrong):44} {wrong['step']:5}{own:5}{elsewhere:10}  {verdict}",
+            print(f"{lab:3}  {name_of(wrong):44} {wrong['step'] or '':5}{own:5}{elsewhere:10}  {verdict}",
                   flush=True)
     if record_causes:
         reference.causes.record()
