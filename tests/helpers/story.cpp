@@ -9,6 +9,15 @@
 #include "helpers/random.hpp"
 
 namespace cs550::test {
+namespace {
+
+/// What was found. If it is not a number, where such a value comes from follows.
+std::string found(const std::string& value, bool is_nan) {
+  return is_nan ? value + ": not a number. It comes from 0/0 or the root of a negative number"
+                : value;
+}
+
+}  // namespace
 
 Story::Story(std::string property) {
   case_.property = std::move(property);
@@ -56,26 +65,30 @@ bool Story::expect_near(const std::string& what, double got, double expected, do
                         const std::string& unit, SourceLine at) {
   const double allowed = std::abs(tolerance);
   if (std::abs(got - expected) <= allowed) return passed();
-  return failed(what, show(got, unit), show(expected, unit) + " ± " + show(allowed, unit), at);
+  return failed(what, found(show(got, unit), std::isnan(got)),
+                show(expected, unit) + " ± " + show(allowed, unit), at);
 }
 
 bool Story::expect_near(const std::string& what, const Vec3& got, const Vec3& expected,
                         double tolerance, const std::string& unit, SourceLine at) {
   const double allowed = std::abs(tolerance);
   if (static_cast<double>((got - expected).norm()) <= allowed) return passed();
-  return failed(what, show(got, unit), show(expected, unit) + " ± " + show(allowed, unit), at);
+  return failed(what, found(show(got, unit), got.hasNaN()),
+                show(expected, unit) + " ± " + show(allowed, unit), at);
 }
 
 bool Story::expect_at_most(const std::string& what, double got, double bound,
                            const std::string& unit, SourceLine at) {
   return got <= bound ? passed()
-                      : failed(what, show(got, unit), "at most " + show(bound, unit), at);
+                      : failed(what, found(show(got, unit), std::isnan(got)),
+                               "at most " + show(bound, unit), at);
 }
 
 bool Story::expect_at_least(const std::string& what, double got, double bound,
                             const std::string& unit, SourceLine at) {
   return got >= bound ? passed()
-                      : failed(what, show(got, unit), "at least " + show(bound, unit), at);
+                      : failed(what, found(show(got, unit), std::isnan(got)),
+                               "at least " + show(bound, unit), at);
 }
 
 std::string Story::show(double value, const std::string& unit) {
