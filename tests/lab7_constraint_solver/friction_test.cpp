@@ -34,16 +34,19 @@ void require_slide(Story slide, Meeting meeting, double angle, int passes) {
   require(slide.expect_near("velocity after", meeting.b.v, in_plane(angle, 30 - 1.5), 1e-5, "m/s"));
 }
 
-/// A beam along x above the contact. It turns easily about x, so that m_t is 0.5 kg along v and
-/// 1.6 kg along u.
-Meeting beam() {
+/// A beam above the contact. It turns easily about its axis, so that m_t is 1.6 kg along the beam and
+/// 0.5 kg across it.
+/// @param angle from u to the beam (rad): except along u or v, m_t has numbers beside its diagonal
+Meeting beam(Real angle = 0) {
   Meeting meeting = landing(2, Vec3::Zero());
-  meeting.b.world_inverse_inertia = Vec3(6, Real(0.5), Real(0.5)).asDiagonal();
+  const Mat3 turn = rotation_exp(Vec3(0, 0, angle)).toRotationMatrix();
+  meeting.b.world_inverse_inertia =
+      turn * Vec3(6, Real(0.5), Real(0.5)).asDiagonal() * turn.transpose();
   prepare_densely(meeting.constraint, meeting.a, meeting.b);
   return meeting;
 }
 
-GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 2, "L7.7") {
+GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 1, "L7.7") {
   Story story("a slipping contact gets exactly μ·λ_n against the slip, whatever its direction");
   story.given("a body of 2 kg that slides at 30 m/s, μ = 0.5, λ_n = 6 N·s");
   story.likely("limiting λ_u and λ_v separately is a box: up to √2·μ along its diagonal")
@@ -59,6 +62,39 @@ GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 2, "L7.7") {
     require_slide(cube, landing(2, Vec3::Zero()), angle, 3);
     // A second solve would have another slip, because the first has turned the beam.
     require_slide(long_beam, beam(), angle, 1);
+  }
+}
+
+GRADED_TEST(Lab7, SlidingFrictionUsesTheSmallerEigenvalue, 1, "L7.7") {
+  Story story(
+      "a sliding contact gets λ_acc − s·slip, scaled back; s: the smaller eigenvalue of m_t");
+  story.given("a beam of 2 kg that slides at 8 m/s, μ = 0.5, λ_n = 4 N·s")
+      .given("m_t is 1.6 kg along the beam and 0.5 kg across it, so that s = 0.5 kg")
+      .given("accumulated: 1.5 N·s at a right angle to the slip");
+  story
+      .likely("s is the smaller eigenvalue of tangent_mass, not the larger one or an element of it")
+      .likely("accumulate first, then scale the sum, then apply the difference");
+  for (const Real angle : {Real(0.6), Real(-0.9)}) {
+    for (int k = 0; k < 12; ++k) {
+      const double direction = 0.1 + k * static_cast<double>(pi) / 6;
+      const Vec3 slip = in_plane(direction, 8);
+      const Vec3 accumulated = in_plane(direction + 0.5 * static_cast<double>(pi), 1.5);
+      // m_t·slip is at least 0.5 · 8 = 4 N·s long. The 1.5 N·s leave 2.5 N·s of it or more: outside
+      // the disk of 2 N·s.
+      const Vec3 expected = 2 * (accumulated - Real(0.5) * slip).normalized();
+      Meeting meeting = beam(angle);
+      meeting.b.v = slip;
+      meeting.constraint.friction = Real(0.5);
+      meeting.constraint.normal_impulse = 4;
+      meeting.constraint.tangent_impulse = accumulated.head<2>();
+      Story slide = story;
+      slide.given("angle from u to the beam", angle, "rad");
+      slide.given("direction of the slip", direction, "rad");
+      solve_friction(meeting.constraint, meeting.a, meeting.b);
+      const Vec2 got = meeting.constraint.tangent_impulse;
+      slide.picture([&] { return friction_picture(2, expected, got, slip); });
+      require_pair(slide, got, expected);
+    }
   }
 }
 

@@ -23,23 +23,29 @@ Meeting loaded_meeting(Random& random) {
 GRADED_TEST(Lab7, WarmStartAppliesTheAccumulatedImpulses, 2, "L7.5") {
   Random random(7501);
   Story story("warm starting adds M⁻¹·Jᵀ·λ to the velocities, for λ_n, λ_u and λ_v");
-  story.seed(random.seed())
-      .likely("λ ≥ 0 pushes apart: −λ·n to A and +λ·n to B")
+  story.seed(random.seed());
+  Story without_friction = story;
+  without_friction.likely(
+      "the friction impulses λ_u and λ_v are applied again, too, not λ_n alone");
+  story.likely("λ ≥ 0 pushes apart: −λ·n to A and +λ·n to B")
       .likely("the second tangent is constraint.v() = n × u")
       .likely("the impulse acts at r_A and r_B, not at the centres");
   for (int i = 0; i < 200; ++i) {
     Meeting meeting = loaded_meeting(random);
+    const Meeting before = meeting;
     const Vec12 expected = meeting.velocity_after(meeting.impulses());
     warm_start(meeting.constraint, meeting.a, meeting.b);
     const Vec12 got = meeting.velocity();
+    const Vec12 normal_alone = before.velocity_after({before.impulses()[0], 0, 0});
     const double tolerance = warm_start_rounding * (1 + expected.norm());
+    Story& here = (got - normal_alone).norm() <= tolerance ? without_friction : story;
     const auto part = [](const Vec12& all, int first) {
       return Vec3(all.segment<3>(first).cast<Real>());
     };
-    require(story.expect_near("v_A", part(got, 0), part(expected, 0), tolerance, "m/s"));
-    require(story.expect_near("ω_A", part(got, 3), part(expected, 3), tolerance, "rad/s"));
-    require(story.expect_near("v_B", part(got, 6), part(expected, 6), tolerance, "m/s"));
-    require(story.expect_near("ω_B", part(got, 9), part(expected, 9), tolerance, "rad/s"));
+    require(here.expect_near("v_A", part(got, 0), part(expected, 0), tolerance, "m/s"));
+    require(here.expect_near("ω_A", part(got, 3), part(expected, 3), tolerance, "rad/s"));
+    require(here.expect_near("v_B", part(got, 6), part(expected, 6), tolerance, "m/s"));
+    require(here.expect_near("ω_B", part(got, 9), part(expected, 9), tolerance, "rad/s"));
   }
 }
 
