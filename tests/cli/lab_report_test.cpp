@@ -155,7 +155,7 @@ TEST(LabReport, ACauseOfEndlessLoopsComesFirstIfATestWasStopped) {
         printed({ended("A", ending + '\n' + causes), ended("B", ending + '\n' + causes),
                  verdict("C", "L3.1", Kind::Failed, "down")},
                 false, known);
-    return report.find("likely    sign") != std::string::npos ? "sign" : ">=";
+    return report.find("likely    sign") < report.find("likely    >") ? "sign" : ">=";
   };
   EXPECT_STREQ(first_cause("stopped: it did not end in time (an endless loop?)"), ">=");
   EXPECT_STREQ(first_cause("crashed: Segmentation fault"), "sign");
@@ -174,6 +174,41 @@ TEST(LabReport, ACrashHasNoCausesOfWrongValues) {
               std::string::npos)
         << report;
   }
+}
+
+TEST(LabReport, AnEndlessLoopHasNoCausesOfWrongValues) {
+  const Verdict stopped = ended(
+      "A",
+      "stopped: it did not end in time (an endless loop?)\nin this case:\n  given     a cube\n"
+      "  likely    sign\n            order\n");
+  for (const std::vector<cs550::cli::KnownCause>& known :
+       {std::vector<cs550::cli::KnownCause>{},
+        {{"sign", {"A", "B"}, {}}, {">=", {"A"}, {}, {"A"}}}}) {
+    EXPECT_EQ(printed({stopped}, true, known).find("likely"), std::string::npos);
+    const std::string report = printed(
+        {stopped, verdict("B", "L3.1", Kind::Failed, "up\n  likely    sign\n")}, false, known);
+    EXPECT_NE(report.find("a cube\n  FAILED    0/4  L3.1  B\n      up\n        likely    sign\n"),
+              std::string::npos)
+        << report;
+  }
+}
+
+TEST(LabReport, ATestThatDidNotRunHasNoCauses) {
+  const Verdict crashed = ended(
+      "A", "crashed: Segmentation fault\nin this case:\n  given     a tower\n  likely    sign\n");
+  Verdict waiting = verdict("B", "L3.1", Kind::Blocked, "blocked by L3.1: a long test");
+  waiting.blocked_by = "L3.1";
+  const std::string report = printed({crashed, waiting});
+  EXPECT_NE(report.find("      blocked by L3.1: a long test\n\n"), std::string::npos) << report;
+}
+
+TEST(LabReport, AnEarlierLabThatDoesNotCompileComesAfterAStepThatFailsByItself) {
+  Verdict blocked = verdict("A", "L4.2", Kind::Blocked, "blocked by lab 3, which does not compile");
+  blocked.blocked_by = "L3.4";
+  EXPECT_NE(printed({blocked}, false, {}, "lab 3").find("\nFix lab 3 first.\n"), std::string::npos);
+  const Verdict failed = verdict("B", "L4.3", Kind::Failed, "wrong sign");
+  const std::string report = printed({blocked, failed}, false, {}, "lab 3");
+  EXPECT_NE(report.find("\nFix L4.3 first; lab 3 blocks 1 test.\n"), std::string::npos) << report;
 }
 
 TEST(LabReport, AnEarlierLabThatFailsByItselfIsToBeFixedFirst) {

@@ -92,6 +92,8 @@ runs 1 lab 3 --hint
 prints "error: expected ';'"
 runs 1 lab 4
 prints "Lab 3 itself does not compile: fix that first."
+prints "blocked by lab 3, which does not compile"
+prints_not "blocked by L3"
 prints "Fix lab 3 first."
 runs 1 lab 4 --hint
 prints "Lab 3 itself does not compile"

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "cli/grading/lab_files.hpp"
@@ -42,9 +44,9 @@ std::set<int> suspects(const std::string& lab_name, const std::vector<Verdict>& 
 
 }  // namespace
 
-std::optional<EarlierFault> warn_of_earlier_labs(const std::string& lab_name,
-                                                 const std::vector<Verdict>& verdicts) {
-  std::optional<EarlierFault> first;
+std::vector<EarlierFault> warn_of_earlier_labs(const std::string& lab_name,
+                                               const std::vector<Verdict>& verdicts) {
+  std::vector<EarlierFault> faults;
   for (const int number : suspects(lab_name, verdicts)) {
     const std::string earlier = cli::lab_name(number);
     if (has_reference(earlier) || is_untouched(earlier)) continue;
@@ -59,9 +61,21 @@ std::optional<EarlierFault> warn_of_earlier_labs(const std::string& lab_name,
                                       compiles ? "fails " + fault.step : "does not compile"),
                           Colour::Yellow)
               << fmt::format(" (./cs550 lab {})\n\n", number);
-    if (!first) first = fault;
+    faults.push_back(fault);
   }
-  return first;
+  return faults;
+}
+
+void explain_blocked_tests(std::vector<Verdict>& verdicts,
+                           const std::vector<EarlierFault>& faults) {
+  for (Verdict& verdict : verdicts) {
+    if (!verdict.is_blocked_by_other_lab()) continue;
+    const int lab = lab_number_of_step(verdict.blocked_by);
+    const bool compiles = std::none_of(
+        faults.begin(), faults.end(),
+        [lab](const EarlierFault& fault) { return fault.lab == lab && fault.step.empty(); });
+    if (!compiles) verdict.message = fmt::format("blocked by lab {}, which does not compile", lab);
+  }
 }
 
 }  // namespace cs550::cli

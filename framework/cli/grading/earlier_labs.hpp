@@ -2,7 +2,6 @@
 /// @file earlier_labs.hpp
 /// In a students' copy the tests of a lab run on the student's own earlier labs.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,12 @@ struct EarlierFault {
 
 /// Warns of earlier labs that do not compile or fail their own tests, if a failing test calls them or
 /// a test is blocked by them.
-/// @return the first one that it has warned of
-std::optional<EarlierFault> warn_of_earlier_labs(const std::string& lab_name,
-                                                 const std::vector<Verdict>& verdicts);
+/// @return those that it has warned of
+std::vector<EarlierFault> warn_of_earlier_labs(const std::string& lab_name,
+                                               const std::vector<Verdict>& verdicts);
+
+/// A test that is blocked by a lab that does not compile ran on that lab's starter: its message is
+/// replaced, because it names an unwritten step of the starter.
+void explain_blocked_tests(std::vector<Verdict>& verdicts, const std::vector<EarlierFault>& faults);
 
 }  // namespace cs550::cli

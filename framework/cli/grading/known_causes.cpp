@@ -73,4 +73,20 @@ std::vector<std::string> plausible(const std::vector<std::string>& causes,
   return result;
 }
 
+std::vector<std::string> endless_causes(const std::vector<std::string>& causes,
+                                        const std::vector<KnownCause>& known,
+                                        const Outcomes& outcomes) {
+  std::vector<KnownCause> loops;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(loops),
+               [&](const KnownCause& one) { return common(one.endless, outcomes.stopped) > 0; });
+  std::vector<std::string> candidates;
+  std::copy_if(causes.begin(), causes.end(), std::back_inserter(candidates),
+               [&](const std::string& cause) {
+                 return std::any_of(loops.begin(), loops.end(), [&](const KnownCause& one) {
+                   return cause.find(one.words) != std::string::npos;
+                 });
+               });
+  return plausible(candidates, loops, outcomes);
+}
+
 }  // namespace cs550::cli

@@ -34,4 +34,9 @@ struct Outcomes {
 std::vector<std::string> plausible(const std::vector<std::string>& causes,
                                    const std::vector<KnownCause>& known, const Outcomes& outcomes);
 
+/// Those causes for which a test that was stopped may never end, in the same order.
+std::vector<std::string> endless_causes(const std::vector<std::string>& causes,
+                                        const std::vector<KnownCause>& known,
+                                        const Outcomes& outcomes);
+
 }  // namespace cs550::cli

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include "cli/handout/handout.hpp"
 #include "cli/system/project.hpp"
@@ -141,9 +142,7 @@ void LabReport::print_reason(const Verdict& verdict) {
     }
   }
   Message message = split(verdict.message);
-  // Causes of wrong values explain no crash.
-  message.causes =
-      ended_the_program(verdict) ? std::vector<std::string>() : take_causes(verdict.test.step);
+  message.causes = causes_to_print(verdict);
   const bool is_first = explained_steps_.insert(verdict.test.step).second;
   if (!is_first && !everything_) {
     const std::string short_form = shortened(message.before + message.after);
@@ -153,21 +152,44 @@ void LabReport::print_reason(const Verdict& verdict) {
   std::cout << indented(joined(message), indent);
 }
 
+/// A test that was not run has no causes. Causes of wrong values explain neither a crash nor an endless
+/// loop: they are printed with the first test that compared values.
+std::vector<std::string> LabReport::causes_to_print(const Verdict& verdict) {
+  if (verdict.kind == Verdict::Kind::Blocked || ended_the_program(verdict)) return {};
+  std::vector<std::string>& causes = causes_[verdict.test.step];
+  if (was_stopped(verdict)) return first_new(endless_causes(causes, known_causes_, outcomes_));
+  return first_new(plausible(std::exchange(causes, {}), known_causes_, outcomes_));
+}
+
 /// The first ones explain most failing tests, so a few are enough.
-std::vector<std::string> LabReport::take_causes(const std::string& step) {
+std::vector<std::string> LabReport::first_new(const std::vector<std::string>& causes) {
   constexpr std::size_t most = 3;
-  std::vector<std::string> causes;
-  for (const std::string& cause : plausible(causes_[step], known_causes_, outcomes_)) {
-    const bool has_room = everything_ || causes.size() < most;
-    if (has_room && printed_causes_.insert(cause).second) causes.push_back(cause);
+  std::vector<std::string> chosen;
+  for (const std::string& cause : causes) {
+    const bool has_room = everything_ || chosen.size() < most;
+    if (has_room && printed_causes_.insert(cause).second) chosen.push_back(cause);
   }
-  causes_[step].clear();
-  return causes;
+  return chosen;
 }
 
 bool LabReport::is_after_first_failure(const Verdict& verdict) const {
   return !everything_ && !first_failing_step_.empty() &&
          is_earlier_step(first_failing_step_, verdict.test.step);
+}
+
+/// A test that needs a lab that does not compile is blocked. So a step that failed did so by itself, and
+/// comes first.
+std::string LabReport::what_to_fix(const std::string& earlier_fault) const {
+  const auto blocked =
+      std::count_if(verdicts_.begin(), verdicts_.end(), [&](const Verdict& verdict) {
+        return verdict.is_blocked_by_other_lab() &&
+               fmt::format("lab {}", lab_number_of_step(verdict.blocked_by)) == earlier_fault;
+      });
+  if (blocked == 0 || first_failing_step_.empty()) {
+    return (earlier_fault.empty() ? first_failing_step_ : earlier_fault) + " first";
+  }
+  return fmt::format("{} first; {} blocks {} test{}", first_failing_step_, earlier_fault, blocked,
+                     blocked == 1 ? "" : "s");
 }
 
 void LabReport::print_total(int elsewhere, const std::string& earlier_fault) const {
@@ -184,12 +206,12 @@ void LabReport::print_total(int elsewhere, const std::string& earlier_fault) con
                                     passed, verdicts_.size()),
                         Colour::Bold)
             << '\n';
-  const std::string& first = earlier_fault.empty() ? first_failing_step_ : earlier_fault;
+  const std::string advice = "Fix " + what_to_fix(earlier_fault) + '.';
   if (shortened_) {
-    std::cout << "Fix " << first
-              << " first. Other reports are left out or shortened; --all prints them.\n";
+    std::cout << indented(advice + " Other reports are left out or shortened; --all prints them.",
+                          0);
   } else if (!earlier_fault.empty()) {
-    std::cout << "Fix " << first << " first.\n";
+    std::cout << advice << '\n';
   }
   if (elsewhere > 0) std::cout << elsewhere << " more points are graded by your instructor.\n";
 }

@@ -32,8 +32,10 @@ class LabReport {
 
  private:
   void print_reason(const Verdict& verdict);
-  /// The likely causes of all failing tests of a step, once.
-  std::vector<std::string> take_causes(const std::string& step);
+  /// The likely causes of all failing tests of the verdict's step, once.
+  std::vector<std::string> causes_to_print(const Verdict& verdict);
+  std::vector<std::string> first_new(const std::vector<std::string>& causes);
+  std::string what_to_fix(const std::string& earlier_fault) const;
   bool is_after_first_failure(const Verdict& verdict) const;
 
   bool everything_;

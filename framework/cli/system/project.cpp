@@ -71,7 +71,9 @@ std::string fault_of_lab_number(const std::string& word) {
   return fault;
 }
 
-std::string lab_of_step(const std::string& step) { return lab_name(std::stoi(step.substr(1))); }
+int lab_number_of_step(const std::string& step) { return std::stoi(step.substr(1)); }
+
+std::string lab_of_step(const std::string& step) { return lab_name(lab_number_of_step(step)); }
 
 bool is_students_copy() { return fs::exists(project_root() / ".starters"); }
 

@@ -21,6 +21,9 @@ std::string title(const std::string& lab_name);
 /// Why a word is not the number of a lab, with a list of the labs; empty when it is one.
 std::string fault_of_lab_number(const std::string& word);
 
+/// The number of the lab that a step belongs to: 3 for "L3.2".
+int lab_number_of_step(const std::string& step);
+
 /// The lab that a step belongs to: `lab3_hill_climbing` for "L3.2".
 std::string lab_of_step(const std::string& step);
 

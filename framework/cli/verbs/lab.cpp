@@ -70,8 +70,9 @@ int debug_first_failure(int lab, const LabResult& result) {
     return Good;
   }
   if (failure->kind == Verdict::Kind::Blocked) {
-    std::cout << fmt::format("{} needs {}, which is not written yet: there is nothing to debug.\n",
-                             failure->test.name, failure->blocked_by);
+    std::cout << indented(
+        fmt::format("{} is {}. There is nothing to debug.", failure->test.name, failure->message),
+        0);
     return Failed;
   }
   return run_in_gdb(graded_target(lab, Grading::Debugged),
@@ -99,9 +100,10 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   result.verdicts.clear();
   LabReport report(options.all, known_causes(options.name));
   const bool has_long_tests = !only(tests, true).empty();
-  std::optional<EarlierFault> earlier;
-  const Arrived print = [&](const std::vector<Verdict>& verdicts) {
-    if (!earlier) earlier = warn_of_earlier_labs(options.name, verdicts);
+  std::vector<EarlierFault> earlier;
+  const Arrived print = [&](std::vector<Verdict> verdicts) {
+    if (earlier.empty()) earlier = warn_of_earlier_labs(options.name, verdicts);
+    explain_blocked_tests(verdicts, earlier);
     report.print(verdicts);
     if (has_long_tests && !verdicts.front().test.is_long) {
       std::cout << coloured("  The long tests:", Colour::Faint) << std::endl;
@@ -110,7 +112,7 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   };
   grade(options.lab, grading, tests, print, options.all);
   report.print_total(is_whole_lab ? points_graded_elsewhere(options.name) : 0,
-                     earlier ? earlier->in_words() : "");
+                     earlier.empty() ? "" : earlier.front().in_words());
   if (is_remembered) remember(result);
   finish_pictures(options.lab, result.verdicts);
 
@@ -127,9 +129,10 @@ int run_hint(const LabOptions& options) {
     std::cerr << title(options.name) << " does not compile:\n" << indented(result.compile_error, 2);
     return Failed;
   }
-  if (const auto earlier = warn_of_earlier_labs(options.name, result.verdicts)) {
-    if (earlier->step.empty()) return Failed;
-    return show_hint(lab_of_step(earlier->step), earlier->step, options.hint);
+  const std::vector<EarlierFault> earlier = warn_of_earlier_labs(options.name, result.verdicts);
+  if (!earlier.empty()) {
+    const std::string& step = earlier.front().step;
+    return step.empty() ? Failed : show_hint(lab_of_step(step), step, options.hint);
   }
   if (const std::optional<Verdict> failure = result.next_failure()) {
     return give_hint(*failure, options.hint);
