@@ -1,10 +1,12 @@
 /// Results of a lab's tests if some of them end the program that runs them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -82,6 +84,22 @@ TEST_F(GradedRun, StopsAProgramThatComesToNoEnd) {
     EXPECT_EQ(verdict.kind, Kind::Failed);
     EXPECT_NE(verdict.message.find("endless loop"), std::string::npos) << verdict.message;
   }
+}
+
+TEST_F(GradedRun, RemovesWhatAnInterruptedRunLeft) {
+  const fs::path folder = root / "build/results";
+  fs::create_directories(folder);
+  const auto file_of = [&](int process, const std::string& ending) {
+    return folder / ("lab5." + std::to_string(process) + ".0" + ending);
+  };
+  constexpr int nobody = 999999999;  // above the largest process id of Linux
+  for (const char* ending : {".json", ".json.case", ".txt"}) std::ofstream(file_of(nobody, ending));
+  std::ofstream(file_of(getppid(), ".json"));  // another run, which is under way
+  std::ofstream(folder / "lab5.json");
+  run_graded_tests(CS550_FAKE_LAB, 5, {{"Passes", "L5.1", 6, false}}, patience);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);
+  EXPECT_TRUE(fs::exists(file_of(getppid(), ".json")));
+  EXPECT_TRUE(fs::exists(folder / "lab5.json"));
 }
 
 TEST_F(GradedRun, TellsWhatTheSanitizersFound) {

@@ -131,6 +131,20 @@ rm "${picture%/*}"/Lab3.Test*.svg
 runs 2 view --failure
 prints "./cs550 lab N draws one"
 
+echo "--debug opens the failure of the last run without repeating it:"
+echo "// WRONG" >"$lab3"
+runs 1 lab 3
+runs 1 lab 3 --debug
+prints "GDB lab3_debugged"
+prints "Ctrl-C shows where it"
+prints_not "of 48 points"
+echo "// WRONG in another way" >"$lab3"
+runs 1 lab 3 --debug
+prints "0 of 48 points"
+prints "GDB lab3_debugged"
+echo "// mended" >"$lab3"
+runs 0 lab 3
+
 echo "--run has the exit code of the engine:"
 for option in "" --asan --debug; do
   runs 0 lab 3 --run $option
@@ -145,6 +159,9 @@ done
 runs 1 lab 3 --run --debug
 prints "GDB milestones_debugged"
 runs 0 lab 2 --run
+prints "Your own engine, labs 1 to 2"
+runs 0 lab 1 --run
+prints "Your own engine, lab 1"
 echo "// CRASH" >"$lab3"
 runs 1 lab 3 --run
 prints "a scene"
@@ -154,7 +171,7 @@ echo "// ENDLESS" >"$lab3"
 for option in "" --debug; do
   CS550_ENGINE_SECONDS=24 runs 1 lab 3 --run $option
   prints "not reached: stopped: it made no step for 2 s"
-  prints "try  ./cs550 lab 3 --run --debug"
+  prints "try  ./cs550 lab 3 --run --debug  Ctrl-C 5 s after gdb starts shows the loop"
 done
 prints GDB
 echo "// SLOW" >"$lab3"

@@ -33,7 +33,8 @@ int run_in_gdb(const std::string& target, const std::vector<std::string>& argume
   gdb.insert(gdb.end(), arguments.begin(), arguments.end());
   std::cout << indented(
                    fmt::format(
-                       "gdb runs {} up to its failure. To step through your own function: "
+                       "gdb runs {} up to its failure. If it does not end, Ctrl-C shows where it "
+                       "loops. To step through your own function: "
                        "`break` and its name, `run`, then `next` or `step`. `quit` leaves gdb.",
                        what),
                    0)

@@ -71,7 +71,7 @@ EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
   const auto is_stuck = [&] {
     const auto now = Clock::now();
     if (now > next_status) {
-      show_status(fmt::format("Running your engine, stopped after {} s, or {} s without a step",
+      show_status(fmt::format("Running your engine, at most {} s, or {} s without a step",
                               patience(sanitized).count(), patience_of_a_step(sanitized).count()));
       next_status = now + seconds{10};
     }
@@ -94,7 +94,7 @@ EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
 void print_ending(int lab, const EngineEnding& how) {
   const Ending& ending = how.ending;
   if (ending.signal == 0) return;
-  const std::string advice = ending.stopped ? "--debug  and Ctrl-C: gdb shows where it loops"
+  const std::string advice = ending.stopped ? fmt::format("--debug  {}", how_to_find_a_loop)
                                             : "--asan  which prints the line";
   std::cout << fmt::format("\nnot reached: {}\ntry  ./cs550 lab {} --run {}\n", how.in_words, lab,
                            advice);
@@ -106,7 +106,10 @@ int run_engine(int lab, Grading grading) {
   const bool sanitized = grading == Grading::Sanitized;
   const std::string program = "milestones_" + variant(sanitized ? grading : Grading::Plain);
   if (!build("student", program)) return Failed;
-  std::cout << coloured(fmt::format("Your own engine, labs 1 to {}", lab), Colour::Bold) << "\n\n"
+  std::cout << coloured(lab == 1 ? "Your own engine, lab 1"
+                                 : fmt::format("Your own engine, labs 1 to {}", lab),
+                        Colour::Bold)
+            << "\n\n"
             << std::flush;
   const std::vector<std::string> arguments{"--lab", std::to_string(lab)};
   const std::vector<std::string> command{built_program("student", program), arguments[0],

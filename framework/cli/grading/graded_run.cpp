@@ -4,14 +4,19 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <fstream>
 #include <future>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <system_error>
 #include <thread>
 
 #include "cli/grading/crash_report.hpp"
+#include "cli/grading/debugging.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
@@ -72,10 +77,8 @@ struct Outputs {
 
 /// What to try when a test has no verdict of its own.
 std::string advice(int lab, const Ending& ending) {
-  return ending.stopped
-             ? fmt::format("try  ./cs550 lab {} --debug  and Ctrl-C: gdb shows where it loops\n",
-                           lab)
-             : fmt::format("try  ./cs550 lab {} --asan  which prints the line\n", lab);
+  return ending.stopped ? fmt::format("try  ./cs550 lab {} --debug  {}\n", lab, how_to_find_a_loop)
+                        : fmt::format("try  ./cs550 lab {} --asan  which prints the line\n", lab);
 }
 
 /// How the program ended, what to try, and in which case.
@@ -167,12 +170,25 @@ std::vector<Verdict> wait_for(std::future<std::vector<Verdict>>& share,
                               const std::vector<Outputs>& outputs, std::chrono::seconds patience) {
   std::chrono::seconds pause{2};
   while (share.wait_for(pause) != std::future_status::ready) {
-    show_status(
-        fmt::format("Running {}, stopped after {} s", running_test(outputs), patience.count()));
+    show_status(fmt::format("Running {}, at most {} s", running_test(outputs), patience.count()));
     pause = std::chrono::seconds{10};
   }
   show_status("");
   return share.get();
+}
+
+/// Removes the outputs of runs that were interrupted: lab3.PID.0.json of a process that is gone.
+void remove_leftovers(const fs::path& folder) {
+  static const std::regex name(R"(lab\d+\.(\d{1,9})\.\d+\..*)");
+  std::vector<fs::path> leftovers;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string file = entry.path().filename();
+    std::smatch found;
+    if (!std::regex_match(file, found, name)) continue;
+    if (kill(std::stoi(found[1]), 0) != 0 && errno == ESRCH) leftovers.push_back(entry.path());
+  }
+  std::error_code already_removed;
+  for (const fs::path& file : leftovers) fs::remove(file, already_removed);
 }
 
 }  // namespace
@@ -182,6 +198,7 @@ std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
                                       std::chrono::seconds patience, const Arrived& arrived) {
   const fs::path folder = project_root() / "build/results";
   fs::create_directories(folder);
+  remove_leftovers(folder);
   const std::string draft = "lab" + std::to_string(lab) + '.' + std::to_string(getpid()) + '.';
 
   const std::vector<std::vector<GradedTest>> shares = deal(tests, processors());

@@ -80,6 +80,19 @@ int debug_first_failure(int lab, const LabResult& result) {
                     failure->test.name);
 }
 
+/// The failures of the last run, if it is still valid and one of these tests failed: `--debug` need not
+/// repeat an endless loop.
+std::optional<LabResult> known_failures(const std::string& lab_name,
+                                        const std::vector<GradedTest>& tests) {
+  std::optional<LabResult> result = remembered_result(lab_name);
+  if (!result || !result->compile_error.empty()) return std::nullopt;
+  std::erase_if(result->verdicts, [&](const Verdict& verdict) {
+    return std::none_of(tests.begin(), tests.end(),
+                        [&](const GradedTest& test) { return test.name == verdict.test.name; });
+  });
+  return result->next_failure() ? result : std::nullopt;
+}
+
 /// The build that the options ask for.
 Grading grading_of(const LabOptions& options) {
   if (options.asan) return Grading::Sanitized;
@@ -87,6 +100,11 @@ Grading grading_of(const LabOptions& options) {
 }
 
 int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
+  if (options.debug) {
+    if (const auto known = known_failures(options.name, tests)) {
+      return debug_first_failure(options.lab, *known);
+    }
+  }
   const Grading grading = options.asan ? Grading::Sanitized : Grading::Plain;
   const bool is_whole_lab = options.step.empty();
   const bool is_remembered = is_whole_lab && !options.asan;
