@@ -5,11 +5,16 @@
 #include <memory>
 
 #include "cli/system/exit_code.hpp"
+#include "cli/system/terminal.hpp"
 #include "cs550/excerpt.hpp"
 #include "files/output_file.hpp"
 #include "files/usage_fault.hpp"
 
 namespace cs550::cli {
+
+void print_error(const std::string& message) {
+  std::cerr << indented("cs550: " + with_short_words(message), 0);
+}
 
 std::string Help::make_option_opts(const CLI::Option* option) const {
   return option->get_option_text().empty() ? "" : ' ' + option->get_option_text();
@@ -23,8 +28,8 @@ void refuse_values_of_flags(CLI::App& app) {
 
 int answer(const CLI::App& app, const CLI::ParseError& error, const std::string& verb) {
   if (error.get_exit_code() == 0) return app.exit(error);
-  std::cerr << "cs550: " << with_short_words(files::usage_fault(error.what())) << "\n./cs550 "
-            << verb << " --help explains the options.\n";
+  print_error(files::usage_fault(error.what()));
+  std::cerr << "./cs550 " << verb << " --help explains the options.\n";
   return Misused;
 }
 
@@ -40,7 +45,7 @@ int run_verb(CLI::App& app, const std::string& verb, int argc, char** argv,
   } catch (const CLI::ParseError& error) {
     return answer(app, error, verb);
   } catch (const std::exception& error) {
-    std::cerr << "cs550: " << with_short_words(error.what()) << '\n';
+    print_error(error.what());
     return Failed;
   }
 }

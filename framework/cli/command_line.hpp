@@ -18,6 +18,9 @@ class Help : public CLI::Formatter {
 /// Makes a flag with a value, as in `--list=no`, an error.
 void refuse_values_of_flags(CLI::App& app);
 
+/// Prints a message on standard error in lines of at most 80 columns.
+void print_error(const std::string& message);
+
 /// Prints the help that was asked for, or what is wrong.
 /// @param verb the verb with the wrong option
 /// @return an ExitCode

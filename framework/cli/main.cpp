@@ -1,13 +1,11 @@
 // The program behind ./cs550. The launcher builds it, so that it need not be installed.
 #include <exception>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "cli/command_line.hpp"
 #include "cli/verb.hpp"
-#include "cs550/excerpt.hpp"
 #include "files/output_file.hpp"
 
 namespace {
@@ -53,7 +51,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "cs550: " << with_short_words(error.what()) << '\n';
+    print_error(error.what());
     return Failed;
   }
 }

@@ -25,7 +25,14 @@ refuses lab three
 prints "there is no lab three"
 prints "Lab 1: integration"
 refuses lab 99
+prints "cs550: there is no lab 99. The labs:"
 prints "Lab 1: integration"
+refuses lab 3 --stpe L3.1
+prints "there is no option --stpe"
+refuses lab 3 L3.1 more
+prints "not expected: L3.1 more"
+refuses lab 3 --step l3.9
+prints "lab 3 has no step L3.9"
 refuses lab 3 --step L4.1
 prints "L3.1"
 refuses lab 3 --hint 9

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/command_line.hpp"
 #include "cli/grading/challenge.hpp"
 #include "cli/grading/debugging.hpp"
 #include "cli/grading/earlier_labs.hpp"
@@ -48,6 +49,13 @@ std::vector<GradedTest> of_step(const std::vector<GradedTest>& tests, const std:
   std::copy_if(tests.begin(), tests.end(), std::back_inserter(chosen),
                [&](const GradedTest& test) { return step.empty() || test.step == step; });
   return chosen;
+}
+
+/// A step as the handouts spell it: L6.3 for "6.3" and "l6.3".
+std::string step_tag(std::string typed) {
+  if (typed.empty()) return typed;
+  if (typed.front() == 'l') typed.front() = 'L';
+  return typed.front() >= '0' && typed.front() <= '9' ? 'L' + typed : typed;
 }
 
 /// @pre the tests come step by step
@@ -211,6 +219,7 @@ int run_challenge(const LabOptions& options) {
 
 int run_lab(LabOptions options) {
   options.name = lab_name(options.lab);
+  options.step = step_tag(options.step);
   if (options.reset) return reset_lab(options);
   if (options.use_solution) return copy_solution(options);
   if (options.run) return run_engine(options.lab, grading_of(options));
@@ -218,8 +227,8 @@ int run_lab(LabOptions options) {
   const std::vector<GradedTest> all = graded_tests(options.name);
   const std::vector<GradedTest> tests = of_step(all, options.step);
   if (tests.empty()) {
-    std::cerr << "cs550: lab " << options.lab << " has no step " << excerpt(options.step)
-              << ". Its steps: " << steps_of(all) << '\n';
+    print_error(fmt::format("lab {} has no step {}. Its steps: {}", options.lab,
+                            excerpt(options.step), steps_of(all)));
     return Misused;
   }
   return options.wants_hint ? run_hint(options) : grade_lab(options, tests);

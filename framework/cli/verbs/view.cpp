@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 
+#include "cli/command_line.hpp"
 #include "cli/grading/pictures.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
@@ -51,7 +51,7 @@ std::string fault_of_failure(const std::string& test) {
 }
 
 int misuse(const std::string& fault) {
-  std::cerr << "cs550: " << fault << '\n';
+  print_error(fault);
   return Misused;
 }
 
