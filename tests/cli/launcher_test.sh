@@ -12,6 +12,7 @@ cp "$root/framework/cli/verbs.def" "$root/framework/cli/packages.txt" "$project/
 cat >"$scratch/bin/cmake" <<'FAKE'
 #!/bin/sh
 [ "$1" != --build ] || echo "built in $(pwd -P)"
+[ ! -e broken ] || { echo '-- GLOB mismatch!'; echo "In file included from $(pwd -P)/labs/a.hpp:1,"; exit 1; }
 FAKE
 chmod +x "$scratch/bin/cmake"
 export PATH="$scratch/bin:$PATH" XDG_CACHE_HOME="$scratch/cache"
@@ -57,6 +58,13 @@ echo restored >"$project/labs/lab3_topic/topic.cpp"
 touch -d 2001-01-01 "$project/labs/lab3_topic/topic.cpp"
 "$project/cs550" build test
 [ "$(objects)" = "${both#* }" ] || wrong "after an edit of lab 3 with an old time, the objects are: $(objects)"
+
+# Errors name files relative to the project, and CMake's messages are left out.
+: >"$project/broken"
+! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "a build that fails exited with code 0"
+grep -qFx "In file included from labs/a.hpp:1," "$scratch/printed" || wrong "expected a relative path"
+! grep -q GLOB "$scratch/printed" || wrong "it printed what CMake checks"
+rm "$project/broken"
 
 # A second build waits for the first, and then succeeds.
 mkfifo "$scratch/pipe"

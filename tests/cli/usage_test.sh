@@ -93,6 +93,11 @@ misuses build fast
 prints "release student test"
 misuses doctor --install editor
 prints "viewer"
+code=0
+./cs550 build student lab3_my_tests >"$scratch/printed" 2>&1 </dev/null || code=$?
+[ $code = 1 ] || wrong "./cs550 build student lab3_my_tests exited with code $code, expected 1"
+prints "there is no file labs/lab3_hill_climbing/my_tests.cpp"
+prints '#include "cs550/hill_climbing.hpp"'
 misuses test -R Lab3
 prints "test -- -R Lab3"
 echo "every wrong command line is refused"
