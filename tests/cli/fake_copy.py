@@ -3,6 +3,7 @@
 them compile nothing. It is called by several names:
 
   cs550 build PRESET TARGET   "builds" TARGET: a link to this file. Fails if a file of its lab has NO_CODE in it.
+                              Takes 3 s for LONG_CODE, with five warnings of the compiler.
   labN_student ...            the graded tests of lab N. All fail if a file of the lab, or of an earlier lab that
                               the test calls, has WRONG in it, with a picture, or if the lab is a starter. With
                               CRASH the program crashes. They are blocked if the earlier lab has NO_CODE in it.
@@ -31,11 +32,20 @@ def has(word, lab):
     return any(word in file.read_text() for file in files if file.suffix in (".cpp", ".hpp", ".h"))
 
 
+def log(text):
+    (ROOT / "build/student.log").write_text(text)
+
+
 def build(target):
     lab = re.match(r"lab(\d)_", target)
     if lab and has("NO_CODE", lab[1]):
-        (ROOT / "build/student.log").write_text("[1/2] Building\n../../labs/lab.cpp:7:1: error: expected ';'\n")
+        log("[1/2] Building\n../../labs/lab.cpp:7:1: error: expected ';'\n")
         return 1
+    log("ninja: no work to do.\n")
+    if lab and has("LONG_CODE", lab[1]):
+        warnings = [f"{ROOT}/labs/lab.cpp:{line}:1: warning: unused 'x'\n" for line in range(5)]
+        log("[0/2] Checking\n[1/2] Building\n" + "".join(warnings))
+        time.sleep(3)
     program = ROOT / "build/student/bin" / target
     program.parent.mkdir(parents=True, exist_ok=True)
     if not program.exists():
@@ -84,7 +94,7 @@ def main():
         print("GDB", Path(arguments[arguments.index("--args") + 1]).name)
         return 0
     if called_as.startswith("milestones_"):
-        print("a scene", flush=True)
+        print("a scene" + " and many more words in its title" * 4, flush=True)
         labs = range(1, int(arguments[1]) + 1)
         if any(has("CRASH", lab) for lab in labs):
             os.abort()

@@ -105,6 +105,21 @@ runs 0 lab 3
 remembers 3 '"compile_error": ""'
 remembers 3 '"earned": 48'
 
+echo "A build that takes long shows its progress, and its warnings are printed once:"
+echo "// LONG_CODE" >"$lab3"
+rm "$copy/build/results/lab3.json"
+runs 0 progress
+prints "Building lab3_student [1/2]"
+runs 0 lab 3
+prints "labs/lab.cpp:0:1: warning: unused 'x'"
+prints "labs/lab.cpp:2:1: warning"
+prints "and 2 more; build/student.log has all of them"
+prints_not "$copy/labs"
+prints_not "labs/lab.cpp:3:1: warning"
+echo "// mended" >"$lab3"
+runs 0 lab 3
+prints_not warning
+
 echo "A picture is of the last failure:"
 name=Lab3.BruteForceFindsTheMostExtremeVertex
 picture=$copy/build/results/pictures/$name.svg
@@ -163,6 +178,7 @@ runs 1 lab 3 --run --debug
 prints "GDB milestones_debugged"
 runs 0 lab 2 --run
 prints "Your own engine, labs 1 to 2"
+! grep -qE '^.{81}' "$copy/printed" || wrong "a line has more than 80 columns"
 runs 0 lab 1 --run
 prints "Your own engine, lab 1"
 echo "// CRASH" >"$lab3"

@@ -67,24 +67,24 @@ EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
   Watch steps(pulse, patience_of_a_step(sanitized));
   bool without_a_step = false;
   const auto start = Clock::now();
-  auto next_status = start + seconds{2};
+  StatusLine status;
   const auto is_stuck = [&] {
-    const auto now = Clock::now();
-    if (now > next_status) {
-      show_status(fmt::format("Running your engine, at most {} s, or {} s without a step",
-                              patience(sanitized).count(), patience_of_a_step(sanitized).count()));
-      next_status = now + seconds{10};
-    }
+    const auto passed = Clock::now() - start;
+    status.show([&] {
+      return fmt::format("Running your engine: {} s of at most {} s, or {} s without a step",
+                         std::chrono::duration_cast<seconds>(passed).count(),
+                         patience(sanitized).count(), patience_of_a_step(sanitized).count());
+    });
     without_a_step = steps.is_stuck();
-    return without_a_step || now > start + patience(sanitized);
+    return without_a_step || passed > patience(sanitized);
   };
   const Ending ending = run(command, {{}, output, is_stuck});
-  show_status("");
+  status.clear();
   const std::string printed = read_text(output);
   fs::remove(output);
   fs::remove(pulse);
   const std::string report = sanitized ? crash_report(printed) : "";
-  std::cout << (report.empty() ? printed : "not reached: " + report) << std::flush;
+  std::cout << indented(report.empty() ? printed : "not reached: " + report, 0) << std::flush;
   if (!ending.stopped || !without_a_step) return {ending, ending.in_words()};
   return {ending, fmt::format("stopped: it made no step for {} s (an endless loop?)",
                               patience_of_a_step(sanitized).count())};

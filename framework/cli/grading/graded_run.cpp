@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <fstream>
+#include <functional>
 #include <future>
 #include <iterator>
 #include <map>
@@ -118,13 +120,14 @@ std::vector<std::vector<GradedTest>> deal(const std::vector<GradedTest>& tests, 
 
 /// Runs tests one after the other. When one ends the program, that is its verdict, and the program
 /// is started again for the tests after it.
+/// @param finished how many tests no longer have a row in the outputs; increased
 std::vector<Verdict> run_share(const fs::path& program, int lab,
                                const std::vector<GradedTest>& tests, std::chrono::seconds patience,
-                               const Outputs& outputs) {
+                               const Outputs& outputs, std::atomic<std::size_t>& finished) {
   std::vector<Verdict> verdicts;
   std::vector<GradedTest> waiting = tests;
+  outputs.remove();
   while (!waiting.empty()) {
-    outputs.remove();
     Watch watch(outputs.results, patience);  // written at the start and at the end of each test
     const Ending ending = run({program, filter(lab, waiting), "--results", outputs.results},
                               {project_root(), outputs.printed, [&] { return watch.is_stuck(); }});
@@ -149,31 +152,34 @@ std::vector<Verdict> run_share(const fs::path& program, int lab,
       }
       not_reached.clear();
     }
+    outputs.remove();
+    finished += waiting.size() - not_reached.size();
     waiting = not_reached;
   }
-  outputs.remove();
   return verdicts;
 }
 
-/// A test that is running, from the results files. One name fits into the status line.
-std::string running_test(const std::vector<Outputs>& outputs) {
+/// How far the tests have come, and one that is running: two names do not fit into a line.
+std::string progress_of(const std::vector<Outputs>& outputs, std::size_t finished,
+                        std::size_t count) {
+  std::string running;
   for (const Outputs& share : outputs) {
     for (const auto& [name, row] : read_results(share.results)) {
-      if (row.at("status") == "running") return name;
+      if (row.at("status") != "running") {
+        ++finished;
+      } else if (running.empty()) {
+        running = ", " + name;
+      }
     }
   }
-  return "the tests";
+  return fmt::format("Test {} of {}{}", std::min(finished + 1, count), count, running);
 }
 
-/// Waits for a share. After 2 s, then every 10 s, prints which test is running.
 std::vector<Verdict> wait_for(std::future<std::vector<Verdict>>& share,
-                              const std::vector<Outputs>& outputs, std::chrono::seconds patience) {
-  std::chrono::seconds pause{2};
-  while (share.wait_for(pause) != std::future_status::ready) {
-    show_status(fmt::format("Running {}, at most {} s", running_test(outputs), patience.count()));
-    pause = std::chrono::seconds{10};
-  }
-  show_status("");
+                              const std::function<std::string()>& progress) {
+  constexpr std::chrono::milliseconds glance{100};
+  StatusLine status;
+  while (share.wait_for(glance) != std::future_status::ready) status.show(progress);
   return share.get();
 }
 
@@ -203,16 +209,21 @@ std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
 
   const std::vector<std::vector<GradedTest>> shares = deal(tests, processors());
   std::vector<Outputs> outputs;
+  std::atomic<std::size_t> finished = 0;
   std::vector<std::future<std::vector<Verdict>>> runs;
   runs.reserve(shares.size());
   for (const std::vector<GradedTest>& share : shares) {
     outputs.emplace_back((folder / (draft + std::to_string(runs.size()))).string());
-    runs.push_back(
-        std::async(std::launch::async, run_share, program, lab, share, patience, outputs.back()));
+    runs.push_back(std::async(std::launch::async, run_share, program, lab, share, patience,
+                              outputs.back(), std::ref(finished)));
   }
+  const auto progress = [&] {
+    return fmt::format("{}, at most {} s", progress_of(outputs, finished, tests.size()),
+                       patience.count());
+  };
   std::vector<Verdict> verdicts;
   for (std::future<std::vector<Verdict>>& run : runs) {
-    const std::vector<Verdict> share = wait_for(run, outputs, patience);
+    const std::vector<Verdict> share = wait_for(run, progress);
     if (arrived) arrived(share);
     verdicts.insert(verdicts.end(), share.begin(), share.end());
   }

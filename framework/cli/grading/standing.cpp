@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "cli/grading/lab_files.hpp"
@@ -42,13 +43,17 @@ std::optional<std::set<int>> remembered_milestones(const std::vector<LabResult>&
   return valid ? std::optional(json.at("reached").get<std::set<int>>()) : std::nullopt;
 }
 
-bool reaches(int lab) {
-  constexpr std::chrono::seconds patience{60};
+constexpr std::chrono::seconds longest_milestone{60};
+
+bool reaches(int lab, const std::function<void()>& waiting) {
   const fs::path output = milestone_file().replace_extension(".txt");
   const Clock::time_point start = Clock::now();
-  const Ending ending =
-      run({built_program("student", program), "--lab", std::to_string(lab)},
-          {project_root(), output, [&] { return Clock::now() > start + patience; }});
+  const auto is_stuck = [&] {
+    waiting();
+    return Clock::now() > start + longest_milestone;
+  };
+  const Ending ending = run({built_program("student", program), "--lab", std::to_string(lab)},
+                            {project_root(), output, is_stuck});
   fs::remove(output);
   return ending.good();
 }
@@ -60,9 +65,16 @@ std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
   show_status("Running your engine ...");
   std::set<int> reached;
   if (!labs.empty() && build_quietly(program).empty()) {
+    StatusLine status;
     for (const LabResult& lab : labs) {
       const int number = lab_number(lab.lab_name);
-      if (has_milestone(number) && reaches(number)) reached.insert(number);
+      const auto show_lab = [&] {
+        status.show([&] {
+          return fmt::format("Running your engine, lab {} of {}, at most {} s each", number,
+                             labs.size(), longest_milestone.count());
+        });
+      };
+      if (has_milestone(number) && reaches(number, show_lab)) reached.insert(number);
     }
   }
   files::write_file(milestone_file(),

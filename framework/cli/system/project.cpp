@@ -5,22 +5,14 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "cli/system/build_log.hpp"
 #include "cli/system/process.hpp"
+#include "cli/system/terminal.hpp"
 #include "cs550/excerpt.hpp"
 
 namespace cs550::cli {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/// The compiler starts in the build folder: "../../labs/..." becomes "labs/...".
-std::string from_the_root(const std::string& line) {
-  const std::size_t start = line.find_first_not_of("./");
-  return line[0] == '.' && start != std::string::npos ? line.substr(start) : line;
-}
-
-}  // namespace
 
 fs::path project_root() {
   if (const char* root = std::getenv("CS550_ROOT")) return root;
@@ -91,19 +83,15 @@ bool build(const std::string& preset, const std::string& target) {
 std::string build_quietly(const std::string& target) {
   const fs::path output = project_root() / "build/results" / (target + ".log");
   fs::create_directories(output.parent_path());
-  const Ending ending = run({project_root() / "cs550", "build", "student", target}, {{}, output});
+  StatusLine status;
+  const Surroundings surroundings{
+      {}, output, [&] {
+        status.show([&] { return "Building " + target + ' ' + build_progress(); });
+        return false;
+      }};
+  const Ending ending = run({project_root() / "cs550", "build", "student", target}, surroundings);
   fs::remove(output);
   return ending.good() ? "" : first_build_error();
-}
-
-std::string first_build_error() {
-  std::ifstream lines(project_root() / "build/student.log");
-  std::string last = "the build failed";
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find("error: ") != std::string::npos) return from_the_root(line);
-    if (!line.empty()) last = line;
-  }
-  return last;
 }
 
 fs::path built_program(const std::string& preset, const std::string& name) {

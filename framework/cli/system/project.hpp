@@ -46,12 +46,9 @@ std::string lab_name(int number);
 /// @return whether the target is now up to date
 bool build(const std::string& preset, const std::string& target);
 
-/// Builds a target of preset `student` and prints nothing.
+/// Builds a target of preset `student`. A status line shows how far it has come; nothing else is printed.
 /// @return the compiler's first error; empty when the target is up to date
 std::string build_quietly(const std::string& target);
-
-/// The compiler's first error of the last build of preset `student`.
-std::string first_build_error();
 
 /// The file of a program that a build makes.
 std::filesystem::path built_program(const std::string& preset, const std::string& name);

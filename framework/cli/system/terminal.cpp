@@ -117,6 +117,19 @@ void show_status(const std::string& text) {
   }
 }
 
+void StatusLine::show(const std::function<std::string()>& text) {
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return;
+  next_ = now + std::chrono::milliseconds(isatty(STDERR_FILENO) != 0 ? 500 : 10000);
+  visible_ = true;
+  show_status(text());
+}
+
+void StatusLine::clear() {
+  if (visible_) show_status("");
+  visible_ = false;
+}
+
 void ProgressBar::show(int done) {
   const Clock::time_point now = Clock::now();
   if (now < next_ || isatty(STDERR_FILENO) == 0) return;

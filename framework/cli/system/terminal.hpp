@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,6 +32,25 @@ std::string duration_text(std::chrono::seconds time);
 /// Prints what is about to run. On a terminal the next output replaces the line, and empty text
 /// clears it.
 void show_status(const std::string& text);
+
+/// What is running, if it takes longer than 2 s: on a terminal a line that changes twice a second, else a
+/// line every 10 s.
+class StatusLine {
+ public:
+  StatusLine() = default;
+  ~StatusLine() { clear(); }
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+
+  /// Called often; calls `text` only if it is time for a line.
+  void show(const std::function<std::string()>& text);
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(2);
+  bool visible_ = false;
+};
 
 /// How far a long run has come, and how long it still takes: one line on standard error that changes
 /// in place. Nothing is shown where standard error is no terminal, or in the first half second.

@@ -18,6 +18,7 @@
 #include "cli/grading/long_tests.hpp"
 #include "cli/grading/pictures.hpp"
 #include "cli/handout/handout.hpp"
+#include "cli/system/build_log.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "cli/verb.hpp"
@@ -107,6 +108,20 @@ Grading grading_of(const LabOptions& options) {
   return options.debug ? Grading::Debugged : Grading::Plain;
 }
 
+/// The compiler's warnings of the student's own files, if something was compiled.
+void print_warnings() {
+  constexpr std::size_t most = 3;
+  const std::vector<std::string> warnings = own_warnings();
+  for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) {
+    std::cout << indented(warnings[i], 0);
+  }
+  if (warnings.size() > most) {
+    std::cout << fmt::format("and {} more; build/student.log has all of them\n",
+                             warnings.size() - most);
+  }
+  if (!warnings.empty()) std::cout << '\n';
+}
+
 int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   if (options.debug) {
     if (const auto known = known_failures(options.name, tests)) {
@@ -121,6 +136,7 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
     return Failed;
   }
 
+  print_warnings();
   std::cout << coloured(title(options.name), Colour::Bold) << "\n\n" << std::flush;
   LabResult result = result_of_starter(options.name);
   result.verdicts.clear();

@@ -1,0 +1,58 @@
+#include "cli/system/build_log.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "cli/system/project.hpp"
+
+namespace cs550::cli {
+
+namespace {
+
+std::ifstream open_log() { return std::ifstream(project_root() / "build/student.log"); }
+
+/// The compiler starts in the build folder: "../../labs/..." becomes "labs/...". Without a compiler
+/// cache it is called with absolute paths.
+std::string from_the_root(const std::string& line) {
+  const std::string root = project_root().string() + '/';
+  if (line.rfind(root, 0) == 0) return line.substr(root.size());
+  const std::size_t start = line.find_first_not_of("./");
+  return line[0] == '.' && start != std::string::npos ? line.substr(start) : line;
+}
+
+}  // namespace
+
+std::string first_build_error() {
+  std::ifstream lines = open_log();
+  std::string last = "the build failed";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("error: ") != std::string::npos) return from_the_root(line);
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+std::vector<std::string> own_warnings() {
+  std::ifstream lines = open_log();
+  std::vector<std::string> warnings;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(": warning: ") == std::string::npos) continue;
+    const std::string warning = from_the_root(line);
+    const bool is_known = std::find(warnings.begin(), warnings.end(), warning) != warnings.end();
+    if (warning.rfind("labs/", 0) == 0 && !is_known) warnings.push_back(warning);
+  }
+  return warnings;
+}
+
+std::string build_progress() {
+  std::ifstream lines = open_log();
+  std::string counter;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t end = line.find(']');
+    const bool counts = line.rfind('[', 0) == 0 && line.rfind("[0/", 0) != 0;
+    if (counts && end != std::string::npos) counter = line.substr(0, end + 1);
+  }
+  return counter;
+}
+
+}  // namespace cs550::cli

@@ -1,0 +1,19 @@
+#pragma once
+/// @file build_log.hpp
+/// What the compiler reported in the last build of preset `student`, with paths relative to the project.
+
+#include <string>
+#include <vector>
+
+namespace cs550::cli {
+
+/// The first error, or the last line if there is none.
+std::string first_build_error();
+
+/// The warnings of the student's own files, each once. None if nothing was compiled.
+std::vector<std::string> own_warnings();
+
+/// The counter of a build that is running, "[12/65]"; empty before it counts.
+std::string build_progress();
+
+}  // namespace cs550::cli

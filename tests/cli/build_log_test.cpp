@@ -1,0 +1,62 @@
+/// What the command line reads from the log of a build.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "cli/system/build_log.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cs550::cli;
+
+class BuildLog : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(root / "build");
+    setenv("CS550_ROOT", root.c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("CS550_ROOT");
+    fs::remove_all(root);
+  }
+  void write(const std::string& text) const { std::ofstream(root / "build/student.log") << text; }
+
+  const fs::path root =
+      fs::path(testing::TempDir()) /
+      (std::string("build_log_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(BuildLog, WarningsAreOfTheStudentsOwnFilesAndEachIsNamedOnce) {
+  const std::string warning = "labs/lab3_hill_climbing/hill_climbing.cpp:7:3: warning: unused 'x'";
+  write("[1/3] Building CXX object labs.o\n" + root.string() + '/' + warning +
+        "\n    7 |   int x;\n[2/3] Building CXX object given.o\n" +
+        "../../framework/engine/world/step.cpp:9:1: warning: given code\n" +
+        "../../.starters/lab3_hill_climbing/hill_climbing.cpp:7:3: warning: the starter\n" +
+        "../../" + warning + "\n[3/3] Linking\n");
+  EXPECT_EQ(own_warnings(), std::vector<std::string>{warning});
+  write("ninja: no work to do.\n");
+  EXPECT_TRUE(own_warnings().empty());
+}
+
+TEST_F(BuildLog, ThePathOfTheFirstErrorIsRelative) {
+  const std::string error = "labs/lab3_hill_climbing/hill_climbing.cpp:7:3: error: expected ';'";
+  for (const std::string& start : {root.string() + '/', std::string("../../")}) {
+    write("[1/3] Building\n" + start + error + "\nninja: build stopped\n");
+    EXPECT_EQ(first_build_error(), error);
+  }
+}
+
+TEST_F(BuildLog, TheLastCounterIsTheProgress) {
+  EXPECT_EQ(build_progress(), "");
+  write("[0/2] Re-checking globbed directories...\n");
+  EXPECT_EQ(build_progress(), "");
+  write("[0/2] Re-checking\n[11/65] Building a.o\na warning\n[12/65] Building b.o\nhalf a li");
+  EXPECT_EQ(build_progress(), "[12/65]");
+}
+
+}  // namespace
