@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 
 #include "cs550/excerpt.hpp"
 #include "files/interruption.hpp"
@@ -24,6 +25,20 @@ void list_settings(const cs550::viewer::Options& options) {
   std::cout << lister.text();
 }
 
+/// A wrong setting is reported without a screen too.
+/// @throws std::invalid_argument
+void check_settings(const cs550::viewer::Options& options) {
+  using namespace cs550::viewer;
+  if (options.settings.empty()) return;
+  const auto page = make_page(options.page());
+  page->refresh();
+  for (const std::string& assignment : options.settings) {
+    ControlSetter setter(assignment);
+    page->describe(setter);
+    setter.expect_found();
+  }
+}
+
 int run(const cs550::viewer::Options& options) {
   if (options.list) {
     list_settings(options);
@@ -31,6 +46,7 @@ int run(const cs550::viewer::Options& options) {
     cs550::files::watch_for_interruption();
     write_pictures(options);
   } else {
+    check_settings(options);
     run_in_window(options);
   }
   cs550::files::check_standard_output();

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cs550/excerpt.hpp"
+#include "cs550/scene.hpp"
 #include "files/path_argument.hpp"
 #include "files/usage_fault.hpp"
 #include "pages/base/camera.hpp"
@@ -52,7 +53,8 @@ bool parse_switch(const std::string& text) {
 void declare(CLI::App& app, Options& options) {
   app.get_formatter()->column_width(22);
   app.add_option("SCENE", options.scene, "a shipped scene, or the path of a scene file")
-      ->option_text("(wall)");
+      ->option_text("(wall)")
+      ->check(fault_of_scene_name);
   auto* lab = app.add_option("--lab", options.lab, "show the page of this lab instead of a scene")
                   ->option_text("N")
                   ->check(CLI::Range(1, lab_page_count));

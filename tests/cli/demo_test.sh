@@ -56,6 +56,16 @@ strict --quality accurate
 [ $code = 0 ] || wrong "the bound holds for the scene's own quality: exit code $code, expected 0"
 if grep -q "bound" printed; then wrong "no bound is stated for another quality"; fi
 
+# An absent scene, and a title that is longer than a line.
+code=0
+"$program" stack11 >printed 2>&1 || code=$?
+[ $code = 2 ] || wrong "an absent scene: exit code $code, expected 2"
+grep -q 'there is no scene "stack11" (did you mean "stack10"?)' printed || wrong "expected the nearest name"
+if grep -E '^.{81}' printed; then wrong "an absent scene prints lines of more than 80 columns"; fi
+sed "s/A cube at rest/$(printf 'a cube %.0s' $(seq 30))/" scene.json >long.json
+"$program" long.json --no-picture >printed 2>&1 || wrong "a scene with a long title failed"
+if grep -E '^.{81}' printed; then wrong "demo prints lines of more than 80 columns"; fi
+
 misused() {
   code=0
   demo "$1" "$2" || code=$?

@@ -215,6 +215,8 @@ TEST(Scene, FindsScenesByNameAndPath) {
   const SceneResult none = find_scene("stack11");
   ASSERT_FALSE(none);
   EXPECT_NE(none.error.find("did you mean \"stack10\"?"), std::string::npos) << none.error;
+  EXPECT_EQ(fault_of_scene_name("stack11"), none.error);
+  EXPECT_EQ(fault_of_scene_name("stack10"), "");
   for (const std::string& name : shipped_scenes()) {
     EXPECT_NE(none.error.find(name), std::string::npos) << none.error;
   }

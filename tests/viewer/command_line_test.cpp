@@ -75,6 +75,7 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
       {{"--gif", std::string(300, 'x') + ".gif"}, "found 304 letters"},
       {{"--failure", std::string(300, 'x')}, "found 300 letters"},
       {{"no_such_scene"}, "no_such_scene"},
+      {{"no_such_scene", "--student"}, "Give the path of a scene file or one of"},
       {{"--no-such-option"}, "--no-such-option"},
       {{"--student=5"}, "--student takes no value"},
   };
@@ -85,6 +86,17 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
     EXPECT_NE(outcome.output.find(mistake.says), std::string::npos) << outcome.output;
     EXPECT_FALSE(fs::exists(file("none.png"))) << mistake.arguments.front();
+  }
+}
+
+TEST_F(CommandLine, WrongArgumentsAreRefusedWithoutAScreenToo) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"no_such_scene"}, {"--set", "soultion=1"}, {"--lab", "3", "--set", "step=-2"}}) {
+    std::vector<std::string> command{
+        "env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", CS550_VIEWER_PROGRAM};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = run_program(command);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
   }
 }
 

@@ -95,8 +95,13 @@ void take_picture(const Scene& scene, const std::string& name, int steps) {
 
 int run_demo(const DemoOptions& options) {
   SceneResult found = find_scene(options.scene);
+  if (!found.missing_step.empty()) {
+    print_error("the shapes of a scene need " + found.missing_step +
+                ", which is not written yet. ./cs550 progress prints the next step.");
+    return Failed;
+  }
   if (!found) {
-    std::cerr << "cs550: " << found.error << '\n';
+    print_error(found.error);
     return Misused;
   }
   Scene& scene = found.scene;

@@ -78,7 +78,7 @@ void RunRecord::print(std::ostream& out) const {
   const StepStats& last = world_.stats();
   const Energy now = energy(world_, substep());
 
-  out << scene_.name << ": " << scene_.title << "\n\n";
+  out << indented(scene_.name + ": " + scene_.title, 0) << '\n';
   line(out, "bodies", fmt::format("{}, {} of them dynamic", world_.body_count(), dynamic));
   line(out, "contacts", fmt::format("{} at the end, {} at most", last.contacts, most_contacts_));
   line(out, "points", fmt::format("{} at the end, {} at most", last.points, most_points_));

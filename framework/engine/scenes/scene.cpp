@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 
 #include "cs550/assets.hpp"
 #include "cs550/excerpt.hpp"
@@ -79,10 +80,28 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, const Sce
 
 fs::path scenes_folder() { return assets_folder() / "scenes"; }
 
+/// The file of a shipped scene, by its name, or of any scene, by its path; none if it is absent.
+std::optional<fs::path> scene_file(const std::string& name_or_path) {
+  const fs::path shipped = scenes_folder() / (name_or_path + ".json");
+  std::error_code no_such_file;
+  if (fs::exists(shipped, no_such_file)) return shipped;
+  if (fs::is_regular_file(name_or_path, no_such_file)) return name_or_path;
+  return std::nullopt;
+}
+
+/// The words with commas, in lines that fit into a terminal.
 std::string list_of(const std::vector<std::string>& words) {
+  constexpr std::size_t longest = 78;
   std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
+  std::string line;
+  for (const std::string& word : words) {
+    if (!line.empty() && line.size() + word.size() + 2 > longest) {
+      list += "\n  " + line;
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word + (&word == &words.back() ? "" : ",");
+  }
+  return list + "\n  " + line;
 }
 
 }  // namespace
@@ -104,22 +123,22 @@ SceneResult load_scene(const fs::path& file, const SceneLimits& limits) {
     return {{},
             where + "this is not JSON: " + excerpt(reason.substr(reason.find("] ") + 2), longest)};
   } catch (const NotImplemented& missing) {
-    return {{}, where + "its shapes cannot be made yet: " + missing.what()};
+    return {{}, where + "its shapes cannot be made yet: " + missing.what(), missing.step()};
   }
 }
 
-SceneResult find_scene(const std::string& name_or_path) {
-  const fs::path shipped = scenes_folder() / (name_or_path + ".json");
-  std::error_code no_such_file;
-  if (fs::exists(shipped, no_such_file)) return load_scene(shipped);
-  if (fs::is_regular_file(name_or_path, no_such_file)) return load_scene(name_or_path);
-
+std::string fault_of_scene_name(const std::string& name_or_path) {
+  if (scene_file(name_or_path)) return {};
   const std::vector<std::string> names = shipped_scenes();
   const std::string nearest = nearest_word(name_or_path, names);
-  return {{},
-          "there is no scene \"" + excerpt(name_or_path) + "\"" +
-              (nearest.empty() ? "" : " (did you mean \"" + excerpt(nearest) + "\"?)") +
-              "; give the path of a scene file or one of: " + list_of(names)};
+  return "there is no scene \"" + excerpt(name_or_path) + "\"" +
+         (nearest.empty() ? "" : " (did you mean \"" + excerpt(nearest) + "\"?)") +
+         "\nGive the path of a scene file or one of" + list_of(names);
+}
+
+SceneResult find_scene(const std::string& name_or_path) {
+  if (const std::optional<fs::path> file = scene_file(name_or_path)) return load_scene(*file);
+  return {{}, fault_of_scene_name(name_or_path)};
 }
 
 std::vector<std::string> shipped_scenes() {

@@ -40,6 +40,8 @@ struct SceneLimits {
 struct SceneResult {
   Scene scene;        ///< empty on error
   std::string error;  ///< empty on success
+  /// The step of the lab that makes shapes, "L2.1", if the error is that it is not written.
+  std::string missing_step = {};
 
   /// Whether there is a scene.
   explicit operator bool() const { return error.empty(); }
@@ -53,6 +55,10 @@ SceneResult load_scene(const std::filesystem::path& file,
 /// Loads a shipped scene by its name ("wall") or any scene by its path. The error for an unknown
 /// name lists the shipped scenes.
 SceneResult find_scene(const std::string& name_or_path);
+
+/// Why there is no such scene, with a list of those that are shipped; empty if there is one. Nothing is
+/// loaded.
+std::string fault_of_scene_name(const std::string& name_or_path);
 
 /// The names of the shipped scenes, sorted.
 std::vector<std::string> shipped_scenes();
