@@ -51,6 +51,13 @@ TEST_F(BuildLog, ThePathOfTheFirstErrorIsRelative) {
   }
 }
 
+TEST_F(BuildLog, AnErrorThatStoppedTheBuildComesBeforeThoseOfLabsThatCountAsEmpty) {
+  write(
+      "[1/3] Building\nlabs/lab4.cpp:1:1: error: tolerated\nFAILED: lab3.o\nc++ -c lab3.cpp\n"
+      "labs/lab3.cpp:1:1: error: fatal\n");
+  EXPECT_EQ(first_build_error(), "labs/lab3.cpp:1:1: error: fatal");
+}
+
 TEST_F(BuildLog, TheLastCounterIsTheProgress) {
   EXPECT_EQ(build_progress(), "");
   write("[0/2] Re-checking globbed directories...\n");

@@ -97,7 +97,7 @@ int run_demo(const DemoOptions& options) {
   SceneResult found = find_scene(options.scene);
   if (!found.missing_step.empty()) {
     print_error("the shapes of a scene need " + found.missing_step +
-                ", which is not written yet. ./cs550 progress prints the next step.");
+                ", which is not written yet.\n./cs550 progress prints the next step.");
     return Failed;
   }
   if (!found) {

@@ -133,7 +133,7 @@ std::string fault_of_scene_name(const std::string& name_or_path) {
   const std::string nearest = nearest_word(name_or_path, names);
   return "there is no scene \"" + excerpt(name_or_path) + "\"" +
          (nearest.empty() ? "" : " (did you mean \"" + excerpt(nearest) + "\"?)") +
-         "\nGive the path of a scene file or one of" + list_of(names);
+         "\nGive the path of a scene file or one of:" + list_of(names);
 }
 
 SceneResult find_scene(const std::string& name_or_path) {
