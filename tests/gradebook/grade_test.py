@@ -28,12 +28,13 @@ def command(*arguments):
 
 
 def grade(*arguments, code=0, root=ROOT, **options):
-    """Runs the verb and checks its exit code. Returns what it printed."""
+    """Runs the verb and checks its exit code. Returns what it printed, in one line: long lines are broken where
+    the path of this folder decides."""
     run = subprocess.run(command(*arguments), capture_output=True, text=True, timeout=120, check=False,
                          env={**os.environ, "CS550_ROOT": str(root)}, **options)
     printed = run.stdout + run.stderr
     assert run.returncode == code, f"{arguments}: exit code {run.returncode}, expected {code}\n{printed}"
-    return printed
+    return " ".join(printed.split())
 
 
 def pack(file, files):
