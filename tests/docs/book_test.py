@@ -2,9 +2,9 @@
 """Opens every page of the book from disk in headless browsers, at the width of a phone.
 
 A page passes when the browser logs no error and no failed request, all formulas are rendered, nothing is
-left as TeX or Markdown, all images are there and described, nothing is wider than the screen, no formula scrolls, no
-listing scrolls at 1,280 pixels, and all links lead to something. The search must find a word. Exit code 77: the book
-is not built.
+left as TeX or Markdown, all images are there and described, nothing is wider than the screen, no formula scrolls, nor
+does any formula or listing at 1,280 pixels, and all links lead to something. Sections and figures have links to themselves,
+and formulas have MathML. The search must find a word. Exit code 77: the book is not built.
 """
 import re
 import sys
@@ -57,8 +57,12 @@ const images = () => Promise.all([...document.images].map(ended)).then(() => don
 if (window.MathJax && MathJax.Hub) MathJax.Hub.Queue(images); else images();
 """
 
+# Breaks the formulas into lines again, for a screen of another width.
+REFLOW = "if (window.MathJax && MathJax.Hub) MathJax.Hub.Queue(['Rerender', MathJax.Hub]);"
+
 # What must fit, and scrolls.
 SCROLLING = r"""
+const FORMULAS = '.MathJax_SVG_Display, p.formulaDsp';
 const scrolling = selector => [...document.querySelectorAll(`.contents :is(${selector})`)]
   .filter(part => part.scrollWidth > part.clientWidth + 1)
   .map(part => `scrolls: ${part.scrollWidth} of ${part.clientWidth} pixels, ${part.textContent.trim().slice(0, 80)}`);
@@ -92,7 +96,16 @@ for (const part of [document.documentElement, scroller]) {
                 + (wide ? ', ' + wide.outerHTML.slice(0, 100) : ''));
   }
 }
-return faults.concat(scrolling('.MathJax_SVG_Display, p.formulaDsp'));
+// Pages of the book, not Doxygen's own: links for citing, and MathML for screen readers.
+if (document.querySelector('nav.pages')) {
+  const links = new Set([...document.querySelectorAll('.permalink')].map(link => link.getAttribute('href')));
+  for (const place of document.querySelectorAll('.contents :is(h1, h2, h3) > a.anchor, .contents figure[id]')) {
+    if (!links.has('#' + place.id)) faults.push('no permalink to ' + place.id);
+  }
+  const silent = [...document.querySelectorAll('.MathJax_SVG')].filter(formula => !formula.querySelector('math'));
+  if (silent.length > 0) faults.push(`formulas without MathML: ${silent.length}, the first is ${silent[0].id}`);
+}
+return faults.concat(scrolling(FORMULAS));
 """
 
 
@@ -101,7 +114,10 @@ def look_at(page, browser):
     browser.execute_async_script(SETTLE)
     faults = browser.execute_script(LOOK)
     show_on(browser, DESK)
-    faults += browser.execute_script(SCROLLING + "return scrolling('div.fragment');") + list(errors_logged(browser))
+    browser.execute_script(REFLOW)
+    browser.execute_async_script(SETTLE)
+    faults += browser.execute_script(SCROLLING + "return scrolling('div.fragment, ' + FORMULAS);")
+    faults += errors_logged(browser)
     show_on(browser, PHONE)
     return [f"{page.name}: {fault}" for fault in faults]
 
