@@ -53,7 +53,7 @@ TEST(Scene, OrientationsSayTheSameInThreeWays) {
 TEST(Scene, ReadsEveryWorldSetting) {
   const SceneResult result = load_text(R"({"schema": 1, "h": 0.01, "steps": 7, "world": {
       "gravity": [0, 0, -1.6], "length_unit": 2, "substeps": 3, "iterations": 5,
-      "relax_iterations": 6, "solver": "naive", "contact_model": "baumgarte",
+      "relax_iterations": 6, "pass_order": "step_by_step", "solver": "naive", "contact_model": "baumgarte",
       "rotation": "explicit", "warm_starting": false, "temporal_coherence": false,
       "sleeping": true, "threads": 3, "contact_hertz": 10, "contact_damping_ratio": 2, "baumgarte": 0.1, "slop": 0.002, "max_push_speed": 4,
       "restitution_threshold": 1.5, "restitution_iterations": 9, "rolling_resistance": 0.01,
@@ -71,6 +71,7 @@ TEST(Scene, ReadsEveryWorldSetting) {
   EXPECT_EQ(settings.substeps, 3);
   EXPECT_EQ(settings.iterations, 5);
   EXPECT_EQ(settings.relax_iterations, 6);
+  EXPECT_EQ(settings.pass_order, PassOrder::StepByStep);
   EXPECT_EQ(settings.solver, SolverKind::Naive);
   EXPECT_EQ(settings.contact_model, ContactModel::Baumgarte);
   EXPECT_EQ(settings.rotation, RotationMethod::Explicit);

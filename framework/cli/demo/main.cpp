@@ -135,7 +135,7 @@ void declare(CLI::App& app, DemoOptions& options) {
       ->check(CLI::Range(1, 1000000));
   app.add_option_function<std::string>(
          "--quality", [&](const std::string& name) { options.quality = parse_quality(name); },
-         "accurate, or game: half the passes; by default the\n"
+         "accurate, or game: fewer passes; by default the\n"
          "scene's own settings")
       ->option_text("NAME");
   app.add_option("--threads", options.threads,

@@ -12,8 +12,8 @@ namespace cs550 {
     }
   }
   ContactStep pass_step = step;
-  for (int pass = passes.first; pass < passes.first + passes.count; ++pass) {
-    pass_step.backwards = pass % 2 == 1;
+  for (int pass = 0; pass < passes.count; ++pass) {
+    pass_step.backwards = passes.goes_backwards(pass);
     solve_contacts(constraints, bodies, pass_step);
   }
   if (!passes.mark_impacts) return;

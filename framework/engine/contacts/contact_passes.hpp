@@ -10,14 +10,18 @@
 
 namespace cs550 {
 
-/// Consecutive passes of a substep. They alternate in direction: two of them together are symmetric
-/// (see solve_contacts()).
+/// Consecutive passes of a substep. If they alternate, two of them together are symmetric (see
+/// solve_contacts()).
 struct Passes {
   bool warm_start = false;  ///< whether the accumulated impulses are applied first
-  int first = 0;            ///< passes with odd numbers visit the constraints backwards
   int count = 0;
+  bool backwards = false;  ///< the direction of the first pass
+  bool alternate = true;   ///< whether each pass goes the other way than the one before
   bool mark_impacts =
       false;  ///< whether constraints are marked at the end: ContactConstraint::mark_impact()
+
+  /// The direction of a pass, counted from 0.
+  bool goes_backwards(int pass) const { return backwards != (alternate && pass % 2 == 1); }
 };
 
 /// warm_start() for every constraint, if asked for, then solve_contacts() for each pass, then mark_impact() for

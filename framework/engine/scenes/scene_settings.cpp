@@ -17,6 +17,9 @@ WorldSettings read_settings(SceneReader world) {
   world.read("substeps", settings.substeps, 1, most_passes);
   world.read("iterations", settings.iterations, 0, most_passes);
   world.read("relax_iterations", settings.relax_iterations, 0, most_passes);
+  world.read("pass_order", settings.pass_order,
+             Names<PassOrder>{{"back_and_forth", PassOrder::BackAndForth},
+                              {"step_by_step", PassOrder::StepByStep}});
   world.read(
       "solver", settings.solver,
       Names<SolverKind>{{"constraint", SolverKind::Constraint}, {"naive", SolverKind::Naive}});

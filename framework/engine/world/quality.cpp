@@ -10,7 +10,7 @@ namespace {
 template <class Settings>
 auto determined(Settings& settings) {
   return std::tie(settings.substeps, settings.iterations, settings.relax_iterations,
-                  settings.contact_hertz, settings.contact_damping_ratio,
+                  settings.pass_order, settings.contact_hertz, settings.contact_damping_ratio,
                   settings.rolling_resistance);
 }
 
@@ -24,11 +24,12 @@ WorldSettings accurate_settings() { return {}; }
 
 WorldSettings game_settings() {
   WorldSettings settings;
-  settings.substeps = 4;
+  settings.substeps = 3;
   settings.iterations = 2;
   settings.relax_iterations = 1;
-  settings.contact_hertz = 32;
-  settings.contact_damping_ratio = 40;
+  settings.pass_order = PassOrder::StepByStep;
+  settings.contact_hertz = 40;
+  settings.contact_damping_ratio = 30;
   settings.rolling_resistance = Real(3e-3);
   return settings;
 }

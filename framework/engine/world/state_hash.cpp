@@ -115,6 +115,7 @@ std::uint64_t World::state_hash() const {
   add_pairs(hash, state_->pairs);
   add_sleeping(hash, *state_);
   for (const Index body : state_->moved) hash.add(body);
+  if (state_->settings.pass_order == PassOrder::StepByStep) hash.add(state_->step_count % 2);
   return hash.value();
 }
 

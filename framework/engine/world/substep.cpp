@@ -41,6 +41,15 @@ void forget_impulses(WorldState& world) {
   world.mirror.stale_impulses = true;
 }
 
+/// `count` passes of a substep, after `done` of them.
+Passes passes_after(const WorldState& world, int done, int count) {
+  Passes passes;
+  passes.count = count;
+  passes.alternate = world.settings.pass_order == PassOrder::BackAndForth;
+  passes.backwards = (passes.alternate ? done : world.step_count) % 2 == 1;
+  return passes;
+}
+
 /// Passes of the chosen solver.
 void solve(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step,
            const Passes& passes) {
@@ -80,11 +89,13 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
     const bool warm = settings.warm_starting && settings.solver == SolverKind::Constraint;
     if (!warm) forget_impulses(world);
     const bool resists = warm && is_soft(settings) && settings.rolling_resistance > 0;
+    Passes passes = passes_after(world, 0, passes_with_bias(world, step));
+    passes.warm_start = warm && !resists;
     if (resists) {
-      solve(world, bodies, step, {warm, 0, 0});
+      solve(world, bodies, step, {.warm_start = true});
       resist_rolling(world);
     }
-    solve(world, bodies, step, {warm && !resists, 0, passes_with_bias(world, step)});
+    solve(world, bodies, step, passes);
   });
 }
 
@@ -93,8 +104,9 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
 void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
   const WorldSettings& settings = world.settings;
   step.use_bias = false;
-  solve(world, bodies, step,
-        {false, settings.iterations, settings.relax_iterations, !world.any_bounces});
+  Passes passes = passes_after(world, settings.iterations, settings.relax_iterations);
+  passes.mark_impacts = !world.any_bounces;
+  solve(world, bodies, step, passes);
 }
 
 /// Impacts bounce here if contacts are soft. The other models bounce in their passes.

@@ -26,6 +26,7 @@ void visit_quality(WorldSettings& settings, ControlVisitor& visit) {
 }  // namespace
 
 void describe(WorldSettings& settings, ControlVisitor& visit) {
+  constexpr const char* orders[] = {"back_and_forth", "step_by_step"};
   constexpr const char* solvers[] = {"naive", "constraint"};
   constexpr const char* models[] = {"baumgarte", "soft"};
   constexpr const char* rotations[] = {"explicit", "midpoint"};
@@ -36,6 +37,7 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
   visit.whole({"substeps", "substeps", ""}, settings.substeps, 1, 16);
   visit.whole({"iterations", "iterations", ""}, settings.iterations, 1, 50);
   visit.whole({"relax_iterations", "relax iterations", ""}, settings.relax_iterations, 0, 50);
+  visit_enum(visit, {"pass_order", "pass order", ""}, settings.pass_order, orders);
   visit.toggle({"warm_starting", "warm starting", ""}, settings.warm_starting);
 
   visit.section("Contacts");

@@ -106,8 +106,8 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
     mirror.stale_impulses = false;
   }
   if (passes.warm_start) warm_start_all(mirror, bodies);
-  for (int pass = passes.first; pass < passes.first + passes.count; ++pass) {
-    if (pass % 2 == 1) {
+  for (int pass = 0; pass < passes.count; ++pass) {
+    if (passes.goes_backwards(pass)) {
       solve_backwards(mirror, bodies, step);
     } else {
       solve_forwards(mirror, bodies, step);

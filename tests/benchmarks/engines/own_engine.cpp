@@ -42,7 +42,7 @@ std::vector<Engine> own_engines() {
   const int accurate = accurate_settings().substeps;
   const int game = game_settings().substeps;
   return {{"this engine, accurate", "substeps", accurate, {4, 8, 12, 16}, start_accurate},
-          {"this engine, game", "substeps", game, {3, 4, 6, 8}, start_game}};
+          {"this engine, game", "substeps", game, {2, 3, 4, 6}, start_game}};
 }
 
 }  // namespace cs550::bench

@@ -58,7 +58,7 @@ void pass_at_once(benchmark::State& state, int cubes) {
   ConstraintMirror mirror;
   for ([[maybe_unused]] auto _ : state) {
     push_down(bricks);
-    run_passes(mirror, bricks.constraints, bricks.bodies, bricks.step, {false, 0, 1});
+    run_passes(mirror, bricks.constraints, bricks.bodies, bricks.step, {.count = 1});
   }
 }
 
