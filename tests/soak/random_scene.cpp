@@ -14,12 +14,18 @@ using Json = nlohmann::json;
 class Draw {
  public:
   explicit Draw(std::uint32_t seed)
-      : random_(seed), unit_(power_of_ten(-3, 3)), mass_digits_(random_.real(0, 6)) {}
+      : random_(seed),
+        unit_(power_of_ten(-3, 3)),
+        mass_digits_(random_.real(0, 6)),
+        size_digits_(one_in(4) ? random_.real(0, 3) : 0) {}
 
   Json scene() {
     const Real gravity = one_in(5) ? 0 : power_of_ten(0, 3);
     Json bodies = Json::array({floor()});
     if (one_in(6)) bodies.push_back(mover());
+    const bool naive = one_in(5);
+    const bool baumgarte = one_in(3);
+    const bool game = one_in(3) && !naive && !baumgarte;  // it is meant for soft contacts
     const int count = random_.integer(1, 16);
     const Real spread = one_in(3) ? Real(0.5) : 4;  // in a third of the scenes all overlap
     for (int i = 0; i < count; ++i) bodies.push_back(body(spread));
@@ -28,8 +34,10 @@ class Draw {
             {"world",
              {{"gravity", {0, 0, -gravity}},
               {"length_unit", unit_},
-              {"solver", one_in(5) ? "naive" : "constraint"},
-              {"contact_model", one_in(3) ? "baumgarte" : "soft"}}},
+              {"quality", game ? "game" : "accurate"},
+              {"sleeping", one_in(3)},
+              {"solver", naive ? "naive" : "constraint"},
+              {"contact_model", baumgarte ? "baumgarte" : "soft"}}},
             {"bodies", bodies}};
   }
 
@@ -84,7 +92,8 @@ class Draw {
   }
 
   Json shape() {
-    const Real size = unit_ * random_.real(Real(0.3), 1);
+    const Real size =
+        std::max(unit_ * random_.real(Real(0.3), 1) * power_of_ten(-size_digits_, 0), Real(1e-4));
     switch (random_.integer(0, 5)) {
       case 0:
         return {{"kind", "prism"},
@@ -114,6 +123,7 @@ class Draw {
   Random random_;
   Real unit_;
   Real mass_digits_;  ///< masses differ by up to ten to this power
+  Real size_digits_;  ///< and sizes by up to ten to this one
 };
 
 }  // namespace

@@ -13,6 +13,9 @@ namespace {
 /// The rounding of a normalised vector or quaternion, with a margin for one product of such.
 constexpr Real unit_tolerance = Real(1e-3);
 
+/// Of a query, relative to the sizes of both bodies: several roundings to float.
+constexpr Real query_rounding = Real(1e-6);
+
 bool is_unit(const Vec3& v) { return std::abs(v.norm() - 1) < unit_tolerance; }
 
 void report(WorldState& world, Stage stage, int lab, Index body, const std::string& promise) {
@@ -89,7 +92,9 @@ const char* broken_promise(const WorldState& world, std::size_t pair, Real margi
   // Depths are compared. The separation of bodies apart jumps where edges become parallel.
   const Real change = std::min(Real(0), separation_now) - std::min(Real(0), separation_then);
   const Real radius = std::min(a.shape->radius, b.shape->radius);
-  const Real tolerance = (kept_motion + 2 * tie_tolerance + 2 * parallel_sine) * radius;
+  const Real size = a.shape->radius + b.shape->radius;
+  const Real tolerance =
+      (kept_motion + 2 * tie_tolerance + 2 * parallel_sine) * radius + query_rounding * size;
   if (std::abs(change) <= tolerance) return nullptr;
   return contact.manifold.points.empty() ? "bodies that overlap were kept apart"
                                          : "a contact was kept although the bodies moved";
