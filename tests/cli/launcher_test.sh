@@ -81,11 +81,37 @@ flock -u 8
 read -r last <&7
 [ "$last" = "exit 0" ] || { echo "WRONG: the build that waited printed '$last'" >&2; exit 1; }
 
+# CS550_BUILD_DIR gets a subfolder of links to the project. What else is in the folder stays as it is.
 CS550_BUILD_DIR=$scratch/elsewhere
 export CS550_BUILD_DIR
 mkdir "$CS550_BUILD_DIR"
-builds_in "$CS550_BUILD_DIR"
-[ -e "$CS550_BUILD_DIR/framework/cli/verbs.def" ] || wrong "the folder has no links to the project"
+for name in README.md .gitignore cs550; do echo "the user's" >"$CS550_BUILD_DIR/$name"; done
+"$project/cs550" help >/dev/null
+"$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed"
+links=$(echo "$CS550_BUILD_DIR"/cs550-*)
+builds_in "$links"
+for name in README.md .gitignore cs550; do
+  [ ! -L "$CS550_BUILD_DIR/$name" ] && [ "$(cat "$CS550_BUILD_DIR/$name")" = "the user's" ] ||
+    wrong "it replaced the user's file $name"
+done
+[ -e "$links/framework/cli/verbs.def" ] || wrong "the folder has no links to the project"
+rm "$links/CMakeLists.txt"
+echo "the user's" >"$links/CMakeLists.txt"
+! "$project/cs550" help >"$scratch/printed" 2>&1 || wrong "it accepted a file in the place of a link"
+prints "$links/CMakeLists.txt is not a link to $project/CMakeLists.txt"
+[ "$(cat "$links/CMakeLists.txt")" = "the user's" ] || wrong "it replaced a file in its own folder"
+rm "$links/CMakeLists.txt"
+
+# A folder of the project, and one in which CMake cannot build, are refused.
+for refused in "$project" "$project/framework" "$scratch/glob*"; do
+  code=0
+  CS550_BUILD_DIR=$refused "$project/cs550" help >"$scratch/printed" 2>&1 || code=$?
+  [ "$code" = 2 ] || wrong "exit code $code for CS550_BUILD_DIR=$refused"
+  prints "CS550_BUILD_DIR names a folder in"
+  prints "$refused"
+  [ -z "$(find "$project" "$refused" -type l)" ] || wrong "it made links in $refused"
+done
+(cd "$project" && ! CS550_BUILD_DIR=. ./cs550 help >"$scratch/printed" 2>&1) || wrong "it accepted CS550_BUILD_DIR=."
 unset CS550_BUILD_DIR
 
 # The user root may write to folders that forbid it, but not make a folder of a file.
@@ -96,13 +122,33 @@ prints "The project cannot be written to. Building in $scratch/cache/cs550/"
 grep -qF "built in $scratch/cache/cs550/" "$scratch"/cache/cs550/*/build/test.log || wrong "it built elsewhere"
 
 # So does a path that CMake cannot handle.
-for odd in 'semi;colon' 'quo"te' 'dol$lar' 'hash#' 'back\slash' 'line
+for odd in 'semi;colon' 'quo"te' 'dol$lar' 'hash#' 'back\slash' 'brack[et' 'brack]et' 'aster*isk' 'question?' 'line
 break'; do
   cp -r "$project" "$scratch/$odd"
   rm "$scratch/$odd/build"
   "$scratch/$odd/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed in $odd"
   prints "CMake cannot build in a path with"
 done
+
+# builds_below FOLDER [NAME=VALUE]...: where the project is built with other caches.
+builds_below() {
+  folder=$1
+  shift
+  (cd "$scratch" && env "$@" "$project/cs550" build test >"$scratch/printed" 2>&1) || wrong "the build failed with $*"
+  prints "Building in $folder/"
+}
+builds_below "$scratch/home/.cache/cs550" XDG_CACHE_HOME=relative HOME="$scratch/home"
+builds_below "$scratch/home/.cache/cs550" XDG_CACHE_HOME="$scratch/semi;colon" HOME="$scratch/home"
+own=cs550-$(id -u)
+mkdir "$scratch/temporary"
+builds_below "$scratch/temporary/$own" -u XDG_CACHE_HOME -u HOME TMPDIR="$scratch/temporary"
+[ "$(stat -c %a "$scratch/temporary/$own")" = 700 ] || wrong "others may write to the folder for temporary files"
+[ ! -e "$scratch/relative" ] || wrong "it used a relative XDG_CACHE_HOME"
+if chown 12345 "$scratch/temporary/$own" 2>/dev/null; then
+  ! env -u XDG_CACHE_HOME -u HOME TMPDIR="$scratch/temporary" "$project/cs550" build test >"$scratch/printed" 2>&1 ||
+    wrong "it built in a folder of another user"
+  prints "cannot create $scratch/temporary/$own as a folder of your own"
+fi
 
 XDG_CACHE_HOME=$project/cs550
 ! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "it built without a folder to write to"
