@@ -11,11 +11,11 @@ cp "$root/cs550" "$root/CMakePresets.json" "$project"
 cp "$root/framework/cli/verbs.def" "$root/framework/cli/packages.txt" "$project/framework/cli"
 cat >"$scratch/bin/cmake" <<'FAKE'
 #!/bin/sh
-[ "$1" != --build ] || echo "built in $(pwd -P)"
+[ "$1" = --build ] && echo "built in $(pwd -P)" || echo "$*" >>"$CONFIGURED"
 [ ! -e broken ] || { echo '-- GLOB mismatch!'; echo "In file included from $(pwd -P)/labs/a.hpp:1,"; exit 1; }
 FAKE
 chmod +x "$scratch/bin/cmake"
-export PATH="$scratch/bin:$PATH" XDG_CACHE_HOME="$scratch/cache"
+export CONFIGURED="$scratch/configured" PATH="$scratch/bin:$PATH" XDG_CACHE_HOME="$scratch/cache"
 
 wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
 prints() { grep -qF "$1" "$scratch/printed" || wrong "expected in the output: $1"; }
@@ -26,38 +26,63 @@ builds_in() {
 
 builds_in "$project"
 
-# The command line is built when its files have changed, and only then.
-mkdir -p "$project/framework/cmake" "$project/framework/files" "$project/build/student/bin"
-: >"$project/CMakeLists.txt"
-printf '#!/bin/sh\necho "$*"\n' >"$project/build/student/bin/cs550"
-chmod +x "$project/build/student/bin/cs550"
-runs_after_build() {
-  rm -f "$project/build/student.log"
-  [ "$("$project/cs550" progress --list)" = 'progress --list' ] || wrong "the program did not run"
-  [ "$1" = "$([ -e "$project/build/student.log" ] && echo yes || echo no)" ] || wrong "built before it ran: not '$1'"
-}
-runs_after_build yes
-runs_after_build no
-touch -d '+1 minute' "$project/framework/cli/verbs.def"
-runs_after_build yes
-rm -r "$project/build/student"
+# What is built again. The tests run twice: in the project, and in a folder of links to it.
+# build_state FOLDER: where it builds
+build_state() {
+  built=$1/build
+  # The command line is built when its files have changed, and only then.
+  mkdir -p "$built/student/bin"
+  printf '#!/bin/sh\necho "$*"\n' >"$built/student/bin/cs550"
+  chmod +x "$built/student/bin/cs550"
+  touch "$project/framework/cli/verbs.def"
+  runs_after_build yes
+  runs_after_build no
+  touch -d '+1 minute' "$project/framework/cli/verbs.def"
+  runs_after_build yes
+  touch "$project/framework/cli/verbs.def"
 
-# An edit counts by its bytes. A file from a backup has its old time, and so has one after the clock was set back.
-for lab in 3 4; do
-  mkdir -p "$project/labs/lab${lab}_topic" "$project/build/test/lab${lab}_student_code.dir/labs"
-  echo written >"$project/labs/lab${lab}_topic/topic.cpp"
-done
-compiled() { for lab in 3 4; do : >"$project/build/test/lab${lab}_student_code.dir/labs/topic.cpp.o"; done; }
-objects() { (cd "$project/build/test" && echo lab*_student_code.dir/labs/*.o); }
-"$project/cs550" build test
-compiled
-"$project/cs550" build test
-both='lab3_student_code.dir/labs/topic.cpp.o lab4_student_code.dir/labs/topic.cpp.o'
-[ "$(objects)" = "$both" ] || wrong "without an edit, the objects are: $(objects)"
-echo restored >"$project/labs/lab3_topic/topic.cpp"
-touch -d 2001-01-01 "$project/labs/lab3_topic/topic.cpp"
-"$project/cs550" build test
-[ "$(objects)" = "${both#* }" ] || wrong "after an edit of lab 3 with an old time, the objects are: $(objects)"
+  # It is configured when the presets have changed, and only then.
+  "$project/cs550" build test
+  : >"$scratch/configured"
+  "$project/cs550" build test
+  "$project/cs550" build test
+  [ ! -s "$scratch/configured" ] || wrong "without a change, it was configured again in $1"
+  touch -d '+1 minute' "$project/CMakePresets.json"
+  "$project/cs550" build test
+  [ -s "$scratch/configured" ] || wrong "after a change of the presets, it was not configured again in $1"
+  touch "$project/CMakePresets.json"
+
+  # An edit counts by its bytes. A file from a backup has its old time, and so has one after the clock was set back.
+  for lab in 3 4; do
+    mkdir -p "$project/labs/lab${lab}_topic" "$built/test/lab${lab}_student_code.dir/labs"
+    echo written >"$project/labs/lab${lab}_topic/topic.cpp"
+  done
+  "$project/cs550" build test
+  compiled
+  "$project/cs550" build test
+  both='lab3_student_code.dir/labs/topic.cpp.o lab4_student_code.dir/labs/topic.cpp.o'
+  [ "$(objects)" = "$both" ] || wrong "without an edit, the objects in $1 are: $(objects)"
+  echo restored >"$project/labs/lab3_topic/topic.cpp"
+  touch -d 2001-01-01 "$project/labs/lab3_topic/topic.cpp"
+  "$project/cs550" build test
+  [ "$(objects)" = "${both#* }" ] || wrong "after an edit of lab 3 with an old time, the objects in $1 are: $(objects)"
+}
+runs_after_build() {
+  rm -f "$built/student.log"
+  [ "$("$project/cs550" progress --list)" = 'progress --list' ] || wrong "the program did not run"
+  [ "$1" = "$([ -e "$built/student.log" ] && echo yes || echo no)" ] || wrong "built in $built before it ran: not '$1'"
+}
+compiled() { for lab in 3 4; do : >"$built/test/lab${lab}_student_code.dir/labs/topic.cpp.o"; done; }
+objects() { (cd "$built/test" && echo lab*_student_code.dir/labs/*.o); }
+
+mkdir -p "$project/framework/cmake" "$project/framework/files" "$project/labs"
+: >"$project/CMakeLists.txt"
+build_state "$project"
+CS550_BUILD_DIR=$scratch/linked
+export CS550_BUILD_DIR
+"$project/cs550" help >/dev/null
+build_state "$(echo "$CS550_BUILD_DIR"/cs550-*)"
+unset CS550_BUILD_DIR
 
 # Errors name files relative to the project, and CMake's messages are left out.
 : >"$project/broken"
