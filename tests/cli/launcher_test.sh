@@ -8,7 +8,8 @@ rm -rf "$scratch"
 project="$scratch/a project's (unusual) földer"
 mkdir -p "$project/framework/cli" "$scratch/bin"
 cp "$root/cs550" "$root/CMakePresets.json" "$project"
-cp "$root/framework/cli/verbs.def" "$root/framework/cli/packages.txt" "$project/framework/cli"
+cp "$root/framework/cli/verbs.def" "$project/framework/cli"
+: >"$project/framework/cli/packages.txt"  # a test installs nothing
 cat >"$scratch/bin/cmake" <<'FAKE'
 #!/bin/sh
 [ "$1" = --build ] && echo "built in $(pwd -P)" || echo "$*" >>"$CONFIGURED"
@@ -105,6 +106,35 @@ esac
 flock -u 8
 read -r last <&7
 [ "$last" = "exit 0" ] || { echo "WRONG: the build that waited printed '$last'" >&2; exit 1; }
+
+# The book is built by one at a time, too.
+mkdir -p "$project/docs" "$project/build/release/bin"
+printf '#!/bin/sh\necho "the book"\n' >"$project/docs/build_book.sh"
+chmod +x "$project/docs/build_book.sh"
+exec 8>"$project/build/.lock"
+flock 8
+"$project/cs550" docs 8>&- >"$scratch/printed" 2>&1 &
+waiting=$!
+until grep -qF "Waiting for another ./cs550, which is building in $project/build." "$scratch/printed"; do
+  kill -0 $waiting 2>/dev/null || wrong "docs did not wait for another"
+  sleep 0.05
+done
+! grep -qF "the book" "$scratch/printed" || wrong "two built the book at once"
+flock -u 8
+wait $waiting || wrong "docs failed after it had waited"
+prints "the book"
+
+# Without locks it builds, and says so: it does not wait for nobody.
+cat >"$scratch/bin/flock" <<'FAKE'
+#!/bin/sh
+echo "flock: 9: No locks available" >&2
+exit 71
+FAKE
+chmod +x "$scratch/bin/flock"
+builds_in "$project"
+prints "Cannot lock $project/build/test with flock"
+! grep -qF Waiting "$scratch/printed" || wrong "it waited without a lock"
+rm "$scratch/bin/flock"
 
 # CS550_BUILD_DIR gets a subfolder of links to the project. What else is in the folder stays as it is.
 CS550_BUILD_DIR=$scratch/elsewhere
