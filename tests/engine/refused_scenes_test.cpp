@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "cs550/diagnostics.hpp"
 #include "cs550/scene.hpp"
 #include "engine/scene_text.hpp"
 
@@ -39,6 +41,57 @@ TEST(Scene, RefusesWhatFloatCannotHold) {
   EXPECT_EQ(load_text(with_body(weighing("1e-3") + ", " + weighing("1e5"))).error, "");
   expect_refused(with_body(weighing("1e-3") + ", " + weighing("1e7")),
                  {"/bodies/0: ", "0.001 kg beside 1e+07 kg of /bodies/1"});
+}
+
+/// Each number is in its range, and so is the needle, but not what a step makes of them.
+TEST(Scene, RefusesProductsThatFloatCannotHold) {
+  const auto cube = [](const std::string& half, const std::string& density,
+                       const std::string& more = "") {
+    return R"({"shape": {"kind": "box", "half_extents": [)" + half + ", " + half + ", " + half +
+           R"(]}, "density": )" + density + more + "}";
+  };
+  const std::string spin = R"(, "angular_velocity": [1e6, 0, 0])";
+  const std::string speed = R"(, "linear_velocity": [1e6, 0, 0])";
+  expect_refused(with_body(cube("1e6", "1e6", spin)), {"/bodies/0: ", "mass", "1e+18", "8e+24"});
+  expect_refused(with_body(cube("1e6", "0.1", spin)), {"energy of the rotation", "1e+30"});
+  expect_refused(with_body(cube("1", "1") + ", " + cube("1e3", "1e3", speed)),
+                 {"/bodies/1: ", "momentum", "1e+18", "8e+18", "\"linear_velocity\": [0, 0, 0]"});
+  expect_refused(with_body(cube("1e-6", "1e-6")), {"/bodies/0: ", "moments of inertia", "1e-30"});
+  expect_refused(R"({"schema": 1, "world": {"gravity": [0, 0, 1e6]}, "h": 1, "bodies": [)" +
+                     cube("1e5", "1") + "]}",
+                 {"/bodies/0: ", "momentum in kg m/s after the first step", "found 8e+21"});
+  expect_refused(R"({"schema": 1, "generators": [{"kind": "stack", "count": 1, "body": )" +
+                     cube("1", "1") + R"(}, {"kind": "stack", "count": 2, "body": )" +
+                     cube("1e6", "1e6") + "}]}",
+                 {"/generators/1: ", "mass"});
+}
+
+/// The largest and the smallest bodies that are read stay finite in their first step.
+TEST(Scene, WhatIsReadCanBeStepped) {
+  const std::string halves[] = {"1e-6", "1e-3", "1", "1e3", "1e6"};
+  const std::string densities[] = {"1e-6", "1e-3", "0.12", "1e3", "1e6"};
+  const std::string speeds[] = {"0", "1", "1e3", "1e6"};
+  int read = 0;
+  for (const std::string& half : halves) {
+    for (const std::string& density : densities) {
+      for (const std::string& speed : speeds) {
+        for (const std::string& spin : speeds) {
+          const SceneResult result = load_text(with_body(
+              R"({"shape": {"kind": "box", "half_extents": [)" + half + ", " + half + ", " + half +
+              R"(]}, "density": )" + density + R"(, "linear_velocity": [)" + speed +
+              R"(, 0, 0], "angular_velocity": [0, )" + spin + ", " + spin + "]}"));
+          if (!result) continue;
+          ++read;
+          World world = make_world(result.scene);
+          ASSERT_TRUE(std::isfinite(energy(world, result.scene.h).total()));
+          world.step(result.scene.h);
+          EXPECT_TRUE(is_finite(world))
+              << half << " m, " << density << " kg/m³, " << speed << " m/s, " << spin << " rad/s";
+        }
+      }
+    }
+  }
+  EXPECT_GT(read, 200) << "of 400";
 }
 
 TEST(Scene, RefusesWithPlaceExpectationAndExample) {
@@ -189,7 +242,11 @@ std::string with_example_pasted(const std::string& text, const std::string& erro
 
 TEST(Scene, ExamplesInMessagesWorkWhenPasted) {
   const std::string shape = shape_member;
+  const std::string huge = R"("shape": {"kind": "box", "half_extents": [1e6, 1e6, 1e6]})";
   const std::string wrong[] = {
+      with_body("{" + huge + R"(, "density": 1e6})"),
+      with_body("{" + huge + R"(, "density": 0.1, "angular_velocity": [1e6, 0, 0]})"),
+      with_body("{" + huge + R"(, "density": 0.1, "linear_velocity": [1e6, 0, 0]})"),
       with_body("{" + shape + R"(, "friction": -1})"),
       with_body("{" + shape + R"(, "restitution": 2})"),
       with_body("{" + shape + R"(, "position": [1, 2]})"),

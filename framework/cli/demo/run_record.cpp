@@ -117,8 +117,8 @@ void RunRecord::print_verdict(std::ostream& out) const {
   out << '\n';
   if (!problems_.empty()) out << coloured("Stages that failed:", Colour::Red) << '\n';
   for (const StageProblem& problem : problems_) {
-    out << fmt::format("  {}, lab {}, step {}:\n", to_string(problem.stage), problem.lab,
-                       problem.step)
+    const std::string lab = problem.lab > 0 ? fmt::format(", lab {}", problem.lab) : "";
+    out << fmt::format("  {}{}, step {}:\n", to_string(problem.stage), lab, problem.step)
         << indented(problem.message, 4);
   }
   if (stopped_) {

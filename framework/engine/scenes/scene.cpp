@@ -61,10 +61,15 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, const Sce
                      beyond_limit(static_cast<std::int64_t>(bodies.size()), limits.bodies,
                                   "bodies in a scene", "CS550_MAX_BODIES"));
   }
-  for (const SceneReader& body : bodies) add_bodies(scene, {read_body(body, shapes)});
+  std::vector<std::string> paths;
+  for (const SceneReader& body : bodies) {
+    add_bodies(scene, {read_body(body, shapes)});
+    paths.push_back(body.path());
+  }
   for (const SceneReader& generator : root.objects("generators", generator_example)) {
     const auto bodies_before = static_cast<int>(scene.bodies.size());
     add_bodies(scene, generate_bodies(generator, shapes, limits, bodies_before));
+    paths.resize(scene.bodies.size(), generator.path());
   }
   root.refuse_other_keys();
   if (scene.bodies.empty()) {
@@ -73,7 +78,7 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, const Sce
                      "\"bodies\": [" +
                          body_example + "]");
   }
-  refuse_beyond_float(scene, bodies.size());
+  refuse_beyond_float(scene, paths);
   refuse_many_pairs(scene, limits);
   return scene;
 }

@@ -26,6 +26,13 @@ void replace_from_environment(const char* variable, int& limit) {
 constexpr double largest_inertia_ratio = 1e6;
 /// Of the masses of two dynamic bodies.
 constexpr double largest_mass_ratio = 1e9;
+/// Of one body (kg, kg m/s): the engine squares it.
+constexpr double largest_momentum = 1e18;
+/// Of one body (kg m²). The engine uses the inverse, too.
+constexpr double smallest_inertia = 1e-30;
+constexpr double largest_inertia = 1e33;
+/// Of one body (J).
+constexpr double largest_spin_energy = 1e30;
 
 std::string in_digits(double number) {
   char text[32];
@@ -37,10 +44,60 @@ double mass_of(const BodyDef& body) {
   return static_cast<double>(body.mass ? *body.mass : body.density * body.shape->volume);
 }
 
-double inertia_ratio(const ConvexShape& shape) {
+/// Moments of inertia per density about the principal axes, the smallest first.
+Eigen::Vector3d principal_moments(const ConvexShape& shape) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(shape.unit_inertia.cast<double>(),
                                                                  Eigen::EigenvaluesOnly);
-  return principal.eigenvalues().maxCoeff() / principal.eigenvalues().minCoeff();
+  return principal.eigenvalues();
+}
+
+/// Kinetic energy of the rotation (J).
+double spin_energy(const BodyDef& body, double density) {
+  const Eigen::Vector3d w = body.pose.unrotate(body.angular_velocity).cast<double>();
+  return 0.5 * density * w.dot(body.shape->unit_inertia.cast<double>() * w);
+}
+
+// Not a number is beyond a limit, too.
+
+void refuse_thin(const Eigen::Vector3d& moments, const std::string& path) {
+  const double ratio = moments.maxCoeff() / moments.minCoeff();
+  if (ratio <= largest_inertia_ratio) return;
+  throw SceneFault(path,
+                   "expected a shape whose moments of inertia differ by a factor of at most " +
+                       in_digits(largest_inertia_ratio) + ", found " + in_digits(ratio) +
+                       "; make the body thicker: a needle may be 1 : 1400");
+}
+
+void refuse_above(double found, double limit, const std::string& path, const std::string& quantity,
+                  const std::string& advice) {
+  if (found <= limit) return;
+  throw SceneFault(path, "expected " + quantity + " of at most " + in_digits(limit) + ", found " +
+                             in_digits(found) + "; " + advice);
+}
+
+/// What the first step multiplies. Each number of the scene is in its range, but their products may not
+/// be: an angular momentum is density × length⁵ × speed.
+void refuse_overflow(const BodyDef& body, const Eigen::Vector3d& moments, const Scene& scene,
+                     const std::string& path) {
+  const double mass = mass_of(body);
+  const double density = mass / static_cast<double>(body.shape->volume);
+  refuse_above(mass, largest_momentum, path, "a mass in kg",
+               "for example \"density\": " + in_digits(density / mass * largest_momentum / 2));
+  if (!(density * moments.minCoeff() >= smallest_inertia)) {
+    throw SceneFault(path, "expected moments of inertia of at least " +
+                               in_digits(smallest_inertia) + " kg m², found " +
+                               in_digits(density * moments.minCoeff()) +
+                               "; make the body larger or heavier");
+  }
+  refuse_above(density * moments.maxCoeff(), largest_inertia, path, "moments of inertia in kg m²",
+               "make the body smaller or lighter");
+  const double speed = body.linear_velocity.cast<double>().norm() +
+                       static_cast<double>(scene.h) * scene.settings.gravity.cast<double>().norm();
+  refuse_above(mass * speed, largest_momentum, path, "a momentum in kg m/s after the first step",
+               "for example \"linear_velocity\": [0, 0, 0]");
+  refuse_above(spin_energy(body, density), largest_spin_energy, path,
+               "a kinetic energy of the rotation in J",
+               "for example \"angular_velocity\": [0, 0, 1]");
 }
 
 }  // namespace
@@ -83,23 +140,15 @@ void refuse_many_pairs(const Scene& scene, const SceneLimits& limits) {
   }
 }
 
-void refuse_beyond_float(const Scene& scene, std::size_t listed) {
-  const auto path = [&](std::size_t i) {
-    return i < listed ? "/bodies/" + std::to_string(i) : std::string("/generators");
-  };
+void refuse_beyond_float(const Scene& scene, const std::vector<std::string>& paths) {
   std::size_t lightest = scene.bodies.size();
   std::size_t heaviest = lightest;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const BodyDef& body = scene.bodies[i];
     if (body.kind != BodyKind::Dynamic) continue;
-    const double ratio = inertia_ratio(*body.shape);
-    // Not a number is beyond the limit too.
-    if (!(ratio <= largest_inertia_ratio)) {
-      throw SceneFault(path(i),
-                       "expected a shape whose moments of inertia differ by a factor of at most " +
-                           in_digits(largest_inertia_ratio) + ", found " + in_digits(ratio) +
-                           "; make the body thicker: a needle may be 1 : 1400");
-    }
+    const Eigen::Vector3d moments = principal_moments(*body.shape);
+    refuse_thin(moments, paths[i]);
+    refuse_overflow(body, moments, scene, paths[i]);
     if (lightest == scene.bodies.size()) lightest = heaviest = i;
     if (mass_of(body) < mass_of(scene.bodies[lightest])) lightest = i;
     if (mass_of(body) > mass_of(scene.bodies[heaviest])) heaviest = i;
@@ -108,11 +157,11 @@ void refuse_beyond_float(const Scene& scene, std::size_t listed) {
   const double least = mass_of(scene.bodies[lightest]);
   const double most = mass_of(scene.bodies[heaviest]);
   if (most <= largest_mass_ratio * least) return;
-  throw SceneFault(path(lightest), "expected masses that differ by a factor of at most " +
-                                       in_digits(largest_mass_ratio) + ", found " +
-                                       in_digits(least) + " kg beside " + in_digits(most) +
-                                       " kg of " + path(heaviest) +
-                                       "; state a \"mass\" for one of the two");
+  throw SceneFault(paths[lightest], "expected masses that differ by a factor of at most " +
+                                        in_digits(largest_mass_ratio) + ", found " +
+                                        in_digits(least) + " kg beside " + in_digits(most) +
+                                        " kg of " + paths[heaviest] +
+                                        "; state a \"mass\" for one of the two");
 }
 
 }  // namespace cs550

@@ -2,8 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace cs550 {
+namespace {
+
+bool is_finite(const RigidBody& body) {
+  return body.pose.position.allFinite() && body.pose.orientation.coeffs().allFinite() &&
+         body.linear_momentum.allFinite() && body.angular_momentum.allFinite() &&
+         std::isfinite(kinetic_energy(body));
+}
+
+/// The first body that is not finite; no_index if all are.
+Index first_lost_body(const World& world) {
+  const auto bodies = world.bodies();
+  const auto lost = std::find_if(bodies.begin(), bodies.end(),
+                                 [](const RigidBody& body) { return !is_finite(body); });
+  return lost == bodies.end() ? no_index : static_cast<Index>(lost - bodies.begin());
+}
+
+}  // namespace
 
 Energy energy(const World& world, Real h) {
   const Eigen::Vector3d g = world.settings().gravity.cast<double>();
@@ -38,22 +56,17 @@ Eigen::Vector3d angular_momentum(const World& world) {
   return sum;
 }
 
-bool is_finite(const World& world) {
-  const auto bodies = world.bodies();
-  return std::all_of(bodies.begin(), bodies.end(), [](const RigidBody& body) {
-    return body.pose.position.allFinite() && body.pose.orientation.coeffs().allFinite() &&
-           body.linear_momentum.allFinite() && body.angular_momentum.allFinite() &&
-           std::isfinite(kinetic_energy(body));
-  });
-}
+bool is_finite(const World& world) { return first_lost_body(world) == no_index; }
 
 std::vector<StageProblem> find_broken_stages(World before, Real h) {
   before.settings().check_stages = true;
   before.step(h);
   std::vector<StageProblem> problems(before.problems().begin(), before.problems().end());
-  if (problems.empty() && !is_finite(before)) {
-    problems.push_back({Stage::Solve, 0, no_index, before.step_count() - 1,
-                        "a kinetic energy exceeds the range of float"});
+  if (const Index body = first_lost_body(before); problems.empty() && body != no_index) {
+    const std::int64_t step = before.step_count() - 1;
+    problems.push_back({Stage::Solve, 0, body, step,
+                        "body " + std::to_string(body) + ", step " + std::to_string(step) +
+                            ": its kinetic energy exceeds the range of float"});
   }
   return problems;
 }
