@@ -10,14 +10,16 @@
 #include "cs550/diagnostics.hpp"
 #include "cs550/scene.hpp"
 #include "engine/scene_text.hpp"
+#include "helpers/fixtures.hpp"
 
 namespace cs550 {
 namespace {
 
 /// Checks that the scene is rejected as a whole, with a message that contains all the parts.
-void expect_refused(const std::string& text, const std::vector<std::string>& parts) {
+void expect_refused(const std::string& text, const std::vector<std::string>& parts,
+                    const SceneLimits& limits = {}) {
   const TemporaryScene scene(text);
-  const SceneResult result = scene.load();
+  const SceneResult result = load_scene(scene.file(), limits);
   ASSERT_FALSE(result) << text;
   EXPECT_TRUE(result.scene.bodies.empty()) << text;
   EXPECT_NE(result.error.find(scene.file().string()), std::string::npos) << result.error;
@@ -204,24 +206,85 @@ TEST(Scene, RefusesTooMuchBeforeItIsMade) {
   expect_refused(
       generator(R"("kind": "drop", "count": 50000, "columns": [9, 9], "spacing": [1, 1, 1],
                              "seed": 1, "vertices": [4, 1000], "body": {}})"),
-      {"/generators/0/count", "500000 vertices", "found 50000000"});
+      {"/generators/0/count", "500000 vertices", "found 50000000", "CS550_MAX_TOTAL_POINTS"});
   // All in one place, so that every two of them would be a pair.
   expect_refused(
       generator(R"("kind": "grid", "count": [100, 100, 2], "spacing": [1e-6, 1e-6, 1e-6], )" +
                 body),
-      {"1000000 pairs", "CS550_MAX_PAIRS"});
+      {"100000 pairs", "CS550_MAX_PAIRS"});
+}
+
+TEST(Scene, RefusesTooMuchInAllGeneratorsAndShapesTogether) {
+  SceneLimits limits;
+  limits.total_points = 1000;
+  const std::string drop =
+      R"({"kind": "drop", "count": 13, "columns": [9, 9], "spacing": [9, 9, 9], "seed": 1, "body": {}, )";
+  expect_refused(R"({"schema": 1, "generators": [)" + drop + R"("shapes": "boxes"}, )" + drop +
+                     R"("vertices": [4, 30]}, )" + drop + R"("vertices": [4, 40]}]})",
+                 {"/generators/2/count", "1000 vertices", "found 1014"}, limits);
+  // Each body has a shape of its own.
+  const std::string ball = R"({"shape": {"kind": "icosphere", "radius": 1}})";
+  std::string balls = ball;
+  for (int i = 1; i < 7; ++i) balls += ", " + ball;
+  expect_refused(with_body(balls), {"/bodies/6/shape", "vertices of all shapes", "found 1134"},
+                 limits);
+}
+
+TEST(Scene, RefusesMoreMemoryThanIsAllowed) {
+  const auto grid = [](const std::string& spacing) {
+    return R"({"schema": 1, "generators": [{"kind": "grid", "count": [100, 10, 1], "spacing": )" +
+           spacing + ", " + body_member + "}]}";
+  };
+  SceneLimits limits;
+  limits.memory_mb = 1;
+  expect_refused(grid("[2, 2, 2]"),
+                 {"/generators/0/count: ", "at most 1 MB", "2 MB with these 1000 bodies",
+                  "CS550_MAX_MEMORY_MB"},
+                 limits);
+  limits.memory_mb = 3;
+  EXPECT_EQ(load_scene(TemporaryScene(grid("[2, 2, 2]")).file(), limits).error, "");
+  expect_refused(grid("[2, 0.3, 2]"), {"/: ", "at most 3 MB", "pairs of bodies"}, limits);
+  expect_refused(R"({"schema": 1, "title": ")" + std::string(100000, 'a') + "\"}",
+                 {"/: ", "at most 3 MB", "bytes of text"}, limits);
+}
+
+TEST(Scene, RefusesMeshFilesBeyondTheLimits) {
+  for (const std::string& file : {test::fixture_file("cube"), std::string("bunny.obj")}) {
+    const std::string text = with_body(R"({"shape": {"kind": "mesh", "file": ")" + file + R"("}})");
+    EXPECT_EQ(load_text(text).error, "");
+    SceneLimits few_points;
+    few_points.hull_points = 7;
+    expect_refused(text, {"/bodies/0/shape/file: expected at most 7 points, found "}, few_points);
+    SceneLimits few_in_all;
+    few_in_all.total_points = 7;
+    expect_refused(text, {"/bodies/0/shape/file: ", "CS550_MAX_TOTAL_POINTS"}, few_in_all);
+  }
 }
 
 TEST(Scene, LimitsCanBeRaisedByTheEnvironment) {
   const std::string text = R"({"schema": 1, "generators": [{"kind": "stack", "count": 12, )" +
                            std::string(body_member) + "}]}";
   setenv("CS550_MAX_BODIES", "11", 1);
-  expect_refused(text, {"at most 11 bodies", "found 12"});
+  expect_refused(text, {"at most 11 bodies", "found 12"}, SceneLimits::from_environment());
   setenv("CS550_MAX_BODIES", "12", 1);
   EXPECT_TRUE(load_text(text));
-  setenv("CS550_MAX_BODIES", "many", 1);
-  EXPECT_TRUE(load_text(text)) << "what is no number changes nothing";
   unsetenv("CS550_MAX_BODIES");
+}
+
+TEST(Scene, RefusesLimitsThatAreNoNumbers) {
+  const std::string scene = with_body("{" + std::string(shape_member) + "}");
+  for (const char* variable :
+       {"CS550_MAX_BODIES", "CS550_MAX_HULL_POINTS", "CS550_MAX_TOTAL_POINTS", "CS550_MAX_PAIRS",
+        "CS550_MAX_MEMORY_MB"}) {
+    for (const char* value : {"many", "0", "-1", "1e6", "", "99999999999", "12 "}) {
+      setenv(variable, value, 1);
+      const std::string error = load_text(scene).error;
+      EXPECT_NE(error.find(variable), std::string::npos) << value << ": " << error;
+      EXPECT_NE(error.find("found \"" + std::string(value) + "\""), std::string::npos) << error;
+    }
+    unsetenv(variable);
+  }
+  EXPECT_EQ(load_text(scene).error, "");
 }
 
 /// Replaces the rejected value by the example in the message, as a user would.

@@ -102,19 +102,23 @@ std::string to_json(const HalfEdgeMesh& mesh) {
          '\n';
 }
 
-MeshResult load_mesh_json(const std::filesystem::path& file, Real tolerance) {
+MeshResult read_mesh_json(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) return {{}, file.string() + ": cannot be opened"};
-  HalfEdgeMesh mesh;
   try {
-    mesh = mesh_from(FloatJson::parse(stream));
+    return {mesh_from(FloatJson::parse(stream)), {}};
   } catch (const FloatJson::exception& error) {
     return {{}, file.string() + ": is not a half-edge mesh in JSON: " + error.what()};
   }
-  if (const auto defect = validate(mesh, tolerance)) {
+}
+
+MeshResult load_mesh_json(const std::filesystem::path& file, Real tolerance) {
+  MeshResult result = read_mesh_json(file);
+  if (!result.error.empty()) return result;
+  if (const auto defect = validate(result.mesh, tolerance)) {
     return {{}, file.string() + ": " + defect->sentence};
   }
-  return {std::move(mesh), {}};
+  return result;
 }
 
 }  // namespace cs550

@@ -9,6 +9,7 @@
 #include "cs550/not_implemented.hpp"
 #include "engine/scenes/nearest_word.hpp"
 #include "engine/scenes/scene_bodies.hpp"
+#include "engine/scenes/scene_cost.hpp"
 #include "engine/scenes/scene_document.hpp"
 #include "engine/scenes/scene_generators.hpp"
 #include "engine/scenes/scene_limits.hpp"
@@ -33,7 +34,7 @@ const std::string body_example =
 const char* generator_example =
     R"({"kind": "stack", "count": 3, "body": {"shape": {"kind": "box", "half_extents": [1, 1, 1]}}})";
 
-Scene read_scene(const nlohmann::json& document, const fs::path& file, const SceneLimits& limits) {
+Scene read_scene(const nlohmann::json& document, const fs::path& file, SceneCost& cost) {
   SceneReader root(document, "", R"({"schema": 1, "bodies": [)" + body_example + "]}");
   int schema = schema_version;
   root.need("schema", schema, schema_version, schema_version);
@@ -50,25 +51,20 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, const Sce
     scene.settings = read_settings(root.object("world", R"({"gravity": [0, 0, -9.81]})"));
   }
 
-  SceneShapes shapes(file.parent_path(), limits);
+  SceneShapes shapes(file.parent_path(), cost);
   if (root.has("shapes")) {
     shapes.define(
         root.object("shapes", R"({"brick": {"kind": "box", "half_extents": [0.2, 0.1, 0.05]}})"));
   }
   const auto bodies = root.objects("bodies", body_example);
-  if (bodies.size() > static_cast<std::size_t>(limits.bodies)) {
-    throw SceneFault("/bodies",
-                     beyond_limit(static_cast<std::int64_t>(bodies.size()), limits.bodies,
-                                  "bodies in a scene", "CS550_MAX_BODIES"));
-  }
+  cost.add_bodies(static_cast<std::int64_t>(bodies.size()), "/bodies");
   std::vector<std::string> paths;
   for (const SceneReader& body : bodies) {
     add_bodies(scene, {read_body(body, shapes)});
     paths.push_back(body.path());
   }
   for (const SceneReader& generator : root.objects("generators", generator_example)) {
-    const auto bodies_before = static_cast<int>(scene.bodies.size());
-    add_bodies(scene, generate_bodies(generator, shapes, limits, bodies_before));
+    add_bodies(scene, generate_bodies(generator, shapes, cost));
     paths.resize(scene.bodies.size(), generator.path());
   }
   root.refuse_other_keys();
@@ -79,7 +75,7 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, const Sce
                          body_example + "]");
   }
   refuse_beyond_float(scene, paths);
-  refuse_many_pairs(scene, limits);
+  cost.add_pairs(scene);
   return scene;
 }
 
@@ -112,6 +108,7 @@ std::string list_of(const std::vector<std::string>& words) {
 }  // namespace
 
 SceneResult load_scene(const fs::path& file, const SceneLimits& limits) {
+  if (!limits.fault.empty()) return {{}, limits.fault};
   constexpr std::size_t longest = 300;
   const std::string where = (file.empty() ? "\"\"" : excerpt(file.string(), longest)) + ": ";
   std::error_code unreadable;
@@ -120,7 +117,9 @@ SceneResult load_scene(const fs::path& file, const SceneLimits& limits) {
     return {{}, where + "cannot be read; expected a scene file"};
   }
   try {
-    return {read_scene(parse_scene_document(stream), file, limits), ""};
+    SceneCost cost(limits);
+    cost.add_file(file, "");
+    return {read_scene(parse_scene_document(stream), file, cost), ""};
   } catch (const SceneFault& fault) {
     return {{}, where + fault.what()};
   } catch (const nlohmann::json::exception& error) {

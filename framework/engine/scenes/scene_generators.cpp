@@ -1,6 +1,6 @@
 #include "engine/scenes/scene_generators.hpp"
 
-#include "engine/scenes/scene_limits.hpp"
+#include "engine/scenes/scene_cost.hpp"
 #include "engine/scenes/scene_random.hpp"
 
 namespace cs550 {
@@ -9,19 +9,10 @@ namespace {
 /// What a generator may use of its scene.
 struct Context {
   const SceneShapes& shapes;
-  const SceneLimits& limits;
-  int bodies_before;  ///< in the scene already
-
-  /// Throws before any body is made if there would be too many.
-  void refuse_many_bodies(const SceneReader& generator, const std::string& key,
-                          std::int64_t count) const {
-    if (bodies_before + count <= limits.bodies) return;
-    throw SceneFault(generator.path_of(key), beyond_limit(bodies_before + count, limits.bodies,
-                                                          "bodies in a scene", "CS550_MAX_BODIES"));
-  }
+  SceneCost& cost;
 };
 
-/// The most in one direction; the product is checked by refuse_many_bodies().
+/// The most in one direction; the product is checked by SceneCost.
 constexpr int most_in_a_row = 1000000;
 
 /// Copies of one body, each at its own place.
@@ -68,7 +59,7 @@ std::vector<NamedBody> grid(SceneReader& generator, const Context& context) {
   Vec3 spacing = Vec3::Constant(2);
   generator.need("count", count, 1, most_in_a_row);
   generator.need("spacing", spacing, Range::Positive);
-  context.refuse_many_bodies(generator, "count", std::int64_t{count[0]} * count[1] * count[2]);
+  context.cost.add_bodies(std::int64_t{count[0]} * count[1] * count[2], generator.path_of("count"));
   for (int z = 0; z < count[2]; ++z) {
     for (int y = 0; y < count[1]; ++y) {
       for (int x = 0; x < count[0]; ++x) {
@@ -87,7 +78,7 @@ std::vector<NamedBody> stack(SceneReader& generator, const Context& context) {
   Real gap = 0;
   generator.need("count", count, 1, most_in_a_row);
   generator.read("gap", gap);
-  context.refuse_many_bodies(generator, "count", count);
+  context.cost.add_bodies(count, generator.path_of("count"));
   const Real step = copies.size().z() + gap;
   for (int i = 0; i < count; ++i) copies.add(static_cast<Real>(i) * step * Vec3::UnitZ());
   return copies.take();
@@ -111,7 +102,7 @@ std::vector<NamedBody> wall(SceneReader& generator, const Context& context) {
   generator.need("columns", columns, 1, most_in_a_row);
   generator.need("rows", rows, 1, most_in_a_row);
   generator.read("gap", gap);
-  context.refuse_many_bodies(generator, "rows", std::int64_t{rows} * columns);
+  context.cost.add_bodies(std::int64_t{rows} * columns, generator.path_of("rows"));
   for (int row = 0; row < rows; ++row) {
     const Real quarter_brick = Real(row % 2 == 0 ? 0.25 : -0.25);
     add_row(copies, row, columns, quarter_brick, gap);
@@ -126,7 +117,7 @@ std::vector<NamedBody> pyramid(SceneReader& generator, const Context& context) {
   Real gap = 0;
   generator.need("rows", rows, 1, most_in_a_row);
   generator.read("gap", gap);
-  context.refuse_many_bodies(generator, "rows", std::int64_t{rows} * (rows + 1) / 2);
+  context.cost.add_bodies(std::int64_t{rows} * (rows + 1) / 2, generator.path_of("rows"));
   for (int row = 0; row < rows; ++row) add_row(copies, row, rows - row, 0, gap);
   return copies.take();
 }
@@ -141,7 +132,7 @@ std::vector<NamedBody> line(SceneReader& generator, const Context& context) {
   generator.need("count", count, 1, most_in_a_row);
   generator.need("spacing", spacing, Range::Positive);
   generator.read("turn_degrees", turn_degrees);
-  context.refuse_many_bodies(generator, "count", count);
+  context.cost.add_bodies(count, generator.path_of("count"));
 
   Vec3 displacement = Vec3::Zero();
   for (int i = 0; i < count; ++i) {
@@ -172,14 +163,10 @@ ShapePtr random_shape(const SceneReader& generator, const DropShapes& range, Sce
   return SceneShapes::random_hull(generator, vertices, random.bits(), size);
 }
 
-void refuse_large_drop(const SceneReader& generator, const Context& context, int count,
-                       const DropShapes& shapes) {
-  context.refuse_many_bodies(generator, "count", count);
-  const std::int64_t points = shapes.boxes ? 0 : std::int64_t{count} * shapes.vertices[1];
-  if (points <= context.limits.total_points) return;
-  throw SceneFault(generator.path_of("count"),
-                   beyond_limit(points, context.limits.total_points, "vertices in a drop of hulls",
-                                "CS550_MAX_TOTAL_POINTS"));
+void add_cost(const SceneReader& generator, SceneCost& cost, int count, const DropShapes& shapes) {
+  const std::string path = generator.path_of("count");
+  cost.add_bodies(count, path);
+  cost.add_points(std::int64_t{count} * (shapes.boxes ? box_vertices : shapes.vertices[1]), path);
 }
 
 /// Random bodies, randomly turned, in layers that fall one after the other; the body's position is
@@ -207,7 +194,7 @@ std::vector<NamedBody> drop(SceneReader& generator, const Context& context) {
   SceneReader body = generator.object("body", "{}");
   Copies copies(read_body_without_shape(body));
   body.refuse_other_keys();
-  refuse_large_drop(generator, context, count, shapes);
+  add_cost(generator, context.cost, count, shapes);
 
   SceneRandom random(seed);
   const int layer_size = columns[0] * columns[1];
@@ -232,10 +219,10 @@ const Names<Generate> generator_kinds = {
 }  // namespace
 
 std::vector<NamedBody> generate_bodies(SceneReader generator, const SceneShapes& shapes,
-                                       const SceneLimits& limits, int bodies_before) {
+                                       SceneCost& cost) {
   Generate generate = grid;
   generator.need("kind", generate, generator_kinds);
-  std::vector<NamedBody> bodies = generate(generator, {shapes, limits, bodies_before});
+  std::vector<NamedBody> bodies = generate(generator, {shapes, cost});
   generator.refuse_other_keys();
   return bodies;
 }

@@ -9,8 +9,8 @@
 namespace cs550 {
 
 /// The bodies of one entry of "generators". Refuses too many before it makes any.
-/// @param bodies_before how many bodies the scene has already
+/// @param cost to which the bodies and the vertices of their shapes are added
 std::vector<NamedBody> generate_bodies(SceneReader generator, const SceneShapes& shapes,
-                                       const SceneLimits& limits, int bodies_before);
+                                       SceneCost& cost);
 
 }  // namespace cs550

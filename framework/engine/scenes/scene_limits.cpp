@@ -1,25 +1,32 @@
 #include "engine/scenes/scene_limits.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <vector>
+#include <limits>
+#include <utility>
 
 #include "engine/scenes/scene_reader.hpp"
 
 namespace cs550 {
 namespace {
 
-void replace_from_environment(const char* variable, int& limit) {
-  const char* text = std::getenv(variable);
-  if (text == nullptr) return;
+/// Replaces a limit by the value of an environment variable. @returns what is wrong with that; empty if nothing
+std::string replace_from_environment(const std::string& variable, int& limit) {
+  const char* text = std::getenv(variable.c_str());
+  if (text == nullptr) return {};
   int value = 0;
   const char* end = text + std::strlen(text);
   const auto [rest, error] = std::from_chars(text, end, value);
-  if (error == std::errc() && rest == end && value > 0) limit = value;
+  if (error != std::errc() || rest != end || value <= 0) {
+    return "the environment variable " + variable + ": expected a whole number from 1 to " +
+           std::to_string(std::numeric_limits<int>::max()) + ", found \"" + excerpt(text) +
+           "\"; for example " + variable + "=" + std::to_string(limit);
+  }
+  limit = value;
+  return {};
 }
 
 /// Of the principal inertias of one body.
@@ -104,40 +111,18 @@ void refuse_overflow(const BodyDef& body, const Eigen::Vector3d& moments, const 
 
 SceneLimits SceneLimits::from_environment() {
   SceneLimits limits;
-  replace_from_environment("CS550_MAX_BODIES", limits.bodies);
-  replace_from_environment("CS550_MAX_HULL_POINTS", limits.hull_points);
-  replace_from_environment("CS550_MAX_TOTAL_POINTS", limits.total_points);
-  replace_from_environment("CS550_MAX_PAIRS", limits.pairs);
+  const std::pair<const char*, int*> variables[] = {
+      {"CS550_MAX_BODIES", &limits.bodies},
+      {"CS550_MAX_HULL_POINTS", &limits.hull_points},
+      {"CS550_MAX_TOTAL_POINTS", &limits.total_points},
+      {"CS550_MAX_PAIRS", &limits.pairs},
+      {"CS550_MAX_MEMORY_MB", &limits.memory_mb},
+  };
+  for (const auto& [variable, limit] : variables) {
+    const std::string fault = replace_from_environment(variable, *limit);
+    if (limits.fault.empty()) limits.fault = fault;
+  }
   return limits;
-}
-
-std::string beyond_limit(std::int64_t found, int limit, const std::string& things,
-                         const std::string& variable) {
-  return "expected at most " + std::to_string(limit) + " " + things + ", found " +
-         std::to_string(found) + "; set the environment variable " + variable + " to allow more";
-}
-
-void refuse_many_pairs(const Scene& scene, const SceneLimits& limits) {
-  std::vector<Bounds> bounds;
-  bounds.reserve(scene.bodies.size());
-  for (const BodyDef& body : scene.bodies) {
-    bounds.push_back(world_bounds({body.shape.get(), body.pose}));
-  }
-  std::sort(bounds.begin(), bounds.end(),
-            [](const Bounds& a, const Bounds& b) { return a.lower.x() < b.lower.x(); });
-  std::int64_t pairs = 0;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    for (std::size_t k = i + 1; k < bounds.size(); ++k) {
-      if (bounds[k].lower.x() > bounds[i].upper.x()) break;
-      if (bounds[k].overlaps(bounds[i])) ++pairs;
-    }
-    if (pairs > limits.pairs) {
-      throw SceneFault("",
-                       beyond_limit(pairs, limits.pairs, "pairs of bodies with overlapping bounds",
-                                    "CS550_MAX_PAIRS") +
-                           "; or spread the bodies");
-    }
-  }
 }
 
 void refuse_beyond_float(const Scene& scene, const std::vector<std::string>& paths) {

@@ -5,8 +5,9 @@
 #include "cs550/assets.hpp"
 #include "cs550/excerpt.hpp"
 #include "cs550/mesh_io.hpp"
+#include "cs550/mesh_validation.hpp"
 #include "engine/scenes/nearest_word.hpp"
-#include "engine/scenes/scene_limits.hpp"
+#include "engine/scenes/scene_cost.hpp"
 
 namespace cs550 {
 namespace {
@@ -47,11 +48,8 @@ ShapePtr hull_of(const std::vector<Vec3>& points, const std::string& path) {
   return shape_of(hull.soup, path);
 }
 
-void refuse_many_points(std::size_t count, const SceneLimits& limits, const std::string& path) {
-  if (count <= static_cast<std::size_t>(limits.hull_points)) return;
-  throw SceneFault(path, beyond_limit(static_cast<std::int64_t>(count), limits.hull_points,
-                                      "points", "CS550_MAX_HULL_POINTS"));
-}
+/// Each subdivision makes four of a face.
+int icosphere_vertices(int subdivisions) { return 10 * (1 << 2 * subdivisions) + 2; }
 
 std::vector<Vec3> stretched(std::vector<Vec3> points, const Vec3& factors) {
   for (Vec3& point : points) point = point.cwiseProduct(factors);
@@ -68,11 +66,11 @@ HalfEdgeMesh stretched(HalfEdgeMesh mesh, const Vec3& factors) {
   return mesh;
 }
 
-std::vector<Vec3> read_points(SceneReader& description, const SceneLimits& limits) {
+std::vector<Vec3> read_points(SceneReader& description, SceneCost& cost) {
   const char* example = "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]";
   description.require("points", example);
   const auto list = description.list("points", example);
-  refuse_many_points(list.size(), limits, description.path_of("points"));
+  cost.add_cloud(static_cast<std::int64_t>(list.size()), description.path_of("points"));
   std::vector<Vec3> points;
   for (const auto& [point, path] : list) {
     const bool good = point->is_array() && point->size() == 3 &&
@@ -137,30 +135,35 @@ ShapePtr SceneShapes::make(SceneReader description) const {
     case ShapeKind::Box:
       description.need("half_extents", half_extents, Range::Positive);
       description.refuse_other_keys();
+      cost_.add_points(box_vertices, path);
       return box(description, half_extents);
     case ShapeKind::Tetrahedron:
       description.need("side", height, Range::Positive);
       description.refuse_other_keys();
+      cost_.add_points(4, path);
       return shape_of(tetrahedron_soup(height), path);
     case ShapeKind::Prism:
       description.need("sides", sides, 3, most_sides);
       description.need("radius", radius, Range::Positive);
       description.need("height", height, Range::Positive);
       description.refuse_other_keys();
+      cost_.add_points(2 * sides, path);
       return shape_of(prism_soup(sides, radius, height / 2), path);
     case ShapeKind::Pyramid:
       description.need("sides", sides, 3, most_sides);
       description.need("radius", radius, Range::Positive);
       description.need("height", height, Range::Positive);
       description.refuse_other_keys();
+      cost_.add_points(sides + 1, path);
       return shape_of(pyramid_soup(sides, radius, height), path);
     case ShapeKind::Icosphere:
       description.need("radius", radius, Range::Positive);
       description.read("subdivisions", subdivisions, 0, 4);
       description.refuse_other_keys();
+      cost_.add_points(icosphere_vertices(subdivisions), path);
       return shape_of(icosphere_soup(subdivisions, radius), path);
     case ShapeKind::Hull: {
-      const std::vector<Vec3> points = read_points(description, limits_);
+      const std::vector<Vec3> points = read_points(description, cost_);
       description.refuse_other_keys();
       return hull_of(points, path);
     }
@@ -169,6 +172,7 @@ ShapePtr SceneShapes::make(SceneReader description) const {
       description.need("radius", radius, Range::Positive);
       description.read("seed", seed);
       description.refuse_other_keys();
+      cost_.add_points(vertices, path);
       return random_hull(description, vertices, seed, Vec3::Constant(radius));
     case ShapeKind::Mesh:
       return from_mesh_file(description);
@@ -193,15 +197,24 @@ ShapePtr SceneShapes::from_mesh_file(SceneReader& description) const {
         "\"bunny.obj\"");
   }
   const std::string path = description.path_of("file");
-  if (file.extension() == ".json") {
-    const MeshResult recorded = load_mesh_json(file);
-    if (!recorded.error.empty()) throw SceneFault(path, recorded.error);
-    return shape_or_fault(make_shape(stretched(recorded.mesh, scale)), path);
-  }
+  cost_.add_file(file, path);
+  if (file.extension() == ".json") return from_mesh_json(file, scale, path);
   const SoupResult triangles = load_obj(file);
   if (!triangles.error.empty()) throw SceneFault(path, triangles.error);
-  refuse_many_points(triangles.soup.vertices.size(), limits_, path);
+  cost_.add_cloud(static_cast<std::int64_t>(triangles.soup.vertices.size()), path);
   return hull_of(stretched(triangles.soup.vertices, scale), path);
+}
+
+/// The points are counted before the mesh is checked: that takes faces times vertices.
+ShapePtr SceneShapes::from_mesh_json(const std::filesystem::path& file, const Vec3& scale,
+                                     const std::string& path) const {
+  const MeshResult recorded = read_mesh_json(file);
+  if (!recorded.error.empty()) throw SceneFault(path, recorded.error);
+  cost_.add_cloud(static_cast<std::int64_t>(recorded.mesh.vertices.size()), path);
+  if (const auto defect = validate(recorded.mesh)) {
+    throw SceneFault(path, file.string() + ": " + defect->sentence);
+  }
+  return shape_or_fault(make_shape(stretched(recorded.mesh, scale)), path);
 }
 
 }  // namespace cs550

@@ -9,16 +9,20 @@
 #include "cs550/convex_shape.hpp"
 #include "cs550/primitives.hpp"
 #include "cs550/scene.hpp"
+#include "engine/scenes/scene_cost.hpp"
 #include "engine/scenes/scene_reader.hpp"
 
 namespace cs550 {
+
+inline constexpr int box_vertices = 8;
 
 /// Makes shapes as objects describe them, and keeps those that the scene gives a name.
 class SceneShapes {
  public:
   /// @param scene_folder where mesh files are looked for first
-  SceneShapes(std::filesystem::path scene_folder, const SceneLimits& limits)
-      : folder_(std::move(scene_folder)), limits_(limits) {}
+  /// @param cost to which the vertices of each shape are added
+  SceneShapes(std::filesystem::path scene_folder, SceneCost& cost)
+      : folder_(std::move(scene_folder)), cost_(cost) {}
 
   /// Reads the named shapes of the scene: {"brick": {...}, ...}.
   void define(SceneReader named);
@@ -34,9 +38,11 @@ class SceneShapes {
  private:
   ShapePtr make(SceneReader description) const;
   ShapePtr from_mesh_file(SceneReader& description) const;
+  ShapePtr from_mesh_json(const std::filesystem::path& file, const Vec3& scale,
+                          const std::string& path) const;
 
   std::filesystem::path folder_;
-  SceneLimits limits_;
+  SceneCost& cost_;
   std::map<std::string, ShapePtr> named_;
 };
 

@@ -22,6 +22,9 @@ struct MeshResult {
   std::string error;  ///< empty on success
 };
 
+/// Reads a mesh written by to_json(), without checking it. Errors name the file.
+MeshResult read_mesh_json(const std::filesystem::path& file);
+
 /// Reads a mesh written by to_json() and checks it with validate(). Errors name the file.
 /// @param tolerance passed to validate(); HUGE_VALF accepts a mesh that is not convex
 MeshResult load_mesh_json(const std::filesystem::path& file, Real tolerance = Real(1e-4));

@@ -28,11 +28,13 @@ struct Scene {
 struct SceneLimits {
   int bodies = 50000;         ///< of the whole scene
   int hull_points = 20000;    ///< of one point cloud or mesh file
-  int total_points = 500000;  ///< vertices of all random hulls of one generator
-  int pairs = 1000000;        ///< of bodies with overlapping bounds at time 0
+  int total_points = 500000;  ///< vertices of all shapes of the scene
+  int pairs = 100000;         ///< of bodies with overlapping bounds at time 0
+  int memory_mb = 2048;       ///< estimated for files, bodies, vertices and pairs
+  std::string fault = {};  ///< of an environment variable that is no limit; empty if there is none
 
-  /// The defaults, each replaced by an environment variable if it is set to a positive whole number:
-  /// CS550_MAX_BODIES, CS550_MAX_HULL_POINTS, CS550_MAX_TOTAL_POINTS, CS550_MAX_PAIRS.
+  /// The defaults, each replaced by an environment variable if it is set: CS550_MAX_BODIES,
+  /// CS550_MAX_HULL_POINTS, CS550_MAX_TOTAL_POINTS, CS550_MAX_PAIRS, CS550_MAX_MEMORY_MB.
   static SceneLimits from_environment();
 };
 
