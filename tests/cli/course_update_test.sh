@@ -39,6 +39,21 @@ cmp "$student/$handout" "$root/$handout" || [ -n "$(git -C "$root" status --porc
 tail -n 1 "$student/$work" | grep -qxF '// my work' || wrong "the student's work is lost"
 [ "$(git -C "$student" ls-files | wc -l)" = "$(git -C "$copy" ls-files | wc -l)" ] || wrong "files are missing"
 
+# An update that ended after it had replaced a lab file, and before its starter, goes on where it ended.
+axis=lab4_separating_axis/separating_axis.cpp
+echo '// an older starter' >>"$copy/.starters/$axis"
+"$program" starter --update "$copy" >"$printed" 2>/dev/null || wrong "a new lab file is no conflict"
+! grep -qF conflict "$printed" || wrong "it reports a conflict with a file that nobody changed"
+grep -qF "0 changed lab files kept" "$printed" || wrong "it counts a new lab file as changed"
+cmp "$copy/.starters/$axis" "$copy/labs/$axis" || wrong "the starter is old"
+
+# A file that cannot be replaced leaves no draft.
+rm "$copy/$handout"
+mkdir "$copy/$handout"
+touch "$copy/$handout/file"
+! "$program" starter --update "$copy" >"$printed" 2>&1 || wrong "it replaced a folder by a file"
+[ ! -e "$copy/$handout.new" ] || wrong "it left a draft"
+
 # The scripts that compute stages again from the book belong to the last solution.
 "$program" starter --release-solutions 6 "$scratch/six" >/dev/null 2>&1
 [ ! -e "$scratch/six/docs/rebuild" ] || wrong "docs/rebuild is released before lab 7"

@@ -39,11 +39,15 @@ table() { "$root/cs550" demo stack10 --no-picture --csv "$scratch/table.csv"; }
 # Without live figures, which take minutes to compile.
 book() { CS550_LIVE_FIGURES=off "$root/cs550" docs; }
 
+# Makes the copy older than the repository in a lab that the student has not begun.
+age() { for file in labs/$aged .starters/$aged; do echo '// an older starter' >>"$file"; done; }
+aged=lab4_separating_axis/separating_axis.cpp
+
 # Gives lab 3 something to compile.
 edit() { echo "static_assert($RANDOM >= 0);" >>"$lab/hill_climbing.cpp"; cp "$lab"/*.cpp "$scratch/$lab"; }
 
 whole() {
-  diff -r "$scratch/labs" labs >"$log" 2>&1 || wrong "a student's file changed when '$1' was killed"
+  diff -r -x "${aged##*/}*" "$scratch/labs" labs >"$log" 2>&1 || wrong "a student's file changed when '$1' was killed"
   [ ! -e "$scratch/lab3.zip" ] || must python3 -m zipfile -t "$scratch/lab3.zip"
   [ ! -e "$scratch/table.csv" ] || [ "$(wc -l <"$scratch/table.csv")" = "$rows" ] || wrong "half a table"
 }
@@ -78,10 +82,12 @@ for command in lab submit progress update table; do
   duration=$(seconds "$command")
   for ((kill = 0; kill < (kills - book_kills) / 5; kill++)); do
     rm -f "$scratch/lab3.zip" "$scratch/table.csv"
+    [ "$command" != update ] || age
     kill_at_random "$command" "$duration"
     whole "$command"
     must bash -c "$command"
     whole "$command"
+    diff -r "$scratch/labs/${aged%/*}" "labs/${aged%/*}" >"$log" || wrong "$command left a starter that is old"
   done
   report "$command: killed at $kill moments of $duration s, works again after each"
 done

@@ -168,17 +168,25 @@ bool same_text(const fs::path& a, const fs::path& b) {
   return fs::exists(a) && fs::exists(b) && read_text(a) == read_text(b);
 }
 
-/// In one move, so that an interrupted update leaves no half-written file.
+/// In one move, so that an interrupted update leaves no half-written file. The copy keeps its permissions.
 void replace(const fs::path& file, const fs::path& fresh) {
   fs::create_directories(file.parent_path());
   const fs::path draft = file.string() + ".new";
-  fs::copy_file(fresh, draft, fs::copy_options::overwrite_existing);
-  fs::rename(draft, file);
+  try {
+    fs::copy_file(fresh, draft, fs::copy_options::overwrite_existing);
+    fs::rename(draft, file);
+  } catch (const fs::filesystem_error&) {
+    std::error_code ignored;
+    fs::remove(draft, ignored);
+    throw;
+  }
 }
 
-/// Replaces the lab files that still are the copy's starters. The others are never touched.
+/// Replaces the lab files that still are the copy's starters. The others are never touched. A new one is left
+/// from an update that ended before it replaced the starter.
 void update_lab_file(const std::string& file, const fs::path& copy, const fs::path& fresh,
                      CopyUpdate& update) {
+  if (same_text(copy / file, fresh / file)) return;
   if (!fs::exists(copy / file) || same_text(copy / file, copy / starter_path(file))) {
     replace(copy / file, fresh / file);
     return;
