@@ -195,6 +195,14 @@ done
 prints GDB
 echo "// SLOW" >"$lab3"
 CS550_ENGINE_SECONDS=360 runs 0 lab 3 --run
+(code=0; "$program" lab 3 --run >"$copy/first" 2>&1 </dev/null || code=$?; echo "exit $code" >>"$copy/first") &
+until ls "$copy"/build/results/draft.engine_pulse.* >/dev/null 2>&1; do sleep 0.05; done
+echo "// mended" >"$lab3"
+runs 0 lab 3 --run
+wait
+grep -qF "exit 0" "$copy/first" || wrong "a second run broke the first one: $(cat "$copy/first")"
+[ -z "$(find "$copy/build/results" -name 'draft.*')" ] || wrong "it left drafts"
+echo "// SLOW" >"$lab3"
 CS550_ENGINE_SECONDS=2 runs 1 lab 3 --run
 prints "a scene"
 prints "not reached: stopped: it"

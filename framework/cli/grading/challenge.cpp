@@ -46,7 +46,7 @@ std::vector<ChallengeCount> reference_counts(const std::string& lab_name) {
 
 std::vector<ChallengeCount> students_counts(int lab) {
   constexpr std::chrono::seconds patience{60};
-  const fs::path output = project_root() / fmt::format("build/results/lab{}.challenge", lab);
+  const fs::path output = draft_result(fmt::format("lab{}_challenge", lab));
   const Clock::time_point start = Clock::now();
   const Ending ending =
       run({built_program("student", graded_target(lab, Grading::Plain)), "--challenge"},

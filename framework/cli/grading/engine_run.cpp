@@ -59,10 +59,9 @@ struct EngineEnding {
 /// Runs a program until it ends or takes too long, and prints its output, or in short what the
 /// sanitizers report.
 EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
-  const fs::path output = project_root() / "build/results/engine_run.txt";
-  fs::create_directories(output.parent_path());
+  const fs::path output = draft_result("engine_run");
   if (sanitized) ask_sanitizers_for_places();
-  const fs::path pulse = project_root() / "build/results/engine_run.pulse";
+  const fs::path pulse = draft_result("engine_pulse");
   command.insert(command.end(), {"--pulse", pulse});
   Watch steps(pulse, patience_of_a_step(sanitized));
   bool without_a_step = false;

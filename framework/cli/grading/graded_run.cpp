@@ -183,9 +183,10 @@ std::vector<Verdict> wait_for(std::future<std::vector<Verdict>>& share,
   return share.get();
 }
 
-/// Removes the outputs of runs that were interrupted: lab3.PID.0.json of a process that is gone.
+/// Removes the outputs of runs that were interrupted: lab3.PID.0.json and draft.NAME.PID of a process that is
+/// gone.
 void remove_leftovers(const fs::path& folder) {
-  static const std::regex name(R"(lab\d+\.(\d{1,9})\.\d+\..*)");
+  static const std::regex name(R"((?:lab\d+|draft\.\w+)\.(\d{1,9})(?:\.\d+\..*)?)");
   std::vector<fs::path> leftovers;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string file = entry.path().filename();

@@ -1,5 +1,7 @@
 #include "cli/system/project.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -76,13 +78,18 @@ std::string starter_version(const fs::path& copy) {
   return version;
 }
 
+fs::path draft_result(const std::string& name) {
+  const fs::path folder = project_root() / "build/results";
+  fs::create_directories(folder);
+  return folder / ("draft." + name + '.' + std::to_string(getpid()));
+}
+
 bool build(const std::string& preset, const std::string& target) {
   return run({project_root() / "cs550", "build", preset, target}).exit_code == 0;
 }
 
 std::string build_quietly(const std::string& target) {
-  const fs::path output = project_root() / "build/results" / (target + ".log");
-  fs::create_directories(output.parent_path());
+  const fs::path output = draft_result(target + "_log");
   StatusLine status;
   const Surroundings surroundings{
       {}, output, [&] {

@@ -42,6 +42,10 @@ int lab_number(const std::string& lab_name);
 /// The lab with this number; empty when there is none.
 std::string lab_name(int number);
 
+/// A file in build/results for what another program prints. It is this process's own: a second ./cs550 may run
+/// at the same time.
+std::filesystem::path draft_result(const std::string& name);
+
 /// Builds a target through the launcher, which prints the compiler's message if it fails.
 /// @return whether the target is now up to date
 bool build(const std::string& preset, const std::string& target);
