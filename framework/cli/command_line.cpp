@@ -1,6 +1,6 @@
 #include "cli/command_line.hpp"
 
-#include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -14,6 +14,12 @@ namespace cs550::cli {
 
 void print_error(const std::string& message) {
   std::cerr << indented("cs550: " + with_short_words(message), 0);
+}
+
+void print_failure(const std::exception& failure) {
+  const auto* of_files = dynamic_cast<const std::filesystem::filesystem_error*>(&failure);
+  print_error(of_files == nullptr ? failure.what()
+                                  : of_files->path1().string() + ": " + of_files->code().message());
 }
 
 std::string Help::make_option_opts(const CLI::Option* option) const {
@@ -45,7 +51,7 @@ int run_verb(CLI::App& app, const std::string& verb, int argc, char** argv,
   } catch (const CLI::ParseError& error) {
     return answer(app, error, verb);
   } catch (const std::exception& error) {
-    print_error(error.what());
+    print_failure(error);
     return Failed;
   }
 }

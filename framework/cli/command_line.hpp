@@ -3,6 +3,7 @@
 /// What the programs behind ./cs550 print when a command line asks for help or is wrong.
 
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <functional>
 #include <string>
 
@@ -20,6 +21,9 @@ void refuse_values_of_flags(CLI::App& app);
 
 /// Prints a message on standard error in lines of at most 80 columns.
 void print_error(const std::string& message);
+
+/// Prints why a verb ended early. The library's words about a file become its path and the system's reason.
+void print_failure(const std::exception& failure);
 
 /// Prints the help that was asked for, or what is wrong.
 /// @param verb the verb with the wrong option

@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    print_error(error.what());
+    print_failure(error);
     return Failed;
   }
 }

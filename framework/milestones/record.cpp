@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "cs550/assets.hpp"
+#include "cs550/excerpt.hpp"
 
 namespace cs550::milestones {
 namespace {
@@ -26,6 +29,14 @@ std::vector<std::string> cells(const std::string& line) {
   std::istringstream stream(line);
   for (std::string word; std::getline(stream, word, ';');) words.push_back(word);
   return words;
+}
+
+std::optional<double> to_number(const std::string& cell) {
+  double number = 0;
+  const char* const end = cell.data() + cell.size();
+  const auto [rest, error] = std::from_chars(cell.data(), end, number);
+  if (error != std::errc() || rest != end) return std::nullopt;
+  return number;
 }
 
 std::string in_words(const std::vector<double>& values) {
@@ -97,7 +108,15 @@ Record read_record(const std::filesystem::path& file) {
   if (std::getline(stream, line)) record.columns = cells(line);
   while (std::getline(stream, line)) {
     std::vector<double> row;
-    for (const std::string& cell : cells(line)) row.push_back(std::stod(cell));
+    for (const std::string& cell : cells(line)) {
+      const std::optional<double> number = to_number(cell);
+      if (!number) {
+        throw std::runtime_error(
+            fmt::format("{}: line {}, cell {}: expected a number, found \"{}\"", file.string(),
+                        record.rows.size() + 2, row.size() + 1, excerpt(cell)));
+      }
+      row.push_back(*number);
+    }
     if (row.size() != record.columns.size()) break;
     record.rows.push_back(row);
   }

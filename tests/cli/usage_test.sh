@@ -57,6 +57,25 @@ for path in "" "$long" "$long/a"; do
   prints "DIR: expected "
 done
 prints "302 letters"
+# A link to itself, and a folder in a device.
+ln -s loop "$scratch/loop"
+for path in "$scratch/loop" "$scratch/loop/part"; do
+  refuses submit 3 --out "$path"
+  prints "Too many levels of symbolic links"
+  refuses starter "$path"
+  prints "Too many levels of symbolic links"
+  refuses starter --update "$path"
+  ! grep -qF "filesystem error" "$scratch/printed" || wrong "the library's words"
+done
+refuses starter /dev/null/copy
+prints "/dev/null is not a folder"
+for verb in "lab 3" progress "submit 3" "view --lab 3"; do
+  code=0
+  CS550_ROOT=/nonexistent "$program" $verb >"$scratch/printed" 2>&1 </dev/null || code=$?
+  [ $code = 1 ] || wrong "'$verb' without a project exited with code $code, expected 1"
+  prints "/nonexistent/tests: No such file or directory. CS550_ROOT must be"
+done
+
 refuses starter
 refuses starter --release-solutions many copy
 refuses progress --lsit

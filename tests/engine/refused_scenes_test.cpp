@@ -107,7 +107,8 @@ TEST(Scene, RefusesWithPlaceExpectationAndExample) {
                  {"/bodies/0/restitution", "0 to 1"});
   expect_refused(with_body("{" + shape + R"(, "mass": 0})"),
                  {"/bodies/0/mass", "from 1e-09 to 1e+12"});
-  expect_refused(with_body("{" + shape + R"(, "mass": 1, "density": 1})"), {"/bodies/0/density"});
+  expect_refused(with_body("{" + shape + R"(, "mass": 1, "density": 1})"),
+                 {"/bodies/0: ", "\"mass\" or \"density\", found both; remove one of the two"});
   expect_refused(with_body("{" + shape + R"(, "position": [1, 2]})"),
                  {"/bodies/0/position", "three", "[1,2]", "[0.0, 0.0, 0.0]"});
   expect_refused(with_body("{" + shape + R"(, "position": [1, "2", 3]})"), {"/bodies/0/position"});
@@ -148,6 +149,8 @@ TEST(Scene, RefusesWhatAParserWouldMisreadWithoutAWord) {
       with_body("{" + shape + R"(, "orientation": {"axis": [0, 0, 1e-30], "degrees": 9}})"),
       {"/bodies/0/orientation/axis", "a direction of length"});
   expect_refused(R"({"schema": 1, "title": "\u001b[2J"})", {"/title", "control characters"});
+  expect_refused(R"({"schema": 1, "title": "\u009b2J"})",
+                 {"/title", "control characters", "\"?2J"});
   expect_refused(
       with_body(R"({"shape": {"kind": "hull", "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1e39]]}})"),
       {"/bodies/0/shape/points/3", "three numbers", "[0,0,1e+39]"});
@@ -352,6 +355,14 @@ TEST(Scene, ExamplesInMessagesWorkWhenPasted) {
     ASSERT_NE(pasted, "") << "no example in: " << refused.error;
     EXPECT_TRUE(load_text(pasted)) << refused.error << "\nthen: " << load_text(pasted).error;
   }
+}
+
+TEST(Scene, WithoutShippedScenesAMessageSaysWhereTheyWereLookedFor) {
+  setenv("CS550_ASSETS", "/nonexistent", 1);
+  const std::string error = find_scene("wall").error;
+  unsetenv("CS550_ASSETS");
+  EXPECT_NE(error.find("None is in /nonexistent/scenes; CS550_ASSETS"), std::string::npos) << error;
+  EXPECT_EQ(error.find("one of"), std::string::npos) << error;
 }
 
 TEST(Scene, NamesThatNoFileCanHaveAreRefused) {

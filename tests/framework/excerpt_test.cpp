@@ -23,6 +23,12 @@ TEST(Excerpt, CutsNoCharacterInTwo) {
 
 TEST(Excerpt, HasNothingThatATerminalObeys) {
   EXPECT_EQ(excerpt("\033[2Jtitle\n\x7f"), "?[2Jtitle??");
+  EXPECT_EQ(excerpt("a\xc2\x9b"
+                    "2Jb\xc2\x80\xc2\x9f"),
+            "a?2Jb??")
+      << "control characters of two bytes";
+  EXPECT_EQ(excerpt("\xc2\xa0\xc2\xb5"), "\xc2\xa0\xc2\xb5") << "no control characters";
+  EXPECT_EQ(excerpt("\xc2"), "\xc2");
 }
 
 TEST(Excerpt, ShortensTheLongWordsOfAMessage) {

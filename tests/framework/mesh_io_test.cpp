@@ -135,7 +135,28 @@ TEST_F(JsonFile, ThatIsNoMeshIsNamed) {
   write("{\"vertices\": []}");
   expect_named(load_mesh_json(path).error, "vertex_edge");
   write("{\"vertices\": [[0, 1]]}");
-  expect_named(load_mesh_json(path).error, "JSON");
+  expect_named(load_mesh_json(path).error, "/vertices/0: expected a list of 3 numbers");
+  write("[]");
+  expect_named(load_mesh_json(path).error, "/: expected an object in braces");
+  write("{\"vertices\": " + std::string(100000, '[') + std::string(100000, ']') + "}");
+  expect_named(load_mesh_json(path).error, "/vertices/0: expected a list of 3 numbers");
+  write("{\"vertices\": [[0, 1, 1e39]]}");
+  expect_named(load_mesh_json(path).error, "1e39");
+}
+
+/// What a cast to an index would turn into another number.
+TEST_F(JsonFile, WithAnIndexThatIsNoneIsNamedWithItsPath) {
+  const std::string start = R"({"vertices": [[0, 0, 0]], "vertex_edge": [)";
+  for (const std::string index : {"1.7", "1e30", "-1", "4294967296", "\"0\"", "null", "[0]"}) {
+    write(start + "0, " + index + R"(], "half_edges": [], "faces": []})");
+    expect_named(load_mesh_json(path).error, "/vertex_edge/1: expected the index of an element");
+    write(start + R"(0], "half_edges": [[0, 1, 2, 3], [0, )" + index + R"(, 2, 3]], "faces": []})");
+    expect_named(load_mesh_json(path).error, "/half_edges/1/1: expected the index of an element");
+    write(start + R"(0], "half_edges": [], "faces": [[)" + index + ", 0, 0, 1, 0]]}");
+    expect_named(load_mesh_json(path).error, "/faces/0/0: expected the index of an element");
+  }
+  write(start + "0, 1.7], \"half_edges\": [], \"faces\": []}");
+  expect_named(load_mesh_json(path).error, "found 1.7");
 }
 
 TEST_F(JsonFile, OfABrokenMeshIsNamedWithTheDefect) {

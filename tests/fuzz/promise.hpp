@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+
+#include "cs550/excerpt.hpp"
 
 namespace cs550::fuzz {
 
@@ -17,9 +20,8 @@ inline void promise(bool kept, const char* sentence, const std::string& detail =
 
 /// No terminal obeys a message: it has no control characters but line breaks.
 inline bool is_printable(const std::string& message) {
-  for (const char letter : message) {
-    const auto code = static_cast<unsigned char>(letter);
-    if ((code < 0x20 && letter != '\n') || code == 0x7f) return false;
+  for (std::size_t i = 0; i < message.size(); ++i) {
+    if (message[i] != '\n' && control_length(std::string_view(message).substr(i)) > 0) return false;
   }
   return true;
 }

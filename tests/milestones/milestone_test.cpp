@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "milestones/record.hpp"
@@ -134,6 +136,23 @@ TEST(Milestones, AWrongEngineReachesNone) {
     const Track track = run(milestone, spoiled(scene_of(milestone)));
     EXPECT_FALSE(compare(track, read_record(record_file(milestone))).agrees) << milestone.name();
   }
+}
+
+TEST(Record, NamesTheCellThatIsNoNumber) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "cs550_record.csv";
+  for (const std::string cell : {"abc", "", "1,5", "1e999", "2x"}) {
+    std::ofstream(file) << "time (s);height (m)\n0;1\n0.1;" << cell << "\n0.2;2\n";
+    if (cell.empty()) std::ofstream(file) << "time (s);height (m)\n0;1\n;2\n";
+    try {
+      read_record(file);
+      ADD_FAILURE() << "read \"" << cell << '"';
+    } catch (const std::runtime_error& error) {
+      const std::string place = cell.empty() ? "line 3, cell 1" : "line 3, cell 2";
+      EXPECT_EQ(error.what(),
+                file.string() + ": " + place + ": expected a number, found \"" + cell + '"');
+    }
+  }
+  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -30,7 +30,14 @@ int lab_number(const std::string& lab_name) { return std::stoi(lab_name.substr(3
 
 std::vector<std::string> lab_names() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(project_root() / "tests")) {
+  const fs::path tests = project_root() / "tests";
+  std::error_code unreadable;
+  fs::directory_iterator entries(tests, unreadable);
+  if (unreadable) {
+    throw std::runtime_error(tests.string() + ": " + unreadable.message() +
+                             ". CS550_ROOT must be the project's folder; ./cs550 sets it.");
+  }
+  for (const auto& entry : entries) {
     const std::string name = entry.path().filename();
     if (name.rfind("lab", 0) == 0 && name.size() > 3 && std::isdigit(name[3]) != 0) {
       names.push_back(name);

@@ -277,11 +277,25 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   return update.conflicts.empty() ? Good : Failed;
 }
 
+/// Why there can be no folder of that name; empty if there can.
+std::string fault_of_folder(fs::path folder) {
+  std::error_code reason;
+  fs::file_status status = fs::status(folder, reason);
+  const bool is_new = status.type() == fs::file_type::not_found;
+  while (status.type() == fs::file_type::not_found) {
+    folder = folder.parent_path();
+    status = fs::status(folder, reason);
+  }
+  if (status.type() == fs::file_type::none) return folder.string() + ": " + reason.message();
+  return is_new && !fs::is_directory(status) ? folder.string() + " is not a folder" : "";
+}
+
 int run_starter(const StarterOptions& options) {
   if (!fs::exists(project_root() / "solutions") || is_students_copy()) {
     return refuse("this is a students' copy. Run starter in the instructors' repository.");
   }
   const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
+  if (const std::string fault = fault_of_folder(folder); !fault.empty()) return refuse(fault);
   return options.update ? renew_copy(options, folder) : make_copy(options, folder);
 }
 

@@ -114,10 +114,13 @@ fs::path zip_file(const SubmitOptions& options) {
 
 /// Why no file can be written there; empty when one can.
 std::string fault_of(const fs::path& out) {
-  if (fs::is_directory(out))
+  std::error_code reason;
+  const fs::file_status status = fs::status(out, reason);
+  if (status.type() == fs::file_type::none) return out.string() + ": " + reason.message();
+  if (fs::is_directory(status))
     return out.string() + " is a folder. --out needs the name of a zip file.";
   const fs::path folder = out.parent_path();
-  return folder.empty() || fs::is_directory(folder)
+  return folder.empty() || fs::is_directory(folder, reason)
              ? ""
              : "there is no folder " + folder.string() + ". Make it first.";
 }

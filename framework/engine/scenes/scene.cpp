@@ -105,6 +105,14 @@ std::string list_of(const std::vector<std::string>& words) {
   return list + "\n  " + line;
 }
 
+std::string list_of_shipped(const std::vector<std::string>& names) {
+  if (names.empty()) {
+    return "\nGive the path of a scene file. None is in " + excerpt(scenes_folder().string(), 300) +
+           "; CS550_ASSETS chooses another folder.";
+  }
+  return "\nGive the path of a scene file or one of:" + list_of(names);
+}
+
 }  // namespace
 
 SceneResult load_scene(const fs::path& file, const SceneLimits& limits) {
@@ -137,7 +145,7 @@ std::string fault_of_scene_name(const std::string& name_or_path) {
   const std::string nearest = nearest_word(name_or_path, names);
   return "there is no scene \"" + excerpt(name_or_path) + "\"" +
          (nearest.empty() ? "" : " (did you mean \"" + excerpt(nearest) + "\"?)") +
-         "\nGive the path of a scene file or one of:" + list_of(names);
+         list_of_shipped(names);
 }
 
 SceneResult find_scene(const std::string& name_or_path) {

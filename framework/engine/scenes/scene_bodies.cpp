@@ -79,8 +79,10 @@ NamedBody read_body_without_shape(SceneReader& body) {
     Real mass = 1;
     body.read("mass", mass, 1e-9, 1e12);
     def.mass = mass;
-    if (body.has("density"))
-      body.refuse("density", "no density beside a mass; remove one of the two", "1000");
+    if (body.has("density")) {
+      throw SceneFault(body.path(),
+                       "expected \"mass\" or \"density\", found both; remove one of the two");
+    }
   }
   body.read("density", def.density, Range::Positive);
 

@@ -42,9 +42,10 @@ bool fits_whole(const Json& value, std::int64_t least, std::int64_t most) {
 
 /// Escape sequences in a title would reach the reader's terminal.
 bool contains_control(const std::string& text) {
-  return std::any_of(text.begin(), text.end(), [](char letter) {
-    return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
-  });
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (control_length(std::string_view(text).substr(i)) > 0) return true;
+  }
+  return false;
 }
 
 const char* in_words(Range range) {

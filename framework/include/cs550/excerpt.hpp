@@ -9,6 +9,16 @@
 
 namespace cs550 {
 
+/// The length in bytes of the control character at the start of a text: 1, or 2 for those from U+0080 to
+/// U+009F (C2 80 to C2 9F in UTF-8), which some terminals obey as well; 0 if the text starts otherwise.
+inline std::size_t control_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const auto first = static_cast<unsigned char>(text[0]);
+  if (first < 0x20 || first == 0x7f) return 1;
+  const auto second = static_cast<unsigned char>(text.size() > 1 ? text[1] : 0);
+  return first == 0xc2 && second >= 0x80 && second < 0xa0 ? 2 : 0;
+}
+
 /// A text as a message repeats it: control characters, which a terminal would obey, become `?`, and
 /// what is longer than `longest` bytes ends with "...". UTF-8 characters are not cut in two.
 inline std::string excerpt(std::string_view text, std::size_t longest = 60) {
@@ -22,9 +32,10 @@ inline std::string excerpt(std::string_view text, std::size_t longest = 60) {
     text = text.substr(0, end);
   }
   std::string result;
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    result += code < 0x20 || code == 0x7f ? '?' : letter;
+  while (!text.empty()) {
+    const std::size_t control = control_length(text);
+    result += control > 0 ? '?' : text[0];
+    text.remove_prefix(std::max<std::size_t>(control, 1));
   }
   return cut ? result + "..." : result;
 }

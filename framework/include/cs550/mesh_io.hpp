@@ -22,7 +22,8 @@ struct MeshResult {
   std::string error;  ///< empty on success
 };
 
-/// Reads a mesh written by to_json(), without checking it. Errors name the file.
+/// Reads a mesh written by to_json(), without checking it. Errors name the file and the JSON path of what is no
+/// number or no index.
 MeshResult read_mesh_json(const std::filesystem::path& file);
 
 /// Reads a mesh written by to_json() and checks it with validate(). Errors name the file.
