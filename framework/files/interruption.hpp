@@ -8,7 +8,7 @@
 namespace cs550::files {
 
 /// From now on SIGINT, SIGTERM and SIGHUP set a flag; a second one of the same kind ends the
-/// process at once.
+/// process at once. SIGHUP stays ignored if it is, as after nohup.
 void watch_for_interruption();
 
 /// The flag.

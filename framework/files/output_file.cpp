@@ -20,10 +20,31 @@ namespace {
 
 constexpr mode_t readable_and_writable = 0666;  // the umask removes what the user does not want
 
+/// The ordinary file behind a symbolic link, which keeps its content until the new one is complete; otherwise the
+/// path itself. The system's own links name what is already open, such as the standard output.
+fs::path target_of(const fs::path& file) {
+  std::error_code error;
+  const std::string text = fs::absolute(file, error).lexically_normal().string();
+  if (text.rfind("/dev/", 0) == 0 || text.rfind("/proc/", 0) == 0) return file;
+  if (!fs::is_symlink(file, error) || !fs::is_regular_file(file, error)) return file;
+  const fs::path target = fs::canonical(file, error);
+  return error ? file : target;
+}
+
 /// Whether renaming onto the path destroys nothing but an ordinary file.
 bool is_replaceable(const fs::path& file) {
-  const fs::file_status status = fs::symlink_status(file);
+  std::error_code unknown;
+  const fs::file_status status = fs::symlink_status(file, unknown);
   return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+/// Calls a function that creates a draft. A draft that is already there is left from a process of the same
+/// number, before a restart or in another container: it is removed.
+template <class Create>
+int create_draft(const fs::path& draft, const Create& create) {
+  const int result = create();
+  if (result >= 0 || errno != EEXIST || unlink(draft.c_str()) != 0) return result;
+  return create();
 }
 
 int open_nameless([[maybe_unused]] const fs::path& folder) {
@@ -36,7 +57,7 @@ int open_nameless([[maybe_unused]] const fs::path& folder) {
 
 }  // namespace
 
-OutputFile::OutputFile(const fs::path& file) : file_(file) {
+OutputFile::OutputFile(const fs::path& file) : file_(target_of(file)) {
   const fs::path folder = fs::absolute(file_).parent_path();
   std::error_code error;
   fs::create_directories(folder, error);
@@ -61,8 +82,9 @@ OutputFile::~OutputFile() {
 int OutputFile::open_draft() {
   const int nameless = open_nameless(draft_.parent_path());
   if (nameless >= 0) return nameless;
-  const int named =
-      open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readable_and_writable);
+  const int named = create_draft(draft_, [this] {
+    return open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readable_and_writable);
+  });
   draft_has_name_ = named >= 0;
   return named;
 }
@@ -87,9 +109,10 @@ void OutputFile::commit() {
 void OutputFile::name_draft() const {
   if (draft_has_name_) return;
   const std::string descriptor = "/proc/self/fd/" + std::to_string(fileno(stream_.get()));
-  if (linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, draft_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
-    fail();
-  }
+  const int linked = create_draft(draft_, [&] {
+    return linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, draft_.c_str(), AT_SYMLINK_FOLLOW);
+  });
+  if (linked != 0) fail();
 }
 
 void OutputFile::fail() const {

@@ -13,8 +13,8 @@ namespace cs550::files {
 /// which vanishes with the process, however that ends. Where the file system has no nameless files,
 /// the draft has a name, and stays behind if the process is killed.
 ///
-/// What exists and is no ordinary file (a device, a pipe, a symbolic link) is not replaced: the
-/// bytes are written to it.
+/// What exists and is no ordinary file (a device, a pipe) is not replaced: the bytes are written to it. A symbolic
+/// link stays, and the file behind it is replaced.
 ///
 /// Every function throws std::runtime_error that names the file and the system's reason.
 class OutputFile {

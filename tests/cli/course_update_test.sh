@@ -54,6 +54,16 @@ touch "$copy/$handout/file"
 ! "$program" starter --update "$copy" >"$printed" 2>&1 || wrong "it replaced a folder by a file"
 [ ! -e "$copy/$handout.new" ] || wrong "it left a draft"
 
+# Ctrl-C removes the draft of a copy.
+"$program" starter "$scratch/interrupted" >"$printed" 2>&1 &
+until ls -d "$scratch"/interrupted.partial-* >/dev/null 2>&1; do sleep 0.02; done
+kill -INT $!
+code=0
+wait $! || code=$?
+[ $code = 1 ] || wrong "after Ctrl-C the exit code is $code, expected 1"
+grep -qF "interrupted: what was unfinished is removed" "$printed" || wrong "it printed $(cat "$printed")"
+[ -z "$(ls -d "$scratch"/interrupted* 2>/dev/null)" ] || wrong "it left $(ls -d "$scratch"/interrupted*)"
+
 # The scripts that compute stages again from the book belong to the last solution.
 "$program" starter --release-solutions 6 "$scratch/six" >/dev/null 2>&1
 [ ! -e "$scratch/six/docs/rebuild" ] || wrong "docs/rebuild is released before lab 7"

@@ -43,3 +43,30 @@ cp table.csv expected.csv
 demo --csv link.csv >/dev/null || wrong "no table behind the link"
 [ -L link.csv ] || wrong "a symbolic link was replaced"
 cmp table.csv expected.csv || wrong "the target of the link was not written"
+(trap '' XFSZ; ulimit -f 1; fails_with "File too large" --csv link.csv)
+cmp table.csv expected.csv || wrong "a table that could not be written replaced the one behind the link"
+
+# The standard output may be a file. It is not replaced, so that the summary follows in it.
+demo --csv /dev/stdout >>all.txt || wrong "no table on the standard output"
+[ "$(grep -c '^state hash' all.txt)" = 1 ] || wrong "the standard output was replaced"
+rm all.txt
+
+# Ctrl-C removes what is unfinished.
+for signal in INT TERM; do
+  "$program" stack10 --steps 1000000 --no-picture --csv interrupted.csv >/dev/null 2>"$scratch/printed" &
+  sleep 1
+  kill -$signal $!
+  code=0
+  wait $! || code=$?
+  [ $code = 1 ] || wrong "after $signal the exit code is $code, expected 1"
+  grep -qF "interrupted: what was unfinished is removed" "$scratch/printed" || wrong "it did not mention the signal"
+  [ -z "$(find . -name 'interrupted*')" ] || wrong "it left $(ls -A)"
+done
+
+# After nohup it runs on when the terminal is closed.
+(trap '' HUP; exec "$program" stack10 --steps 1000000 --no-picture >/dev/null 2>"$scratch/printed") &
+sleep 1
+kill -HUP $!
+sleep 0.5
+kill -INT $! || wrong "it ended at a signal that it was to ignore"
+! wait $! || wrong "an interrupted run exited with code 0"

@@ -13,6 +13,7 @@
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "cli/system/viewer.hpp"
+#include "files/interruption.hpp"
 #include "files/path_argument.hpp"
 
 namespace {
@@ -56,6 +57,7 @@ void run_scene(World& world, const Scene& scene, int steps, RunRecord& record,
   World before;
   if (trajectory) trajectory->add(world, scene);
   for (int step = 0; step < steps; ++step) {
+    files::throw_if_interrupted();
     before = world;
     const double seconds = timed_step(world, scene.h);
     if (!is_finite(world)) {
@@ -113,6 +115,7 @@ int run_demo(const DemoOptions& options) {
   if (options.threads) scene.settings.threads = *options.threads;
   scene.settings.sleeping = options.sleeping;
 
+  files::watch_for_interruption();
   std::optional<TrajectoryCsv> trajectory;
   if (!options.csv.empty()) trajectory.emplace(options.csv);
   World world = make_world(scene);

@@ -52,9 +52,12 @@ std::string fingerprint_of(const std::vector<fs::path>& files) {
   return fmt::format("{:016x}", hash);
 }
 
-DraftFolder::DraftFolder(const fs::path& wanted)
-    : path_(wanted.string() + ".partial-" + std::to_string(getpid())) {
-  fs::create_directories(path_);
+// Not by mkdtemp(), whose folder is closed to others: the wanted one follows the umask.
+DraftFolder::DraftFolder(const fs::path& wanted) {
+  fs::create_directories(wanted.parent_path());
+  const std::string start = wanted.string() + ".partial-" + std::to_string(getpid());
+  path_ = start;
+  for (int i = 1; !fs::create_directory(path_); ++i) path_ = start + '-' + std::to_string(i);
 }
 
 DraftFolder::~DraftFolder() {

@@ -16,6 +16,7 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/verb.hpp"
+#include "files/interruption.hpp"
 #include "files/output_file.hpp"
 #include "files/path_argument.hpp"
 
@@ -49,11 +50,13 @@ void unpack(const std::string& tree, const fs::path& folder) {
   try {
     output_of({"git", "archive", "--format=tar", "-o", archive, tree}, project_root());
   } catch (const std::runtime_error& error) {
+    files::throw_if_interrupted();
     throw std::runtime_error("the students' copy is made from a git commit. " +
                              std::string(error.what()));
   }
   output_of({"cmake", "-E", "tar", "xf", archive}, folder);
   fs::remove(archive);
+  files::throw_if_interrupted();
 }
 
 /// The scripts in docs/rebuild compute stages of labs 4, 5 and 7.
@@ -244,6 +247,7 @@ int make_copy(const StarterOptions& options, const fs::path& folder) {
   const DraftFolder draft(folder);
   write_students_copy(draft.path(), options.released);
   start_history(draft.path());
+  files::throw_if_interrupted();
   fs::rename(draft.path(), folder);
   warn_of_uncommitted_changes();
   std::cout << fmt::format("The students' copy is in {}: version {}, {} files, one commit.\n",
@@ -259,6 +263,7 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   const std::string old_version = starter_version(folder);
   const DraftFolder draft(folder);
   write_students_copy(draft.path(), options.released);
+  files::throw_if_interrupted();
   const CopyUpdate update = update_copy(folder, draft.path());
   warn_of_uncommitted_changes();
   for (const std::string& file : update.replaced) std::cout << "replaced: " << file << '\n';
@@ -296,6 +301,7 @@ int run_starter(const StarterOptions& options) {
   }
   const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
   if (const std::string fault = fault_of_folder(folder); !fault.empty()) return refuse(fault);
+  files::watch_for_interruption();
   return options.update ? renew_copy(options, folder) : make_copy(options, folder);
 }
 

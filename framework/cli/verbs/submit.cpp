@@ -13,6 +13,7 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/verb.hpp"
+#include "files/interruption.hpp"
 #include "files/output_file.hpp"
 #include "files/path_argument.hpp"
 
@@ -82,6 +83,7 @@ Json manifest(const std::vector<std::string>& labs, const std::string& student) 
 
 /// By CMake, so that no other program is needed.
 void write_zip(const fs::path& out, const Json& manifest) {
+  files::watch_for_interruption();
   const DraftFolder stage(project_root() / "build/submission");
   files::write_file(stage.path() / "manifest.json",
                     manifest.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
@@ -94,6 +96,7 @@ void write_zip(const fs::path& out, const Json& manifest) {
     command.push_back(file);
   }
   output_of(command, stage.path());
+  files::throw_if_interrupted();
   files::write_file(out, read_text(stage.path() / "packed"));
 }
 

@@ -1,0 +1,79 @@
+// Files that are written as a whole or not at all.
+#include "files/output_file.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "cli/system/files.hpp"
+
+namespace cs550::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Output : public testing::Test {
+ protected:
+  Output() : folder_(fs::path(testing::TempDir()) / ("cs550_output." + std::to_string(getpid()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~Output() override { fs::remove_all(folder_); }
+
+  fs::path file(const std::string& name) const { return folder_ / name; }
+  std::string content(const std::string& name) const { return cli::read_text(file(name)); }
+  std::ptrdiff_t count() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+ private:
+  fs::path folder_;
+};
+
+/// In a container, two processes may have the same number.
+TEST_F(Output, ADraftOfAnEarlierProcessIsNoObstacle) {
+  std::ofstream(file("table.csv.draft" + std::to_string(getpid()))) << "half";
+  write_file(file("table.csv"), "whole");
+  EXPECT_EQ(content("table.csv"), "whole");
+  EXPECT_EQ(count(), 1);
+}
+
+TEST_F(Output, BehindALinkIsReplacedAsAWhole) {
+  std::ofstream(file("target")) << "before";
+  fs::create_directory(file("folder"));
+  fs::create_symlink("folder/second", file("first"));
+  fs::create_symlink("../target", file("folder/second"));
+  {
+    OutputFile output(file("first"));
+    output.write("half");
+    EXPECT_EQ(content("target"), "before") << "until it is complete";
+  }
+  EXPECT_EQ(content("target"), "before") << "it was never completed";
+  write_file(file("first"), "after");
+  EXPECT_EQ(content("target"), "after");
+  EXPECT_TRUE(fs::is_symlink(file("first")));
+  EXPECT_TRUE(fs::is_symlink(file("folder/second")));
+  EXPECT_EQ(count(), 3);
+}
+
+TEST_F(Output, BehindALinkToNothingIsMade) {
+  fs::create_symlink("target", file("link"));
+  write_file(file("link"), "new");
+  EXPECT_TRUE(fs::is_symlink(file("link")));
+  EXPECT_EQ(content("target"), "new");
+}
+
+TEST_F(Output, OfTwoDraftsOfAFolderNoneIsTheOther) {
+  const cli::DraftFolder one(file("copy"));
+  const cli::DraftFolder other(file("copy"));
+  EXPECT_NE(one.path(), other.path());
+  EXPECT_TRUE(fs::is_directory(one.path()));
+  EXPECT_TRUE(fs::is_directory(other.path()));
+}
+
+}  // namespace
+}  // namespace cs550::files
