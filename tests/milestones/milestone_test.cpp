@@ -94,6 +94,16 @@ TEST(Records, EveryLabHasOne) {
   for (int lab = 1; lab <= 7; ++lab) EXPECT_FALSE(milestones_of(lab).empty()) << lab;
 }
 
+TEST(Milestones, AreWatchedWhereTheirLabIsSeen) {
+  for (const Milestone& milestone : all_milestones()) {
+    const std::string command = command_to_watch(milestone);
+    const bool shows_page =
+        command == "./cs550 view --lab " + std::to_string(milestone.lab) + " --student";
+    const bool shows_scene = command == "./cs550 view " + milestone.scene + " --student";
+    EXPECT_TRUE(milestone.lab >= 3 && milestone.lab <= 5 ? shows_page : shows_scene) << command;
+  }
+}
+
 /// The same bodies in reverse order, so that all sums of the solver are computed in another order.
 Scene turned_round(Scene scene) {
   std::reverse(scene.bodies.begin(), scene.bodies.end());

@@ -33,7 +33,7 @@ bool show(const Milestone& milestone, double share, const std::function<void()>&
   }
   std::cout << '\n' << (outcome.agrees ? "reached: " : "not reached: ") << outcome.sentence << '\n';
   if (!outcome.agrees) {
-    std::cout << "To watch it: ./cs550 view " << milestone.scene << " --student\n";
+    std::cout << "To watch it: " << command_to_watch(milestone) << '\n';
   }
   return outcome.agrees;
 }
