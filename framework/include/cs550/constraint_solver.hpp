@@ -117,8 +117,8 @@ void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b)
 void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBody> bodies,
                     const ContactStep& step);
 
-/// **L7.9** Applies restitution. The world calls it after the relax passes of each substep, in the
-/// soft model only.
+/// **L7.9** Applies restitution. The world calls it after the relax passes of each substep in which
+/// something can bounce (e > 0), in the soft model only.
 ///
 /// - A constraint *bounces* if e > 0, impact_handled is false and v_n⁰ < −restitution_threshold.
 /// - A contact is *touching* if λ_n > 0 or its current separation is less than −2·v_n⁰·h. The
