@@ -219,6 +219,14 @@ TEST_P(Tags, EveryStepHasAMutantAVacuousAnswerAndAPlaceInTheOrder) {
   EXPECT_EQ(document.at("order").size(), steps.size()) << "each step once";
 }
 
+TEST_P(Tags, AnEndlessMistakeIsPrepared) {
+  if (!fs::exists(lab.mutants())) GTEST_SKIP() << "the students' copy has no mutants";
+  const Json document = read_json(lab.mutants());
+  ASSERT_FALSE(document.is_discarded()) << lab.mutants();
+  EXPECT_FALSE(document.value("endless", Json::array()).empty())
+      << "a test that was stopped would print no cause: " << lab.mutants();
+}
+
 /// From "- **Order:** L1.1, L1.3. ...": the steps in that order.
 std::vector<std::string> stated_order(const std::string& handout) {
   std::smatch match;

@@ -17,6 +17,7 @@ Story with_edge_causes(Story story) {
       .likely("the separation is signed, n·(p_B - p_A): a distance is never negative")
       .likely("both edges, and the normals beside them, must be in one frame")
       .likely("an edge has two half-edges: one of them, the even one, is enough")
+      .likely("the inner loop counts on its own edge, not that of the outer loop")
       .likely("the axis is wanted in the world and of unit length");
 }
 
@@ -134,7 +135,8 @@ GRADED_TEST(Lab4, ParallelEdgesAreSkipped, 3, "L4.3") {
   Story story("Edges count as parallel by the sine between them, whatever their lengths");
   story.seed(random.seed()).when("query_edge_directions() of boxes that are nearly aligned");
   story.likely("compare |e_A x e_B| with parallel_sine·|e_A|·|e_B|, not with a constant")
-      .likely("a cross product of nearly nothing, normalised, is an axis of rounding errors");
+      .likely("a cross product of nearly nothing, normalised, is an axis of rounding errors")
+      .likely("the inner loop counts on its own edge, not that of the outer loop");
   const Quat rolled(Eigen::AngleAxis<Real>(pi / 4, Vec3::UnitX()));
   for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     const ShapePtr box = scaled_shape("box_1x2x3", size);
