@@ -67,6 +67,11 @@ void App::hide_times() {
   if (world_ != nullptr) world_->show_times(false);
 }
 
+std::string App::title() const {
+  const bool runs_own_code = options_.student && page_->lab() != failure_page;
+  return page_->title() + (runs_own_code ? " (your code)" : "");
+}
+
 // --- a frame ---------------------------------------------------------------------------------
 
 void App::draw(Canvas& canvas) {

@@ -50,6 +50,8 @@ class App {
   void hide_times();
 
   const Page& page() const { return *page_; }
+  /// The page's title. It names the student's code as such where a page runs it.
+  std::string title() const;
   const Camera& camera() const { return camera_; }
   /// Where panels and picture are.
   Layout layout() const;

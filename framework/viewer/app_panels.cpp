@@ -41,7 +41,7 @@ void show_heading(const std::string& title, const std::string& story, const Font
 void App::show_panel(const Layout& layout) {
   begin_fixed("panel", layout.panel);
   show_pages();
-  show_heading(page_->title(), page_->story(), interface_.fonts());
+  show_heading(title(), page_->story(), interface_.fonts());
   if (world_ != nullptr) show_scenes();
   show_transport();
   show_facts();

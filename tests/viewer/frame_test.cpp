@@ -75,6 +75,19 @@ TEST_F(Frames, EveryPageCanBeLeftAndEntered) {
   }
 }
 
+TEST_F(Frames, TheTitleNamesTheStudentsCode) {
+  for (const bool student : {false, true}) {
+    Options options;
+    options.scene = "bounce";
+    options.student = student;
+    App app(options, ui);
+    for (int lab = 0; lab <= lab_page_count; ++lab) {
+      app.open(lab);
+      EXPECT_EQ(app.title(), app.page().title() + (student ? " (your code)" : ""));
+    }
+  }
+}
+
 TEST_F(Frames, EverySizeCanBeDrawn) {
   Options options;
   options.lab = 4;
