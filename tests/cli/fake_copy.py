@@ -7,6 +7,7 @@ them compile nothing. It is called by several names:
   labN_student ...            the graded tests of lab N. All fail if a file of the lab, or of an earlier lab that
                               the test calls, has WRONG in it, with a picture, or if the lab is a starter. With
                               CRASH the program crashes. They are blocked if the earlier lab has NO_CODE in it.
+  labN_student --challenge    a count of 42
   milestones_... --lab N      the student's engine: fails if a file of labs 1 to N has WRONG in it, crashes for CRASH,
                               makes no step for ENDLESS, and a step in 0.2 s for 4 s for SLOW.
   gdb ...                     prints GDB and the name of the program that it is to run.
@@ -104,6 +105,9 @@ def main():
             Path(arguments[arguments.index("--pulse") + 1]).write_text(".")
             time.sleep(0.2)
         return int(any(has("WRONG", lab) for lab in labs))
+    if arguments[0] == "--challenge":
+        print(json.dumps([{"what": "things counted", "better": "fewer", "count": 42}]))
+        return 0
     names = re.findall(r"Lab\d\.(\w+)", arguments[0])
     return grade(int(called_as[3]), names, Path(arguments[2]))
 

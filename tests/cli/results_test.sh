@@ -105,6 +105,16 @@ runs 0 lab 3
 remembers 3 '"compile_error": ""'
 remembers 3 '"earned": 48'
 
+echo "The counts of a challenge are kept as long as they are of the same code:"
+runs 0 lab 3 --challenge
+prints "yours 42"
+remembers 3 '"count": 42'
+runs 0 lab 3
+remembers 3 '"count": 42'
+echo "// mended again" >"$lab3"
+runs 0 lab 3
+remembers 3 '"challenge": []'
+
 echo "A build that takes long shows its progress, and its warnings are printed once:"
 echo "// LONG_CODE" >"$lab3"
 rm "$copy/build/results/lab3.json"

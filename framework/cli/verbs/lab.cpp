@@ -140,6 +140,8 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   std::cout << coloured(title(options.name), Colour::Bold) << "\n\n" << std::flush;
   LabResult result = result_of_starter(options.name);
   result.verdicts.clear();
+  // Counts of the same code stay valid.
+  if (const auto former = remembered_result(options.name)) result.challenge = former->challenge;
   LabReport report(options.all, known_causes(options.name));
   const bool has_long_tests = !only(tests, true).empty();
   std::vector<EarlierFault> earlier;
