@@ -16,7 +16,8 @@ for lab in "$root"/tests/lab*; do
 done
 cp "$root/tests/cli/fake_copy.py" "$copy/cs550"
 ln -s ../cs550 "$copy/bin/gdb"
-chmod +x "$copy/cs550"
+printf '#!/bin/sh\necho another program\n' >"$copy/bin/rsvg-convert"
+chmod +x "$copy/cs550" "$copy/bin/rsvg-convert"
 export CS550_ROOT="$copy" PATH="$copy/bin:$PATH"
 
 wrong() { echo "WRONG: $1" >&2; cat "$copy/printed" >&2; exit 1; }
@@ -133,9 +134,11 @@ prints_not warning
 echo "A picture is of the last failure:"
 name=Lab3.BruteForceFindsTheMostExtremeVertex
 picture=$copy/build/results/pictures/$name.svg
+rm -f "$copy/build/results/advised_png"
 echo "// WRONG" >"$lab3"
 runs 1 lab 3
 prints "./cs550 view --failure $name"
+prints "./cs550 doctor --install picture also saves pictures as PNG."
 [ -s "$picture" ] || wrong "there is no picture"
 echo "// CRASH" >"$lab3"
 runs 1 lab 3
@@ -143,6 +146,7 @@ prints_not "view --failure"
 [ ! -e "$picture" ] || wrong "the picture of an earlier failure is left"
 echo "// WRONG" >"$lab3"
 runs 1 lab 3
+prints_not "also saves pictures as PNG"
 echo "// mended" >"$lab3"
 runs 0 lab 3
 [ -z "$(ls "${picture%/*}")" ] || wrong "pictures are left: $(ls "${picture%/*}")"
@@ -157,7 +161,7 @@ for arguments in "--failure" "--failure Lab3.Absent"; do
 done
 rm "${picture%/*}"/Lab3.Test*.svg
 runs 2 view --failure
-prints "./cs550 lab N draws one"
+prints "./cs550 lab N draws one where a picture helps"
 
 echo "--debug opens the failure of the last run without repeating it:"
 echo "// WRONG" >"$lab3"

@@ -3,8 +3,7 @@
 
 #include "helpers/random.hpp"
 #include "helpers/require.hpp"
-#include "helpers/story.hpp"
-#include "lab1_integration/free_body.hpp"
+#include "lab1_integration/pictures.hpp"
 
 namespace cs550::test {
 namespace {
@@ -41,18 +40,24 @@ GRADED_TEST(Lab1, ForceAndTorqueGather, 3, "L1.1") {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Vector3d torque = Eigen::Vector3d::Zero();
     Eigen::Vector3d about_origin = Eigen::Vector3d::Zero();
+    std::vector<Push> pushes;
     for (int i = 0; i < 3; ++i) {
       const Vec3 f = body.mass * random.unit_vector();
       const Vec3 point = pose.position + size * random.unit_vector();
       force += f.cast<double>();
       torque += (point - pose.position).cast<double>().cross(f.cast<double>());
       about_origin += point.cast<double>().cross(f.cast<double>());
+      pushes.push_back({f, point});
       add_force(body, f, point);
     }
     // A few roundings of float, relative to three unit forces times the mass.
     const Real scale = body.mass;
     Story here = with_force_causes(story, body.torque, torque, about_origin, 1e-4 * scale * size);
     here.given("size of the body", size, "m").given("mass", body.mass, "kg");
+    here.picture([&] {
+      return lever_picture(pose, size * racket, pushes, size, "torque", torque.cast<Real>(),
+                           body.torque);
+    });
     here.expect_near("gathered force", body.force, force.cast<Real>(), 1e-5 * scale, "N");
     here.expect_near("gathered torque", body.torque, torque.cast<Real>(), 1e-5 * scale * size,
                      "N·m");
@@ -77,6 +82,11 @@ GRADED_TEST(Lab1, ForceOffCentreGivesTorque, 2, "L1.1") {
   Story aside = with_force_causes(story, pushed_at_side.torque, Eigen::Vector3d(0, 0, 20),
                                   Eigen::Vector3d(0, 0, 50), 1e-6);
   aside.when("a force of 10 N along y acts 2 m further along x");
+  aside.picture([&] {
+    const std::vector<Push> push{{Vec3(0, 10, 0), pose.position + Vec3(2, 0, 0)}};
+    return lever_picture(pose, Vec3(1, 1, Real(0.5)), push, 2, "torque", Vec3(0, 0, 20),
+                         pushed_at_side.torque);
+  });
   aside.expect_near("torque", pushed_at_side.torque, Vec3(0, 0, 20), 0, "N·m");
   aside.expect_near("linear momentum, before any time has passed", pushed_at_side.linear_momentum,
                     Vec3::Zero(), 0, "kg·m/s");
@@ -107,6 +117,11 @@ GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {
     Story here = story;
     here.given("size of the body", size, "m").given("lever p − x", Vec3(lever.cast<Real>()), "m");
     here.given("impulse", impulse, "N·s");
+    here.picture([&] {
+      const Vec3 expected = lever.cross(impulse.cast<double>()).cast<Real>();
+      return lever_picture(pose, size * racket, {{impulse, point}}, size, "change of L", expected,
+                           body.angular_momentum - before.angular_momentum);
+    });
     // A few roundings of float, relative to the momenta and speeds of this size.
     const Real scale = body.mass * size;
     here.expect_near("P", body.linear_momentum, momentum.cast<Real>(), 1e-5 * scale, "kg·m/s");

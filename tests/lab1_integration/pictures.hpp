@@ -7,6 +7,7 @@
 
 #include "drawing/trajectory_drawing.hpp"
 #include "helpers/picture.hpp"
+#include "helpers/story.hpp"
 #include "lab1_integration/free_body.hpp"
 
 namespace cs550::test {
@@ -46,6 +47,48 @@ inline std::string tumbling_picture(const RigidBody& start, double seconds, int 
                        motion(poses, Role::Got, "Got: your rotation"),
                        drawing::plot_over_time("Energy", "energy / initial energy", h, curves)},
                       "Drawn in sizes of the body. Without forces the energy stays what it is.");
+}
+
+/// A force or an impulse at a point.
+struct Push {
+  Vec3 vector;
+  Vec3 point;  ///< world frame (m)
+};
+
+/// Pushes and their levers, with the turning effect expected beside the one found.
+/// @param reach how far from the centre of mass the points are (m)
+/// @param effect "torque" or "change of L"
+inline std::string lever_picture(const Pose& pose, const Vec3& half_extents,
+                                 const std::vector<Push>& pushes, Real reach,
+                                 const std::string& effect, const Vec3& expected, const Vec3& got) {
+  using drawing::Role;
+  Real strongest = 0;
+  for (const Push& push : pushes) strongest = std::max(strongest, push.vector.norm());
+  const Real largest = std::max(expected.norm(), got.norm());
+  const auto drawn = [&](const Vec3& turn, Role role) {
+    drawing::Drawing drawing =
+        drawing::draw_box({Vec3::Zero(), pose.orientation}, half_extents, Role::Faint, Real(0.3));
+    drawing.points.push_back({Vec3::Zero(), Role::Text, 5});
+    for (const Push& push : pushes) {
+      const Vec3 lever = push.point - pose.position;
+      drawing.lines.push_back({Vec3::Zero(), lever, {Role::Axis, 2, true, false}});
+      add_arrow(drawing, lever, Real(0.7) * reach / strongest * push.vector,
+                {Role::BodyA, 3, false, true});
+    }
+    if (largest > 0) add_arrow(drawing, Vec3::Zero(), reach / largest * turn, {role, 3}, effect);
+    const bool is_expected = role == Role::Expected;
+    drawing.title = (is_expected ? "Expected: " : "Got: ") + effect + ' ' + Story::show(turn);
+    drawing.alt_text = "A box with its levers, pushes and the " + effect + '.';
+    drawing.legend = {{"lever from the centre of mass", {Role::Axis, 2, true, false}},
+                      {"push", {Role::BodyA, 3, false, true}},
+                      {effect, {role, 3, false, true}}};
+    drawing::View view;
+    view.frame = {Vec3::Constant(Real(-0.85) * reach), Vec3::Constant(Real(0.85) * reach)};
+    return drawing::Scene{drawing, view};
+  };
+  return side_by_side("A push off the centre of mass turns the body",
+                      {drawn(expected, Role::Expected), drawn(got, Role::Got)},
+                      "The turn is about lever × push, by the right-hand rule.");
 }
 
 /// A fall beside the closed form x₀ + v₀·t + ½·g·t² − ½·g·h·t.

@@ -95,12 +95,17 @@ inline std::string walk_picture(const HalfEdgeMesh& mesh, const Vec3& direction,
       {drawing::Scene{walk, seen_upright(direction)}, drawing::plot_climb(mesh, direction, path)});
 }
 
-/// The most extreme vertex beside the one found.
-inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& direction, Index found) {
+inline Index highest_vertex(const HalfEdgeMesh& mesh, const Vec3& direction) {
   Index highest = 0;
   for (Index v = 1; v < mesh.vertex_count(); ++v) {
     if (height(mesh.vertex(v), direction) > height(mesh.vertex(highest), direction)) highest = v;
   }
+  return highest;
+}
+
+/// The most extreme vertex beside the one found.
+inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& direction, Index found) {
+  const Index highest = highest_vertex(mesh, direction);
   drawing::Drawing expected =
       drawing::draw_climb(mesh, direction, std::span(&highest, 1), drawing::Role::Expected);
   expected.title = "vertex " + std::to_string(highest);
@@ -117,6 +122,29 @@ inline std::string highest_picture(const HalfEdgeMesh& mesh, const Vec3& directi
   if (side.norm() > 0) view.toward_eye = side.normalized() + Real(0.35) * view.up;
   return expected_beside_got("The most extreme vertex, the direction upward", expected, got, view,
                              "No vertex lies beyond the plane through the most extreme one.");
+}
+
+/// A body in the world, with its support point beside the one found. Drawn about the body's position, which
+/// may be far from the origin.
+inline std::string support_picture(const PosedShape& body, const Vec3& direction,
+                                   const SupportPoint& found) {
+  const HalfEdgeMesh& mesh = body.mesh();
+  const Vec3 turned_back = body.pose.orientation.conjugate() * direction;
+  const auto placed = [&](Index vertex, const Vec3& point, drawing::Role role) {
+    drawing::Drawing drawing =
+        transformed(drawing::draw_climb(mesh, turned_back, std::span(&vertex, 1), role),
+                    {Vec3::Zero(), body.pose.orientation});
+    drawing.points.push_back({point - body.pose.position, role, 8});
+    drawing.title = "vertex " + std::to_string(vertex) + ", a point at " + Story::show(point, "m");
+    drawing.legend.clear();
+    return drawing;
+  };
+  const Index highest = highest_vertex(mesh, turned_back);
+  return expected_beside_got(
+      "The support point in the world, the direction upward",
+      placed(highest, body.pose.to_world(mesh.vertex(highest)), drawing::Role::Expected),
+      placed(found.vertex, found.point, drawing::Role::Got), seen_upright(direction),
+      "The body is drawn about its own position. The large dot is the point returned.");
 }
 
 /// Checks that no vertex is higher than the answer.

@@ -1,8 +1,7 @@
 // L6.1 and L6.2: effective mass and normal velocity.
 #include <cs550/graded_test.hpp>
 
-#include "helpers/story.hpp"
-#include "lab6_naive_solver/collision.hpp"
+#include "lab6_naive_solver/pictures.hpp"
 
 namespace cs550::test {
 namespace {
@@ -98,13 +97,15 @@ GRADED_TEST(Lab6, NormalVelocityMatchesDense, 4, "L6.2") {
   story.seed(random.seed()).when("normal_velocity() of two random boxes");
   for (const Real size : {Real(1), Real(0.01), Real(100)}) {
     for (int i = 0; i < 20; ++i) {
-      const Collision at = random_collision(random, size);
+      Collision at = random_collision(random, size);
       const Vec3 n = random.unit_vector();
+      at.constraint.n = n;
       const double exact =
           dense_jacobian(n, at.constraint.r_a, at.constraint.r_b).dot(dense_velocity(at.a, at.b));
       Story here = story;
       here.given("size", size, "m").given("n", n);
       const double got = normal_velocity(at.a, at.b, at.constraint.r_a, at.constraint.r_b, n);
+      here.picture([&] { return velocity_picture(at, exact, got); });
       // Speeds of up to ten sizes per second are added and may cancel.
       require(here.expect_near("v_n", got, exact, 1e-5 * size, "m/s"));
     }
@@ -120,14 +121,16 @@ GRADED_TEST(Lab6, NormalVelocityIsNegativeWhenApproaching, 3, "L6.2") {
   story.given("n", x).given("A at the left, B at the right");
 
   a.v = Vec3(5, 1, 0);
-  Story chase = story;
-  chase.given("v_A", a.v, "m/s").given("v_B", b.v, "m/s");
-  chase.expect_near("v_n", normal_velocity(a, b, x, -x, x), -5, 0, "m/s");
-
+  const auto expect_velocity = [&](double expected) {
+    const double got = normal_velocity(a, b, x, -x, x);
+    Story here = story;
+    here.given("v_A", a.v, "m/s").given("v_B", b.v, "m/s");
+    here.picture([&] { return velocity_picture({a, b, touching(x, x, -x)}, expected, got); });
+    here.expect_near("v_n", got, expected, 0, "m/s");
+  };
+  expect_velocity(-5);
   b.v = Vec3(7, 0, 2);
-  Story escape = story;
-  escape.given("v_A", a.v, "m/s").given("v_B", b.v, "m/s");
-  escape.expect_near("v_n", normal_velocity(a, b, x, -x, x), 2, 0, "m/s");
+  expect_velocity(2);
 }
 
 GRADED_TEST(Lab6, NormalVelocityCountsTheTurning, 3, "L6.2") {
@@ -139,10 +142,16 @@ GRADED_TEST(Lab6, NormalVelocityCountsTheTurning, 3, "L6.2") {
   // A point 2 m to the right of an axis along z moves by 4 · 2 m/s along y.
   Story story = with_velocity_causes(Story("A turning body moves its contact points by ω × r"));
   story.given("ω", spinning.w, "rad/s").given("r", Vec3(2 * x), "m").given("n", y);
-  story.expect_near("v_n if B turns", normal_velocity(still, spinning, -x, 2 * x, y), 8, 0, "m/s");
-  story.expect_near("v_n if A turns", normal_velocity(spinning, still, 2 * x, -x, y), -8, 0, "m/s");
-  story.expect_near("v_n along r, where nothing moves",
-                    normal_velocity(still, spinning, -x, 2 * x, x), 0, 0, "m/s");
+  const auto expect_velocity = [&](const std::string& what, const Collision& at, double expected) {
+    const ContactConstraint& constraint = at.constraint;
+    const double got = normal_velocity(at.a, at.b, constraint.r_a, constraint.r_b, constraint.n);
+    Story here = story;
+    here.picture([&] { return velocity_picture(at, expected, got); });
+    here.expect_near(what, got, expected, 0, "m/s");
+  };
+  expect_velocity("v_n if B turns", {still, spinning, touching(y, -x, 2 * x)}, 8);
+  expect_velocity("v_n if A turns", {spinning, still, touching(y, 2 * x, -x)}, -8);
+  expect_velocity("v_n along r, where nothing moves", {still, spinning, touching(x, -x, 2 * x)}, 0);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // L6.4: restitution, many constraints, and the limits of a single pass.
 #include <cs550/graded_test.hpp>
 
-#include "helpers/story.hpp"
-#include "lab6_naive_solver/collision.hpp"
+#include "lab6_naive_solver/pictures.hpp"
 #include "lab6_naive_solver/stack.hpp"
 
 namespace cs550::test {
@@ -27,6 +26,8 @@ GRADED_TEST(Lab6, BounceFollowsRestitution, 2, "L6.4") {
     story.likely("j = −(1 + e)·v_n·m_e: 1 stops the approach, e throws back")
         .likely("j pushes B along n and A against it: −j·n to A, +j·n to B")
         .likely(one_pass_only);
+    const Collision before = collision;
+    story.picture([&] { return collision_picture(before, collision); });
     collide(collision);
     story.expect_near("v_A", collision.a.v, Vec3(at.v_a, 0, 0), 2e-6, "m/s");
     story.expect_near("v_B", collision.b.v, Vec3(at.v_b, 0, 0), 2e-6, "m/s");
@@ -46,6 +47,7 @@ GRADED_TEST(Lab6, MomentumIsKeptAndEnergyNeverGrows, 4, "L6.4") {
             .likely("each impulse acts at the contact: A's lever is r_A, B's is r_B")
             .likely("the effective mass is too large: the turning terms or the bracket")
             .likely(one_pass_only);
+        story.picture([&] { return collision_picture(before, at); });
         collide(at);
         // About the contact point, relative to which the centres of mass are at −r.
         const auto spin = [](const Collision& c) -> Eigen::Vector3d {

@@ -7,6 +7,7 @@
 
 #include "drawing/drawing.hpp"
 #include "helpers/picture.hpp"
+#include "helpers/story.hpp"
 #include "lab6_naive_solver/collision.hpp"
 
 namespace cs550::test {
@@ -37,12 +38,29 @@ inline drawing::Drawing draw_collision(const Collision& at, Real meters_per_spee
   return drawing;
 }
 
+/// The length of an arrow for 1 m/s. Arrows from neighbouring points must not cover each other.
+inline Real meters_per_speed(const Collision& at) {
+  const Vec3 of_a = at.a.v + at.a.w.cross(at.constraint.r_a);
+  const Vec3 of_b = at.b.v + at.b.w.cross(at.constraint.r_b);
+  const Real centers = std::max(at.a.v.norm(), at.b.v.norm());
+  const Real fastest = centers > 0 ? centers : std::max(of_a.norm(), of_b.norm());
+  const Real reach = std::max(at.constraint.r_a.norm(), at.constraint.r_b.norm());
+  return fastest > 0 && reach > 0 ? Real(0.45) * reach / fastest : Real(1);
+}
+
+/// The velocities from which v_n follows.
+inline std::string velocity_picture(const Collision& at, double expected, double got) {
+  drawing::Drawing given = draw_collision(at, meters_per_speed(at));
+  given.title = "Given: two bodies and their contact";
+  given.alt_text = "Two bodies with the velocities of their centres and of their contact points.";
+  return side_by_side("How fast the contact opens", {drawing::Scene{given, {}}},
+                      "The thin arrows at the contact differ by " + Story::show(expected, "m/s") +
+                          " along n. Your function returned " + Story::show(got, "m/s") + ".");
+}
+
 /// A collision before and after the pass, at the same scale.
 inline std::string collision_picture(const Collision& before, const Collision& after) {
-  const Real fastest = std::max(before.a.v.norm(), before.b.v.norm());
-  const Real reach = std::max(before.constraint.r_a.norm(), before.constraint.r_b.norm());
-  // Arrows from neighbouring points must not cover each other.
-  const Real scale = fastest > 0 && reach > 0 ? Real(0.45) * reach / fastest : Real(1);
+  const Real scale = meters_per_speed(before);
   drawing::View view;
   drawing::Drawing start = draw_collision(before, scale);
   start.title = "Given: before the impulse";

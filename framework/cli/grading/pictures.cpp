@@ -8,6 +8,7 @@
 
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
+#include "files/output_file.hpp"
 
 namespace cs550::cli {
 
@@ -32,6 +33,14 @@ bool can_convert() {
   } catch (const std::runtime_error&) {
     return false;
   }
+}
+
+/// Prints in this copy for the first time how to have PNG files, too.
+void advise_png_once() {
+  const fs::path advised = project_root() / "build/results/advised_png";
+  if (fs::exists(advised)) return;
+  std::cout << "./cs550 doctor --install picture also saves pictures as PNG.\n";
+  files::write_file(advised, "");
 }
 
 }  // namespace
@@ -71,7 +80,7 @@ void finish_pictures(int lab, const std::vector<Verdict>& verdicts) {
   if (tests.empty()) return;
   std::cout << "See the failing case from all sides:\n  ./cs550 view --failure " << tests.front()
             << std::endl;
-  if (!can_convert()) return;
+  if (!can_convert()) return advise_png_once();
   for (const std::string& test : tests) {
     run({png_converter, "--output", png_of(picture_of(test)), picture_of(test)});
   }

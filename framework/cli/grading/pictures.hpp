@@ -21,7 +21,7 @@ std::vector<std::string> tests_with_pictures();
 void remove_picture(int lab, const GradedTest& test);
 
 /// Writes PNG files beside the pictures of the first failing step, for programs that show no SVG.
-/// Does nothing if rsvg-convert is not installed. Prints how to see the first one from all sides.
+/// Advises once to install rsvg-convert if it is missing. Prints how to see the first one from all sides.
 void finish_pictures(int lab, const std::vector<Verdict>& verdicts);
 
 }  // namespace cs550::cli

@@ -36,7 +36,9 @@ std::string* value_of(Words& words, const std::string& option) {
 std::string existing_pictures() {
   constexpr std::size_t most = 20;
   const Words tests = tests_with_pictures();
-  if (tests.empty()) return ".\n  ./cs550 lab N draws one for most tests that fail.";
+  if (tests.empty()) {
+    return ".\n  ./cs550 lab N draws one where a picture helps, and then prints this command.";
+  }
   std::string list = ". These are:";
   for (std::size_t i = 0; i < std::min(most, tests.size()); ++i) list += "\n  " + tests[i];
   if (tests.size() > most) list += fmt::format("\nand {} more", tests.size() - most);
