@@ -101,6 +101,9 @@ Drawing draw_clipping(std::span<const Vec3> reference, std::span<const Plane> pl
                      {.role = Role::Incident, .width = Real(1.4), .dashed = true},
                      LegendMark::Line},
                     {"what is left", {Role::Incident, 2}, LegendMark::Patch}};
+  if (last > 0) {
+    drawing.legend.push_back({"plane", {.role = Role::Axis, .width = 2, .dashed = true}});
+  }
   return drawing;
 }
 

@@ -159,21 +159,21 @@ Drawing draw_gauss_maps(const PosedShape& a, const PosedShape& b, std::span<cons
   }
   if (axis.feature == AxisFeature::Edges && has_edge(a, axis.edges.edge_a) &&
       has_edge(b, axis.edges.edge_b)) {
-    add_arc(drawing, arc_of(a, axis.edges.edge_a, false), {Role::Highlight, 3});
-    add_arc(drawing, arc_of(b, axis.edges.edge_b, true), {Role::Highlight, 3});
+    add_arc(drawing, arc_of(a, axis.edges.edge_a, false), {Role::Axis, 3});
+    add_arc(drawing, arc_of(b, axis.edges.edge_b, true), {Role::Axis, 3});
   }
   if (axis.feature != AxisFeature::None) {
     add_arrow(drawing, axis.axis, Real(0.45) * axis.axis, {Role::Axis, 3}, "axis");
   }
   drawing.legend = {
-      {"A", {Role::BodyA, 2}, LegendMark::Line},
-      {"−B", {Role::BodyB, 2}, LegendMark::Line},
+      {"normals and arcs of A", {Role::BodyA, 2}, LegendMark::Line},
+      {"normals and arcs of −B", {Role::BodyB, 2}, LegendMark::Line},
   };
   if (!pairs.empty()) {
     drawing.legend.push_back({"crossings", {Role::Highlight, 3}, LegendMark::Dot});
   }
   if (axis.feature == AxisFeature::Edges) {
-    drawing.legend.push_back({"edges of the axis", {Role::Highlight, 3}});
+    drawing.legend.push_back({"edges of the axis", {Role::Axis, 3}});
   }
   return drawing;
 }

@@ -54,7 +54,8 @@ Drawing draw_impulses(std::span<const ContactConstraint> constraints, std::span<
       has_friction = true;
     }
   }
-  drawing.legend = {{"normal impulse", {role, 3}, LegendMark::Line}};
+  drawing.legend = {{"contact", {Role::Text, 2}, LegendMark::Dot},
+                    {"normal impulse", {.role = role, .width = 3, .arrow = true}}};
   if (has_friction) drawing.legend.push_back({"friction", friction, LegendMark::Line});
   return drawing;
 }
@@ -92,7 +93,8 @@ Drawing draw_friction_disk(Real limit, std::span<const DiskImpulse> impulses, co
     drawing.legend.push_back({impulse.name, stroke, LegendMark::Line});
   }
   if (slip.allFinite() && slip.norm() > 0) {
-    const Stroke stroke = {.role = Role::Incident, .width = 2, .arrow = true};
+    // Of B relative to A.
+    const Stroke stroke = {.role = Role::BodyB, .width = 2, .arrow = true};
     const Vec2 direction = slip.normalized();
     add_arrow(drawing, Vec3::Zero(), Real(0.8) * reach * flat(direction), stroke, "slip");
     drawing.legend.push_back({"direction of slip", stroke, LegendMark::Line});

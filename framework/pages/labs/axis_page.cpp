@@ -76,6 +76,12 @@ drawing::Plot plot_turning(const PosedShape& a, const PosedShape& b) {
   return plot;
 }
 
+std::vector<drawing::LegendEntry> legend_of_bodies() {
+  return {{"A", {Role::BodyA, 2}, drawing::LegendMark::Patch},
+          {"B", {Role::BodyB, 2}, drawing::LegendMark::Patch},
+          {"best axis and its feature", {Role::Axis, 3, false, true}, {}}};
+}
+
 /// Moves a drawing beside the bodies, to their right in the initial view.
 constexpr Real beside = Real(2.6);
 
@@ -86,7 +92,8 @@ Content show(const AxisSettings& settings) {
   const std::vector<EdgePair> pairs = crossing_pairs(a, b);
 
   Content content;
-  content.drawing = drawing::draw_axis(a, b, axis);
+  content.drawing = drawing::draw_axis(a, b, axis, Role::Axis);
+  content.drawing.legend = legend_of_bodies();
   if (settings.gauss_maps) {
     Drawing maps = drawing::draw_gauss_maps(a, b, pairs, axis);
     drawing::append(content.drawing,

@@ -61,6 +61,12 @@ std::string step_text(int step, int planes) {
   return "after plane " + std::to_string(step) + " of " + std::to_string(planes);
 }
 
+void add_bodies_to_legend(Drawing& drawing) {
+  const drawing::LegendEntry bodies[] = {{"A", {Role::BodyA, 2}, drawing::LegendMark::Patch},
+                                         {"B", {Role::BodyB, 2}, drawing::LegendMark::Patch}};
+  drawing.legend.insert(drawing.legend.begin(), std::begin(bodies), std::end(bodies));
+}
+
 Content show(const ClippingSettings& settings) {
   const BodyPair bodies(settings.pair);
   const SeparatingAxis axis = find_separating_axis(bodies.a, bodies.b, {}, HUGE_VALF);
@@ -82,6 +88,7 @@ Content show(const ClippingSettings& settings) {
   const int step = shown_step(settings.step, content.step_count);
   const int clips = std::min(step, plane_count);
   content.drawing = drawing::draw_clipping(reference, planes, polygons, clips);
+  add_bodies_to_legend(content.drawing);
   content.facts = {
       {"shown", step_text(step, plane_count)},
       {"reference", std::string(on_b ? "B" : "A") + ", face " + std::to_string(reference_face)},
@@ -91,11 +98,11 @@ Content show(const ClippingSettings& settings) {
     const Manifold manifold = build_manifold(bodies.a, bodies.b, axis, HUGE_VALF);
     content.drawing =
         drawing::draw_manifold(bodies.a.pose, bodies.b.pose, manifold, Role::Highlight, Real(0.35));
-    content.drawing.legend = {{"A", {Role::BodyA, 2}, drawing::LegendMark::Patch},
-                              {"B", {Role::BodyB, 2}, drawing::LegendMark::Patch},
-                              {"contact points", {Role::Highlight, 3}, drawing::LegendMark::Dot},
+    content.drawing.legend = {{"contact points", {Role::Highlight, 3}, drawing::LegendMark::Dot},
+                              {"separation", {Role::Warning, 2}, {}},
                               {"normal n", {Role::Axis, 2, false, true}, {}},
                               {"tangent u", {Role::Incident, 2, false, true}, {}}};
+    add_bodies_to_legend(content.drawing);
     content.facts.push_back({"points kept", std::to_string(manifold.points.size())});
     for (const ContactPoint& point : manifold.points) {
       content.facts.push_back({"separation", quantity(static_cast<double>(point.separation), "m")});

@@ -33,14 +33,17 @@ void describe(ConstraintSettings& settings, ControlVisitor& visit) {
   visit.whole({"constraint", "of contact", ""}, settings.constraint, 0, 39);
 }
 
-/// Draws the disk beside the stack, flat on the ground. Its radius is proportional to the limit.
+/// Draws the disk beside the stack, flat on the ground. Its radius is proportional to the limit. Friction
+/// has the colour that it has in the stack, and one entry in the legend.
 void add_disk(const ContactConstraint& constraint, const Stack& before, Content& content) {
   const Real limit = constraint.friction * constraint.normal_impulse;
   if (limit <= 0) return;
   const std::vector<drawing::DiskImpulse> impulses{
-      {constraint.tangent_impulse / limit, Role::Highlight, "friction impulse"}};
-  const drawing::Drawing disk =
+      {constraint.tangent_impulse / limit, Role::Incident, "friction"}};
+  drawing::Drawing disk =
       drawing::draw_friction_disk(1, impulses, slip_velocity(constraint, before));
+  std::erase_if(content.drawing.legend,
+                [](const drawing::LegendEntry& entry) { return entry.text == "friction"; });
   const Pose place{{Real(1.55), Real(-0.2), Real(0.02)}, Quat::Identity()};
   drawing::append(content.drawing, drawing::transformed(scaled(disk, Real(0.6)), place));
 }

@@ -114,6 +114,16 @@ Drawing draw_refused(const TriangleSoup& soup, const MeshIssue& issue) {
   return drawing;
 }
 
+std::vector<drawing::LegendEntry> legend_of_walk() {
+  using drawing::Role;
+  return {{"half-edge", {Role::Highlight, 3, false, true}, {}},
+          {"its vertex", {Role::Highlight, 3}, drawing::LegendMark::Dot},
+          {"its face", {Role::Reference, 2}, drawing::LegendMark::Patch},
+          {"next", {Role::BodyA, 2, false, true}, {}},
+          {"prev", {Role::Incident, 2, false, true}, {}},
+          {"twin", {Role::BodyB, 2, false, true}, {}}};
+}
+
 std::string count_text(const HalfEdgeMesh& mesh) {
   return std::to_string(mesh.vertex_count()) + " − " + std::to_string(mesh.edge_count() / 2) +
          " + " + std::to_string(mesh.face_count()) + " = " +
@@ -126,6 +136,7 @@ void show_walk(const HalfEdgeSettings& settings, const HalfEdgeMesh& mesh, Conte
   const Index start = std::min<Index>(settings.edge, mesh.edge_count() - 1);
   const Index edge = walk(mesh, start, {settings.walk.data(), static_cast<std::size_t>(step)});
   content.drawing = without_faces(drawing::draw_half_edge(mesh, edge), drawing::Role::Faint);
+  content.drawing.legend = legend_of_walk();
   content.solids.push_back(light_solid(mesh));
   content.facts.push_back({"half-edge", std::to_string(edge)});
   if (edge < 0 || edge >= mesh.edge_count()) return;

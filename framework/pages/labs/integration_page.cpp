@@ -83,7 +83,7 @@ Drawing column(const IntegrationSettings& settings, const Run& run, int step, Ro
   drawing::append(body, drawing::draw_trail(until(run.poses, step), tip, {role, 2, false, false},
                                             name + ": path of a face centre"));
   drawing::add_arrow(body, Vec3::Zero(), Real(1.5) * momentum.normalized(),
-                     {Role::Axis, Real(2.5), false, true}, "L");
+                     {Role::Highlight, Real(2.5), false, true}, "L");
   body.labels.push_back({Vec3(0, 0, Real(1.55)), name, Role::Text});
   Drawing result = drawing::transformed(body, {{x, 0, Real(1.25)}, Quat::Identity()});
 
@@ -117,7 +117,9 @@ Content show(const IntegrationSettings& settings) {
   content.drawing.legend = {
       {"energy ellipsoid ω·Iω = 2T", {Role::Faint, 1, false, false}, drawing::LegendMark::Patch},
       {"explicit", {Role::Got, 3, false, false}, {}},
-      {"implicit midpoint", {Role::BodyA, 3, false, false}, {}}};
+      {"implicit midpoint", {Role::BodyA, 3, false, false}, {}},
+      {"angular momentum L", {Role::Highlight, 2, false, true}, {}},
+      {"axes of ω in the body", {Role::Axis, 2, false, true}, {}}};
   content.drawing.notes.clear();
 
   const std::vector<Recorded> energies{{"explicit", explicit_run.energies, Role::Got, false},
