@@ -61,8 +61,6 @@ void integrate_momentum([[maybe_unused]] RigidBody& body, [[maybe_unused]] Real 
 
 void integrate_pose([[maybe_unused]] RigidBody& body, [[maybe_unused]] Real h,
                     [[maybe_unused]] RotationMethod method) {
-  // Both methods move the position in the same way, and a static body not at all.
-
   if (method == RotationMethod::Explicit) {
     // L1.6: ω is in the world frame. On which side of q does it belong?
     throw NotImplemented("L1.6");

@@ -63,7 +63,7 @@ StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
 
 Manifold build_manifold([[maybe_unused]] const PosedShape& a, [[maybe_unused]] const PosedShape& b,
                         [[maybe_unused]] const SeparatingAxis& axis, [[maybe_unused]] Real margin) {
-  // L5.6: Go through the rules of the header in order. Which of the queries may be empty?
+  // L5.6: Which separations are comparable, and which of the queries may be empty?
   throw NotImplemented("L5.6");
 }
 

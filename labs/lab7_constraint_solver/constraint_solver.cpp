@@ -51,7 +51,7 @@ Real constraint_mass([[maybe_unused]] const ContactJacobian& jacobian,
 ContactBias contact_bias([[maybe_unused]] const ContactConstraint& constraint,
                          [[maybe_unused]] Real separation,
                          [[maybe_unused]] const ContactStep& step) {
-  // L7.3: Go through the cases of the header in order. Which sign pushes apart?
+  // L7.3: What does the constraint ask for in each case, and which sign pushes apart?
   throw NotImplemented("L7.3");
 }
 

@@ -21,8 +21,7 @@ void solve_normal([[maybe_unused]] ContactConstraint& constraint, [[maybe_unused
 
 void solve_friction([[maybe_unused]] ContactConstraint& constraint, [[maybe_unused]] SolverBody& a,
                     [[maybe_unused]] SolverBody& b) {
-  // L7.7: The two impulses are one vector in the tangent plane. How long may it be, and where must
-  // it point once the contact slides?
+  // L7.7: How long may the vector of both impulses be, and where must it point on sliding?
   throw NotImplemented("L7.7");
 }
 

@@ -99,19 +99,14 @@ inline constexpr Real edge_preference = Real(5e-3);
 /// exceeds the margin. Otherwise it has at least one point, since fast bodies would pass through
 /// each other without one.
 ///
-/// 1. The face query with the larger separation is the candidate; if the two differ by at most
-///    tie_tolerance, axis.feature decides.
-/// 2. The edges replace the candidate if their separation exceeds the candidate *query's* by more
-///    than edge_preference. Clipped points are not a fair comparison: they can be much shallower
-///    than the query, and boxes would then stay deep in each other.
-/// 3. Otherwise the face manifold is built. It has lost the contact if none of its points is as
-///    deep as the query reports, up to edge_preference: the incident face need not contain the
-///    deepest vertex. Then the edges are used if their separation is no less than the query's. If
-///    not, and the bodies overlap or clipping left no point, the manifold is the query's deepest
-///    vertex and its projection.
-///
-/// For overlapping bodies the deepest point is therefore as deep as the axis, up to
-/// edge_preference.
+/// - Of two faces, the one whose query has the larger separation is the reference face. If they
+///   differ by at most tie_tolerance (relative to the smaller radius), axis.feature decides.
+/// - Edges replace a face if they are better by more than edge_preference. Their separation is
+///   compared with that of the face's *query*.
+/// - For overlapping bodies the deepest point is as deep as the axis, up to edge_preference, even
+///   where clipping loses the deepest vertex. If neither a clipped point nor the edges are, the
+///   manifold has one point: the deepest vertex of the face's query, with its projection onto the
+///   face. The same point is returned if clipping leaves none.
 ///
 /// Any query may be empty. An empty query has a separation of 0 and no features, so test the query
 /// before comparing its separation. The edge query is empty if no arcs cross, as for aligned boxes;

@@ -69,13 +69,12 @@ Real constraint_mass(const ContactJacobian& jacobian, const SolverBody& a, const
 /// - Penetrating (d ≤ 0), in a relax pass (`use_bias` is false): b = 0.
 /// - Penetrating, Baumgarte: a fraction β of the penetration beyond the slop is corrected per
 ///   substep, at no more than max_push_speed.
-/// - Penetrating, soft: the recovery speed is bias_rate times the whole penetration (no slop), at
-///   no more than max_push_speed. Only here are the scales those of constraint.softness; in all
+/// - Penetrating, soft: a spring of constraint.softness corrects the whole penetration (no slop),
+///   at no more than max_push_speed. Only here are the scales those of constraint.softness; in all
 ///   other cases they are those of a rigid contact, 1 and 0.
 /// - Restitution belongs to the bias in the Baumgarte model only, and there only if `use_bias` is
-///   true, e > 0 and v_n⁰ < −restitution_threshold. Such a constraint also asks for v_n ≥ −e·v_n⁰,
-///   whether the bodies are separated or not. The stronger of the two demands holds: b is the
-///   smaller of the two biases, never their sum.
+///   true, e > 0 and v_n⁰ < −restitution_threshold, whether the bodies are separated or not. Of
+///   bounce and correction the stronger demand holds, never their sum.
 /// @param separation current separation d (m)
 ContactBias contact_bias(const ContactConstraint& constraint, Real separation,
                          const ContactStep& step);
@@ -90,22 +89,22 @@ void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const 
 /// **L7.5** Applies the accumulated impulses along n, u and v to B, and their opposite to A.
 void warm_start(const ContactConstraint& constraint, SolverBody& a, SolverBody& b);
 
-/// **L7.6** Solves the normal constraint once. Computes the impulse that this constraint needs at
-/// its contact_bias(), softened as described at Softness, and adds it to normal_impulse. The
-/// *accumulated* impulse is clamped to ≥ 0, so a single impulse may be negative; the change is
-/// applied to both bodies. The bias is evaluated at the current separation: the constraint's own
-/// plus the relative displacement of the two contact points along n since the step began, with r_a
-/// and r_b as they are.
+/// **L7.6** Solves the normal constraint once, at its contact_bias() and softened as described at
+/// Softness. normal_impulse is the sum of all impulses: it never becomes negative, a single impulse
+/// may. Both bodies receive the change. The bias is that of the current separation, which follows
+/// the displacements of the bodies since the step began, to first order and with r_a and r_b as
+/// they are.
 void solve_normal(ContactConstraint& constraint, SolverBody& a, SolverBody& b,
                   const ContactStep& step);
 
-/// **L7.7** Solves both friction constraints once, u and v together, and accumulates.
+/// **L7.7** Solves both friction constraints once, u and v together. The accumulated pair stays in
+/// the disk ‖λ‖ ≤ μ·λ_n, where λ_n is the *accumulated* normal impulse. Both bodies receive the
+/// change.
 ///
-/// - Sticking: the pair of impulses that stops the slip along u and v is taken if its accumulated
-///   sum lies in the disk ‖λ‖ ≤ μ·λ_n, where λ_n is the *accumulated* normal impulse.
-/// - Sliding: otherwise friction must oppose the slip. tangent_mass would turn it away from that
-///   direction where the effective mass is anisotropic, so the slip is multiplied by the smaller
-///   eigenvalue of tangent_mass instead. The accumulated sum is scaled back onto the disk.
+/// - Sticking: the slip along u and v stops, if the disk allows it.
+/// - Sliding: otherwise friction opposes the slip, also where the effective mass is anisotropic,
+///   with the smaller eigenvalue of tangent_mass as the mass. The accumulated pair is scaled back
+///   onto the disk.
 void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b);
 
 /// **L7.8** One pass over all constraints. Forwards: from the first to the last, the normal and
@@ -126,9 +125,9 @@ void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBo
 ///   stopped the body already.
 ///
 /// If at least one constraint with λ_n > 0 bounces, restitution_iterations sweeps visit all
-/// constraints in order. Each touching constraint receives the rigid impulse that brings v_n to its
-/// target, accumulated and clamped as in solve_normal(). The target is −e·v_n⁰ if it bounces and 0
-/// if it does not: an impact passes through resting contacts. Touching is decided at each visit.
+/// constraints in order. They let those that bounce leave at e times their speed of approach, and
+/// keep the other touching ones from approaching, so that an impact passes through resting
+/// contacts. Contacts are rigid here, and accumulated impulses do not become negative.
 ///
 /// Finally, whether or not anything bounced, impact_handled is set for every constraint with a
 /// positive λ_n. It is never cleared here. The impact thus belongs to the substep in which λ_n

@@ -47,8 +47,8 @@ void integrate_momentum(RigidBody& body, Real h);
 /// A kinematic body rotates with constant ω, a static body does not move.
 ///
 /// Both methods conserve L exactly. Only the implicit midpoint keeps ω consistent with the
-/// orientation throughout the step, by three fixed-point iterations (Hairer, Lubich & Wanner,
-/// *Geometric Numerical Integration*, §VII.5).
+/// orientation throughout the step: its error is of second order in h, and the energy stays bounded
+/// (Hairer, Lubich & Wanner, *Geometric Numerical Integration*, §VII.5).
 /// @param h time (s)
 void integrate_pose(RigidBody& body, Real h, RotationMethod method);
 
