@@ -2,6 +2,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "lab5_clipping/contacts.hpp"
+#include "lab5_clipping/reduction.hpp"
 
 namespace cs550::test {
 namespace {
@@ -153,6 +154,25 @@ GRADED_TEST(Lab5, PointsAboveTheMarginAreDropped, 2, "L5.3") {
   expect_points(shy, slab, cube, face_manifold(slab, cube, axis, Real(-0.02)), {}, 0);
 }
 
+/// Checks the area of four points of the octagon in which a cube touches another one, turned by 45° on it. In
+/// A's body frame the contact normal is +z, in the world it is +x, about which the octagon has no area.
+void require_area_of_an_octagon(Story story) {
+  story
+      .given("a cube on a cube, turned by 45° about their normal, which is +z for A and +x outside")
+      .likely("reduce_manifold() wants the normal in A's body frame, as its anchors are");
+  const Pose outer{Vec3::Zero(), Quat(Real(0.5), Real(0.5), Real(0.5), Real(0.5))};
+  const Pose local{Vec3(0, 0, Real(0.99)), turned(45, Vec3::UnitZ())};
+  const Placed a(fixture_shape("cube"), outer);
+  const Placed b(fixture_shape("cube"), composed(outer, local));
+  const Index top = face_towards(a.shape->mesh, Vec3::UnitZ());
+  const Manifold manifold =
+      face_manifold(a.body, b.body, face_axis(a.body, b.body, AxisFeature::FaceA, top), 0);
+  // The best four of its corners have 0.586 m² (a square).
+  require(story.expect_at_least("area of the points kept of eight",
+                                ring_area(manifold.points, Vec3::UnitZ()), least_share * 0.586,
+                                "m²"));
+}
+
 GRADED_TEST(Lab5, AnchorsLieOnBothBodies, 2, "L5.3") {
   Random random(54);
   Story story = with_anchor_causes(
@@ -186,6 +206,7 @@ GRADED_TEST(Lab5, AnchorsLieOnBothBodies, 2, "L5.3") {
     require_sound(here, a.body, b.body, manifold, 3 * size);
   }
   story.expect_at_least("points seen in all", points, 400);
+  require_area_of_an_octagon(story);
 }
 
 GRADED_TEST(Lab5, UnmergedFacesLoseCorners, 1, "L5.3") {

@@ -16,7 +16,8 @@ namespace cs550::test {
 inline constexpr double least_share = 0.65;
 inline constexpr double mean_share = 0.96;
 
-/// Points in convex position on a tilted ellipse, deeper towards a random side.
+/// Points in convex position on a tilted ellipse, deeper towards a random side. As on an incident face of A,
+/// an anchor is off the plane of the ellipse by its separation.
 struct ContactRing {
   Vec3 normal;
   std::vector<ContactPoint> points;
@@ -35,6 +36,7 @@ struct ContactRing {
       ContactPoint point;
       point.anchor_a = width * std::cos(angle) * u + height * std::sin(angle) * v;
       point.separation = tilt.dot(point.anchor_a) - size;
+      point.anchor_a -= point.separation * normal;
       point.feature = {FeatureId::Kind::Edges, static_cast<Index>(points.size()), 0};
       points.push_back(point);
     }
