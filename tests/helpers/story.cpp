@@ -91,6 +91,11 @@ bool Story::expect_at_least(const std::string& what, double got, double bound,
                                "at least " + show(bound, unit), at);
 }
 
+bool Story::expect_index(const std::string& what, Index index, Index count, SourceLine at) {
+  if (0 <= index && index < count) return passed();
+  return failed(what, show(index), "0 to " + show(count - 1), at);
+}
+
 std::string Story::show(double value, const std::string& unit) {
   return show(fmt::format("{:.7g}", value), unit);
 }

@@ -66,6 +66,8 @@ class Story {
                       const std::string& unit = "", SourceLine at = {});
   bool expect_at_least(const std::string& what, double got, double bound,
                        const std::string& unit = "", SourceLine at = {});
+  /// Whether an index is one of `count` elements.
+  bool expect_index(const std::string& what, Index index, Index count, SourceLine at = {});
   template <class Got, class Expected>
   bool expect_equal(const std::string& what, const Got& got, const Expected& expected,
                     SourceLine at = {}) {

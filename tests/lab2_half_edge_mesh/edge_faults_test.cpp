@@ -111,6 +111,10 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 2, "L2.2") {
   expect_error(both, issue_of(fins), MeshError::InconsistentWinding);
 }
 
+std::string as_words(const std::pair<Index, Index>& side) {
+  return "from vertex " + std::to_string(side.first) + " to vertex " + std::to_string(side.second);
+}
+
 GRADED_TEST(Lab2, TwinsAreNeighboursAndRunOpposite, 2, "L2.2") {
   Story story("Half-edges 2k and 2k + 1 are twins, and each runs where the other came from");
   story.likely("twins get neighbouring places when their sides are sorted by their two vertices");
@@ -125,14 +129,15 @@ GRADED_TEST(Lab2, TwinsAreNeighboursAndRunOpposite, 2, "L2.2") {
     for (Index e = 0; e < mesh.edge_count(); ++e) {
       here.given("half-edge", e);
       require(here.expect_equal("its twin", mesh.edge(e).twin, e ^ 1));
-      const bool is_new = seen.insert({mesh.origin(e), mesh.edge(e).vertex}).second;
-      require(
-          here.expect("no other half-edge runs from the same vertex to the same vertex", is_new));
+      const std::pair side(mesh.origin(e), mesh.edge(e).vertex);
+      require(here.expect("the vertices of the half-edge", seen.insert(side).second,
+                          as_words(side) + ", as another half-edge", "a pair of its own"));
     }
     for (const Triangle& triangle : soup.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::pair side(triangle[i], triangle[(i + 1) % 3]);
-        require(story.expect("every side of a triangle is a half-edge", seen.count(side) == 1));
+        require(story.expect("every side of a triangle is a half-edge", seen.count(side) == 1,
+                             "no half-edge " + as_words(side), "one"));
       }
     }
   }

@@ -83,7 +83,7 @@ GRADED_TEST(Lab2, OrderAndRepetitionChangeNothing, 2, "L2.9") {
     Story repeated = here;
     repeated.when("merged, and merged again");
     require(repeated.expect_equal("faces", again.face_count(), mesh.face_count()));
-    require(repeated.expect("they are the same", faces_as_seen(again) == faces_as_seen(mesh)));
+    require(expect_same_faces(repeated, again, mesh));
     for (std::uint32_t seed = 1; seed <= 8; ++seed) {
       Random random(seed);
       Story reordered = here;
@@ -91,7 +91,7 @@ GRADED_TEST(Lab2, OrderAndRepetitionChangeNothing, 2, "L2.9") {
       const HalfEdgeMesh other = require_mesh(shuffled(soup, random), reordered);
       const HalfEdgeMesh result = merge_coplanar_faces(other, tolerance);
       require(reordered.expect_equal("faces", result.face_count(), mesh.face_count()));
-      require(reordered.expect("they are the same", faces_as_seen(result) == faces_as_seen(mesh)));
+      require(expect_same_faces(reordered, result, mesh));
     }
   }
 }

@@ -128,6 +128,27 @@ inline std::multiset<std::vector<Point>> faces_as_seen(const HalfEdgeMesh& mesh)
   return faces;
 }
 
+inline std::string show(const std::vector<Point>& ring) {
+  std::string text = "a face with the corners";
+  for (const Point& corner : ring) text += ' ' + Story::show(Vec3(corner[0], corner[1], corner[2]));
+  return text;
+}
+
+/// Checks that two meshes have the same faces, whatever their numbers. A failure shows the first face that
+/// only one of them has.
+inline bool expect_same_faces(const Story& story, const HalfEdgeMesh& got,
+                              const HalfEdgeMesh& expected, SourceLine at = {}) {
+  const auto faces_got = faces_as_seen(got);
+  const auto faces_expected = faces_as_seen(expected);
+  const auto [one, other] = std::mismatch(faces_got.begin(), faces_got.end(),
+                                          faces_expected.begin(), faces_expected.end());
+  const bool is_same = one == faces_got.end() && other == faces_expected.end();
+  Story here = story;
+  return here.expect("the faces, in the order of their corners", is_same,
+                     one == faces_got.end() ? "no further face" : show(*one),
+                     other == faces_expected.end() ? "no further face" : show(*other), at);
+}
+
 /// The area vector of a polygon (m²), half the sum of p_i × p_(i+1): its direction is the normal,
 /// its length the area.
 inline Vec3d area_vector(const std::vector<Vec3>& polygon) {

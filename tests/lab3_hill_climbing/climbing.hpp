@@ -153,7 +153,7 @@ inline void require_highest(const Story& story, const HalfEdgeMesh& mesh, const 
   Story here = story;
   here.given("direction", direction).given("vertices", mesh.vertex_count());
   here.picture([&] { return highest_picture(mesh, direction, vertex); });
-  require(here.expect("the answer is a vertex of the mesh", is_vertex(mesh, vertex)));
+  require(here.expect_index("vertex of the answer", vertex, mesh.vertex_count()));
   require(here.expect_near("dot(vertex, direction)", height(mesh.vertex(vertex), direction),
                            greatest_height(mesh, direction), height_tolerance(mesh, direction),
                            "m"));

@@ -76,7 +76,7 @@ GRADED_TEST(Lab3, VisitsAreTheNeighboursOfThePath, 2, "L3.2") {
     std::set<Index> seen{start};
     std::size_t looks = 1;
     for (const Index v : path) {
-      require(story.expect("the path consists of vertices", is_vertex(mesh, v)));
+      require(story.expect_index("vertex on the path", v, mesh.vertex_count()));
       for (const Index w : neighbours(mesh, v)) {
         seen.insert(w);
         ++looks;

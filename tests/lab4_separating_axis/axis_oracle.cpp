@@ -55,27 +55,27 @@ void require_query_behind_it(Story& here, const TestPair& pair, const Separating
                              double tolerance) {
   Real of_query = 0;
   Vec3 axis = Vec3::Zero();
-  const auto in_range = [](Index i, Index count) { return i >= 0 && i < count; };
   switch (answer.feature) {
     case AxisFeature::None:
-      require(here.expect("the answer has a feature (not None)", false));
+      require(here.expect("feature of the answer", false, "None", "FaceA, FaceB or Edges"));
       break;
     case AxisFeature::FaceA:
-      require(here.expect("face_a names a face of A",
-                          in_range(answer.face_a.face, pair.a.mesh().face_count())));
+      require(
+          here.expect_index("face of A in face_a", answer.face_a.face, pair.a.mesh().face_count()));
       of_query = answer.face_a.separation;
       axis = pair.a.plane(answer.face_a.face).normal;
       break;
     case AxisFeature::FaceB:
-      require(here.expect("face_b names a face of B",
-                          in_range(answer.face_b.face, pair.b.mesh().face_count())));
+      require(
+          here.expect_index("face of B in face_b", answer.face_b.face, pair.b.mesh().face_count()));
       of_query = answer.face_b.separation;
       axis = -pair.b.plane(answer.face_b.face).normal;
       break;
     case AxisFeature::Edges:
-      require(here.expect("edges name half-edges of A and B",
-                          in_range(answer.edges.edge_a, pair.a.mesh().edge_count()) &&
-                              in_range(answer.edges.edge_b, pair.b.mesh().edge_count())));
+      require(here.expect_index("half-edge of A in edges", answer.edges.edge_a,
+                                pair.a.mesh().edge_count()));
+      require(here.expect_index("half-edge of B in edges", answer.edges.edge_b,
+                                pair.b.mesh().edge_count()));
       of_query = answer.edges.separation;
       axis = answer.edges.axis;
       break;
@@ -147,7 +147,8 @@ void require_best_axis(const Story& story, const TestPair& pair, const Separatin
   require(here.expect_at_most("separation against brute force", answer.separation,
                               best.largest() + allowed, "m"));
   if (best.largest() >= allowed) {
-    require(here.expect("bodies that are apart are seen to be", answer.separation > 0));
+    require(here.expect("separation of bodies that are apart", answer.separation > 0,
+                        Story::show(answer.separation, "m"), "more than 0 m"));
   }
 }
 

@@ -79,11 +79,8 @@ std::string edge_query_picture(const TestPair& pair, const EdgeQuery& got) {
 
 /// Checks that an answer is an axis of these two edges with the reported separation.
 void require_edge_axis(Story& here, const TestPair& pair, const EdgeQuery& answer) {
-  const auto is_half_edge = [](const PosedShape& body, Index e) {
-    return e >= 0 && e < body.mesh().edge_count();
-  };
-  require(here.expect("half-edges of A and of B",
-                      is_half_edge(pair.a, answer.edge_a) && is_half_edge(pair.b, answer.edge_b)));
+  require(here.expect_index("half-edge of A", answer.edge_a, pair.a.mesh().edge_count()));
+  require(here.expect_index("half-edge of B", answer.edge_b, pair.b.mesh().edge_count()));
   require(here.expect_equal("remainder of edge_a over 2", answer.edge_a % 2, 0));
   require(here.expect_equal("remainder of edge_b over 2", answer.edge_b % 2, 0));
   const ExactBody a = pair.exact_a();

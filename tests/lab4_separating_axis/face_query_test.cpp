@@ -63,10 +63,8 @@ GRADED_TEST(Lab4, FaceQueryMatchesBruteForce, 4, "L4.2") {
     const FaceQuery answer = query_face_directions(pair.a, pair.b);
     Story here = about(story, pair);
     here.picture([&] { return face_query_picture(pair, answer); });
-    require(here.expect("the answer names a face of A",
-                        answer.face >= 0 && answer.face < pair.a.mesh().face_count()));
-    require(here.expect("and a vertex of B",
-                        answer.vertex >= 0 && answer.vertex < pair.b.mesh().vertex_count()));
+    require(here.expect_index("face of A", answer.face, pair.a.mesh().face_count()));
+    require(here.expect_index("vertex of B", answer.vertex, pair.b.mesh().vertex_count()));
     const double tolerance = rounding * double{pair.larger_radius()};
     const double best = best_separations(pair.exact_a(), pair.exact_b()).face_a;
     require(here.expect_near("separation", answer.separation, best, tolerance, "m"));
@@ -102,7 +100,8 @@ GRADED_TEST(Lab4, FaceQueryOfBoxesIsKnown, 3, "L4.2") {
     here.given("position of B", expected.position, "m");
     const FaceQuery of_a = query_face_directions(a, b);
     const FaceQuery of_b = query_face_directions(b, a);
-    require(here.expect("both answers name a face", of_a && of_b));
+    require(here.expect_index("best face of A", of_a.face, a.mesh().face_count()));
+    require(here.expect_index("best face of B", of_b.face, b.mesh().face_count()));
     require(here.expect_near("separation, faces of A", of_a.separation, expected.separation, 1e-6,
                              "m"));
     require(here.expect_near("separation, faces of B", of_b.separation, expected.separation, 1e-6,

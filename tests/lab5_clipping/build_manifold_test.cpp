@@ -18,11 +18,6 @@ Story with_choice_causes(Story story) {
           "clipping lost the deepest point: fall back to the edges, then to the deepest vertex");
 }
 
-std::string name_of(AxisFeature feature) {
-  constexpr const char* names[] = {"no feature", "A's face", "B's face", "the edges"};
-  return names[static_cast<int>(feature)];
-}
-
 GRADED_TEST(Lab5, OverlappingBodiesReportTheirDepth, 3, "L5.6") {
   Random random(61);
   Story story = with_choice_causes(

@@ -16,6 +16,11 @@ namespace cs550::test {
 
 using Point = Eigen::Vector3d;
 
+inline std::string name_of(AxisFeature feature) {
+  constexpr const char* names[] = {"no feature", "A's face", "B's face", "the edges"};
+  return names[static_cast<int>(feature)];
+}
+
 /// A fixture, `scale` times as large.
 ShapePtr scaled_shape(const std::string& fixture, Real scale);
 

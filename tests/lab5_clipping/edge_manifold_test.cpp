@@ -44,7 +44,8 @@ GRADED_TEST(Lab5, CrossedEdgesMeetWhereTheyCross, 3, "L5.4") {
       here.expect_near("normal", manifold.normal, outer.rotate(Vec3::UnitZ()), 1e-5);
       here.expect_near("separation", manifold.points[0].separation, -depth * size, 1e-5 * size,
                        "m");
-      here.expect("the manifold says that edges made it", manifold.reference == AxisFeature::Edges);
+      here.expect_equal("reference feature of the manifold", name_of(manifold.reference),
+                        name_of(AxisFeature::Edges));
       const FeatureId id = manifold.points[0].feature;
       const std::string what = "its name (half-edge / 2): ";
       here.expect_equal(what + "kind", static_cast<int>(id.kind()),

@@ -29,7 +29,7 @@ GRADED_TEST(Lab5, IncidentFaceIsTheMostAntiParallel, 3, "L5.2") {
 
       Story here = story;
       here.given(std::string("shape ") + name).given("reference normal", normal);
-      require(here.expect("the face exists", face >= 0 && face < shape->mesh.face_count()));
+      require(here.expect_index("incident face", face, shape->mesh.face_count()));
       double smallest = 2;
       Index incident = no_index;
       for (Index f = 0; f < shape->mesh.face_count(); ++f) {
