@@ -64,7 +64,6 @@ std::vector<std::string> plausible(const std::vector<std::string>& causes,
   for (const std::string& cause : causes) {
     if (const auto place = rank_of(cause, known, outcomes)) ranked.emplace_back(*place, cause);
   }
-  if (ranked.empty()) return causes;
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> result;

@@ -29,8 +29,8 @@ struct Outcomes {
 /// The causes that no passing test of their step excludes. A cause for which every test of its step never
 /// ends is excluded if all tests ended. Those that explain the most endless loops come first, then those
 /// that explain the most failing tests of the step. Among equal ones, the tests of other steps decide: a
-/// similar mistake may pass one of them, so they exclude nothing. If every cause is excluded, the mistake
-/// is not one that was tried: all are returned.
+/// similar mistake may pass one of them, so they exclude nothing. None is left if the mistake is not one that was
+/// tried.
 std::vector<std::string> plausible(const std::vector<std::string>& causes,
                                    const std::vector<KnownCause>& known, const Outcomes& outcomes);
 
