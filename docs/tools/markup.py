@@ -2,6 +2,7 @@
 must exist: a figure, a test, a known mistake, a source file, a citation. What does not is an error.
 
   $x$, $$x$$                       formulas
+  [text](chapter.md#anchor)        a link to another page of the book, which works in the Markdown file, too
   ![alt](figures/name.svg "caption")   a numbered figure; the caption may hold formulas. A .png is taken
                                    by the viewer, and left out where that was not built
   {fig:name}                       its number, as a link
@@ -65,6 +66,7 @@ class Markup:
         text = re.sub(r"<details><summary>(.*?)</summary>",
                       lambda m: raw(f"<details><summary>{self.inline_html(m[1])}</summary>"), text, flags=re.S)
         text = text.replace("</details>", raw("</details>"))
+        text = re.sub(r"(\]\([\w-]+)\.md#", r"\1.html#", text)
         text = re.sub(r"\[`?([^\]`]+)`?\]\(([^)#]+)\)", lambda m: self.link(*m.groups()), text)
         pieces = re.split(r"(@htmlonly.*?@endhtmlonly)", text, flags=re.S)
         return "".join(piece if piece.startswith("@htmlonly") else self.convert_prose(piece) for piece in pieces)

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Tests of docs/tools/listing.py: functions that the book cuts from the sources."""
+import re
 import sys
 import tempfile
 import unittest
@@ -50,6 +51,19 @@ class ListingTest(unittest.TestCase):
         code, file, is_definition = listing.find_function("engine/contacts/softness.cpp", "soft_contact")
         self.assertIn("omega / a1", code)
         self.assertEqual((str(file), is_definition), ("framework/engine/contacts/softness.cpp", True))
+
+    def test_links_to_chapters_become_links_to_pages(self):
+        text = Markup(Errors(), Page("chapter", ROOT / "docs/chapters/index.md", "")).convert(
+            "[one](rigid_body.md), [its end](rigid_body.md#end), [live](world.html?live=x#fig_x)")
+        self.assertEqual(text, "[one](rigid_body.html), [its end](rigid_body.html#end), [live](world.html?live=x#fig_x)")
+
+    def test_chapters_link_to_each_other_as_files(self):
+        for chapter in (ROOT / "docs/chapters").glob("*.md"):
+            text = chapter.read_text()
+            self.assertNotRegex(text, r"\]\([\w-]+\.html[#)]", chapter.name)
+            for target in re.findall(r"\]\(([\w-]+\.md)", text):
+                # A students' copy lacks the answers.
+                self.assertTrue((chapter.parent / target).exists() or target == "answers.md", f"{chapter.name}: {target}")
 
     def test_without_the_reference_the_declaration_is_shown(self):
         root = listing.ROOT
