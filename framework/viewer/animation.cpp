@@ -1,6 +1,7 @@
 #include "viewer/animation.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,8 +25,8 @@ namespace {
 
 constexpr int not_found = 127;
 
-/// Runs a program and discards its output. @return its exit code; not_found if it is not installed
-int run(const std::vector<std::string>& command) {
+/// Runs a program in a folder and discards its output. @return its exit code; not_found if it is not installed
+int run(const fs::path& folder, const std::vector<std::string>& command) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -34,6 +35,7 @@ int run(const std::vector<std::string>& command) {
   if (child == 0) {
     const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+    if (chdir(folder.c_str()) != 0) _exit(1);
     execvp(arguments[0], arguments.data());
     _exit(not_found);
   }
@@ -67,17 +69,25 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-void write_animation(const fs::path& frames, const fs::path& file, double rate) {
+std::string frame_name(int number) { return fmt::format("{:04}.png", number); }
+
+// The programs run in a folder that has links to these pictures and no others. They would give a meaning to a %
+// or a * in the path of the user's folder.
+void write_animation(const fs::path& frames, int count, const fs::path& file, double rate) {
   const TemporaryFolder folder;
-  const fs::path draft = folder.path() / "animation.gif";
+  for (int i = 0; i < count; ++i) {
+    fs::create_symlink(fs::absolute(frames / frame_name(i)), folder.path() / frame_name(i));
+  }
+  const std::string draft = "animation.gif";
   // At most 30 frames a second, because a GIF's delays are whole hundredths of a second.
   constexpr double most = 30;
-  const int by_ffmpeg = run({"ffmpeg", "-y", "-xerror", "-framerate", std::to_string(rate), "-i",
-                             (frames / "%04d.png").string(), "-vf",
-                             "fps=" + std::to_string(std::min(rate, most)) +
-                                 ",split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse="
-                                 "dither=bayer",
-                             draft.string()});
+  const int by_ffmpeg =
+      run(folder.path(),
+          {"ffmpeg", "-y", "-xerror", "-framerate", std::to_string(rate), "-i", "%04d.png", "-vf",
+           "fps=" + std::to_string(std::min(rate, most)) +
+               ",split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse="
+               "dither=bayer",
+           draft});
   files::throw_if_interrupted();
   if (by_ffmpeg == not_found) {
     if (!convert_is_image_magick()) {
@@ -85,13 +95,13 @@ void write_animation(const fs::path& frames, const fs::path& file, double rate) 
           "--gif needs ffmpeg or ImageMagick; install the package ffmpeg or imagemagick");
     }
     const int by_convert =
-        run({"convert", "-delay", std::to_string(std::lround(100 / rate)), "-loop", "0",
-             (frames / "*.png").string(), "-layers", "Optimize", draft.string()});
+        run(folder.path(), {"convert", "-delay", std::to_string(std::lround(100 / rate)), "-loop",
+                            "0", "*.png", "-layers", "Optimize", draft});
     if (by_convert != 0) throw std::runtime_error("ImageMagick could not make " + file.string());
   } else if (by_ffmpeg != 0) {
     throw std::runtime_error("ffmpeg could not make " + file.string());
   }
-  files::copy_file(draft, file);
+  files::copy_file(folder.path() / draft, file);
 }
 
 }  // namespace cs550::viewer

@@ -3,6 +3,7 @@
 /// Turns numbered pictures into an animation.
 
 #include <filesystem>
+#include <string>
 
 namespace cs550::viewer {
 
@@ -20,10 +21,14 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Makes a GIF from the files 0000.png, 0001.png, … in a folder, with ffmpeg or ImageMagick.
+/// The name of a picture of a sequence: 0000.png, 0001.png, …
+std::string frame_name(int number);
+
+/// Makes a GIF from the first pictures of a sequence in a folder, with ffmpeg or ImageMagick.
+/// @param count of the pictures; the folder may have more, from an earlier run
 /// @param rate pictures per second
 /// @throws std::runtime_error if neither is installed, or the installed one fails
-void write_animation(const std::filesystem::path& frames, const std::filesystem::path& file,
-                     double rate);
+void write_animation(const std::filesystem::path& frames, int count,
+                     const std::filesystem::path& file, double rate);
 
 }  // namespace cs550::viewer

@@ -1,7 +1,5 @@
 #include "viewer/snapshot.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iostream>
 #include <stdexcept>
@@ -46,8 +44,6 @@ class Studio {
   App app_;
 };
 
-std::string frame_name(int number) { return fmt::format("{:04}.png", number); }
-
 /// As many frames as the walk of a page has steps, within limits.
 int default_frame_count(const Page& page) {
   constexpr int most = 120;
@@ -65,13 +61,8 @@ void write_frames(Studio& studio, const fs::path& folder, int count) {
   }
 }
 
-}  // namespace
-
-Picture take_picture(const Options& options) { return Studio(options).take(); }
-
-void write_pictures(const Options& options) {
-  const HeadlessContext context;
-  Studio studio(options);
+/// All that the options ask for.
+void write_pictures(Studio& studio, const Options& options) {
   if (!studio.problem().empty()) {
     // With a student's code, the picture shows the problem. Otherwise there is nothing to show.
     if (!options.student) throw std::invalid_argument(studio.problem());
@@ -90,11 +81,25 @@ void write_pictures(const Options& options) {
   if (options.frames.empty()) {
     const TemporaryFolder folder;
     write_frames(studio, folder.path(), frame_count);
-    write_animation(folder.path(), options.gif, frames_per_second(studio.page()));
+    write_animation(folder.path(), frame_count, options.gif, frames_per_second(studio.page()));
   } else {
-    write_animation(options.frames, options.gif, frames_per_second(studio.page()));
+    write_animation(options.frames, frame_count, options.gif, frames_per_second(studio.page()));
   }
   std::cout << options.gif.string() << '\n';
+}
+
+}  // namespace
+
+Picture take_picture(const Options& options) { return Studio(options).take(); }
+
+void write_pictures(const Options& options) {
+  const HeadlessContext context;
+  Studio studio(options);
+  write_pictures(studio, options);
+  if (const std::string& lost = studio.page().content().lost; !lost.empty()) {
+    throw std::runtime_error("the world stands still before a step that loses the finite state: " +
+                             lost);
+  }
 }
 
 }  // namespace cs550::viewer

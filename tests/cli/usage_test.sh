@@ -57,6 +57,13 @@ for path in "" "$long" "$long/a"; do
   prints "DIR: expected "
 done
 prints "302 letters"
+# What the viewer would refuse is refused before it is built.
+for arguments in "--camera=bad" "--camera 1,2,3,4" "--snapshot x.jpg" "--gif x.png" "wlal" "--lab 3 --size 90x90 wlal"; do
+  refuses view $arguments
+  ! grep -q "Building" "$scratch/printed" || wrong "'view $arguments' built first"
+done
+prints 'there is no scene "wlal"'
+
 # A link to itself, and a folder in a device.
 ln -s loop "$scratch/loop"
 for path in "$scratch/loop" "$scratch/loop/part"; do

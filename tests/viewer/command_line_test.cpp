@@ -61,6 +61,8 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
       {{"--camera", "7"}, "--camera=-60,20,8"},
       {{"--camera", "1,89"}, "pitch"},
       {{"--camera", "1,x"}, "'x' is not a number"},
+      {{"--camera", "0,0,1e38"}, "'1e38' is not a number from -1e7 to 1e7"},
+      {{"--camera", "0,0,1e-20"}, "at least 0.001 m"},
       {{"--ui", "maybe"}, "neither on nor off"},
       {{"--lab", "8"}, "--lab"},
       {{"--steps", "-1"}, "--steps"},
@@ -155,6 +157,37 @@ TEST_F(CommandLine, AnAnimationIsAGif) {
   if (outcome.output.find("needs ffmpeg") != std::string::npos) GTEST_SKIP() << outcome.output;
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_EQ(bytes(file("walk.gif")).substr(0, 4), "GIF8");
+}
+
+/// The second run's pictures are fewer than those of the first, and the folder's name has a pattern in it.
+TEST_F(CommandLine, AnAnimationHasThePicturesOfItsRunOnly) {
+  const auto animate = [&](const std::string& frames, const std::string& gif,
+                           const std::string& count) {
+    return view({"--lab", "3", "--size", "160x120", "--ui", "off", "--frames", file(frames),
+                 "--gif", file(gif), "--frame-count", count});
+  };
+  const Outcome outcome = animate("at 100%d *", "long.gif", "5");
+  if (outcome.output.find("needs ffmpeg") != std::string::npos) GTEST_SKIP() << outcome.output;
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  ASSERT_EQ(animate("at 100%d *", "second.gif", "2").exit_code, 0);
+  ASSERT_EQ(animate("fresh", "fresh.gif", "2").exit_code, 0);
+  EXPECT_TRUE(bytes(file("second.gif")) == bytes(file("fresh.gif")));
+  EXPECT_FALSE(bytes(file("long.gif")) == bytes(file("fresh.gif")));
+}
+
+TEST_F(CommandLine, AWorldThatLosesItsFiniteStateFailsAndIsShown) {
+  std::ofstream(file("lost.json")) << R"({"schema": 1, "h": 1, "world": {"gravity": [0, 0, -1e6]},
+    "bodies": [{"shape": {"kind": "box", "half_extents": [1, 1, 1]}, "mass": 9e11}]})";
+  const auto steps = [&](const std::string& count) {
+    return view({file("lost.json"), "--steps", count, "--size", "160x120", "--ui", "off",
+                 "--snapshot", file(count + ".png")});
+  };
+  EXPECT_EQ(steps("1").exit_code, 0);
+  const Outcome outcome = steps("1000");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.output.find("loses the finite state: "), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("body 0"), std::string::npos) << outcome.output;
+  EXPECT_TRUE(fs::exists(file("1000.png")));
 }
 
 TEST_F(CommandLine, HelpFitsEightyColumns) {

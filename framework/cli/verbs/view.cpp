@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <sstream>
 
 #include "cli/command_line.hpp"
 #include "cli/grading/pictures.hpp"
@@ -52,6 +54,73 @@ std::string fault_of_failure(const std::string& test) {
   return "there is no picture of a failing test " + excerpt(test) + existing_pictures();
 }
 
+bool is_number(const std::string& word) {
+  char* end = nullptr;
+  std::strtof(word.c_str(), &end);
+  return !word.empty() && *end == '\0';
+}
+
+std::string fault_of_camera(const std::string& text) {
+  std::istringstream list(text);
+  std::size_t count = 0;
+  for (std::string word; std::getline(list, word, ','); ++count) {
+    if (!is_number(word)) return "--camera: '" + excerpt(word) + "' is not a number";
+  }
+  return count == 2 || count == 3 || count == 6
+             ? ""
+             : "--camera needs 2, 3 or 6 numbers, as in --camera=-60,20,8";
+}
+
+std::string fault_of_ending(const std::string& option, const std::string& file,
+                            const std::string& ending) {
+  return fs::path(file).extension() == ending
+             ? ""
+             : option + ": '" + excerpt(file) + "' must end in " + ending;
+}
+
+std::string fault_of_scene(const std::string& name) {
+  const char* assets = std::getenv("CS550_ASSETS");
+  const fs::path scenes =
+      (assets != nullptr ? fs::path(assets) : project_root() / "framework/assets") / "scenes";
+  std::error_code none;
+  if (fs::exists(scenes / (name + ".json"), none) || fs::exists(name, none)) return "";
+  return "there is no scene \"" + excerpt(name) + "\"\nGive the path of a scene file or one in " +
+         scenes.string();
+}
+
+/// The first word that is neither an option nor the value of one; null if there is none.
+const std::string* scene_of(const Words& words) {
+  const auto takes_value = [](const std::string& word) {
+    return word.rfind("--", 0) == 0 && word.find('=') == std::string::npos && word != "--student" &&
+           word != "--list" && word != "--help";
+  };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (takes_value(words[i])) {
+      ++i;
+    } else if (words[i].rfind('-', 0) != 0) {
+      return &words[i];
+    }
+  }
+  return nullptr;
+}
+
+/// The first mistake that is found without the viewer; empty if there is none.
+std::string fault_of(Words words) {
+  std::string fault;
+  if (const std::string* lab = value_of(words, "--lab")) fault = fault_of_lab_number(*lab);
+  if (const std::string* camera = value_of(words, "--camera"); camera && fault.empty()) {
+    fault = fault_of_camera(*camera);
+  }
+  if (const std::string* file = value_of(words, "--snapshot"); file && fault.empty()) {
+    fault = fault_of_ending("--snapshot", *file, ".png");
+  }
+  if (const std::string* file = value_of(words, "--gif"); file && fault.empty()) {
+    fault = fault_of_ending("--gif", *file, ".gif");
+  }
+  const std::string* scene = scene_of(words);
+  return scene && fault.empty() ? fault_of_scene(*scene) : fault;
+}
+
 int misuse(const std::string& fault) {
   print_error(fault);
   return Misused;
@@ -64,10 +133,8 @@ Action declare_view(CLI::App& app) {
   app.allow_extras();
   return [&app] {
     Words arguments = app.remaining();
-    // The viewer checks its options itself, but it may take a minute to build.
-    if (const std::string* lab = value_of(arguments, "--lab")) {
-      if (const std::string fault = fault_of_lab_number(*lab); !fault.empty()) return misuse(fault);
-    }
+    // The viewer checks its options itself, but it may take minutes to build.
+    if (const std::string fault = fault_of(arguments); !fault.empty()) return misuse(fault);
     if (std::string* test = value_of(arguments, "--failure")) {
       if (const std::string fault = fault_of_failure(*test); !fault.empty()) return misuse(fault);
       *test = picture_of(*test);

@@ -24,6 +24,10 @@ Real focal_length(const Area& area) {
   return Real(0.5) * std::min(area.width, area.height) / std::tan(field_of_view / 2);
 }
 
+/// Beyond the largest scene. The products of a projection stay within float.
+constexpr Real largest_number = Real(1e7);
+constexpr Real nearest = Real(1e-3);  ///< distance of the camera (m)
+
 std::vector<Real> numbers(const std::string& text) {
   std::vector<Real> values;
   std::istringstream words(text);
@@ -35,8 +39,8 @@ std::vector<Real> numbers(const std::string& text) {
     } catch (const std::exception&) {
       used = 0;
     }
-    if (used == 0 || used != word.size() || !std::isfinite(value)) {
-      throw std::invalid_argument("--camera: '" + word + "' is not a number");
+    if (used == 0 || used != word.size() || !(std::abs(value) <= largest_number)) {
+      throw std::invalid_argument("--camera: '" + word + "' is not a number from -1e7 to 1e7");
     }
     values.push_back(value);
   }
@@ -59,7 +63,7 @@ void Camera::pan(const Vec2& pixels, const Area& area) {
   target += scale * (pixels.y() * right.cross(forward) - pixels.x() * right);
 }
 
-void Camera::zoom(Real factor) { distance = std::clamp(distance * factor, Real(1e-3), Real(1e4)); }
+void Camera::zoom(Real factor) { distance = std::clamp(distance * factor, nearest, Real(1e4)); }
 
 Camera seen_from(Real yaw, Real pitch) {
   Camera camera;
@@ -87,7 +91,7 @@ Camera parse_camera(const std::string& text, Camera camera) {
   camera.yaw = values[0] * degree;
   camera.pitch = values[1] * degree;
   if (values.size() > 2) {
-    if (values[2] <= 0) throw std::invalid_argument("the distance is more than 0 m");
+    if (values[2] < nearest) throw std::invalid_argument("the distance is at least 0.001 m");
     camera.distance = values[2];
   }
   if (values.size() > 3) camera.target = {values[3], values[4], values[5]};

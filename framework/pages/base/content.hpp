@@ -27,6 +27,7 @@ struct Content {
   int step_count = 0;                ///< number of steps in the page's walk
   Focus focus;                       ///< the initial view
   std::string problem;               ///< why there is no picture: an unwritten or failed stage
+  std::string lost;                  ///< why the world stands still; empty while it moves
 };
 
 }  // namespace cs550::pages

@@ -103,8 +103,8 @@ void serialize(Archive& archive, Fact& fact) {
 
 template <class Archive>
 void serialize(Archive& archive, Content& content) {
-  auto& [solids, drawing, plots, facts, step_count, focus, problem] = content;
-  archive(solids, drawing, plots, facts, step_count, focus, problem);
+  auto& [solids, drawing, plots, facts, step_count, focus, problem, lost] = content;
+  archive(solids, drawing, plots, facts, step_count, focus, problem, lost);
 }
 
 }  // namespace cs550::pages

@@ -140,6 +140,7 @@ void Simulation::describe(WorldFrame& frame) {
   }
   frame.tree = inner_nodes(world_->broad_phase());
   frame.problems = messages(lost_.empty() ? world_->problems() : std::span(lost_));
+  frame.is_lost = !lost_.empty();
   frame.step = world_->step_count();
   frame.time = world_->time();
 }

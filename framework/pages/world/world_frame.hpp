@@ -74,6 +74,7 @@ struct WorldFrame {
   std::vector<Bounds> tree;           ///< inner nodes of the broad phase (m)
   std::vector<StepSample> samples;    ///< of the last steps
   std::vector<std::string> problems;  ///< unwritten or failed stages
+  bool is_lost = false;               ///< whether the next step would lose the finite state
   std::int64_t step = 0;              ///< number of steps since the beginning
   double time = 0;                    ///< simulated (s)
 };
@@ -112,9 +113,9 @@ void serialize(Archive& archive, StepSample& sample) {
 template <class Archive>
 void serialize(Archive& archive, WorldFrame& frame) {
   auto& [scene, meshes, mesh_of_body, bodies, is_alive, contacts, bounds, tree, samples, problems,
-         step, time] = frame;
+         is_lost, step, time] = frame;
   archive(scene, meshes, mesh_of_body, bodies, is_alive, contacts, bounds, tree, samples, problems,
-          step, time);
+          is_lost, step, time);
 }
 
 }  // namespace cs550::pages

@@ -153,6 +153,7 @@ void WorldPage::refresh() {
                                       {drawing::Role::Highlight, Real(2.5), true, false}});
   }
   for (const std::string& problem : frame_.problems) content_.drawing.notes.push_back(problem);
+  if (frame_.is_lost) content_.lost = frame_.problems.front();
   content_.plots = world_plots(history_, shows_times_);
   content_.facts = facts();
 }
