@@ -50,7 +50,6 @@ void unpack(const std::string& tree, const fs::path& folder) {
   try {
     output_of({"git", "archive", "--format=tar", "-o", archive, tree}, project_root());
   } catch (const std::runtime_error& error) {
-    files::throw_if_interrupted();
     throw std::runtime_error("the students' copy is made from a git commit. " +
                              std::string(error.what()));
   }
@@ -302,7 +301,13 @@ int run_starter(const StarterOptions& options) {
   const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
   if (const std::string fault = fault_of_folder(folder); !fault.empty()) return refuse(fault);
   files::watch_for_interruption();
-  return options.update ? renew_copy(options, folder) : make_copy(options, folder);
+  try {
+    return options.update ? renew_copy(options, folder) : make_copy(options, folder);
+  } catch (const std::exception&) {
+    files::
+        throw_if_interrupted();  // Ctrl-C ends git and CMake as well: their failure is not the reason
+    throw;
+  }
 }
 
 }  // namespace
