@@ -1,5 +1,5 @@
 /// @file half_edge_mesh.cpp
-/// Lab 2, reference, L2.1 to L2.5: from triangles to a closed mesh.
+/// Lab 2, reference, L2.1 to L2.5: from triangles to a closed mesh. L2.6 to L2.9 are in merging.cpp.
 
 #include "cs550/half_edge_mesh.hpp"
 

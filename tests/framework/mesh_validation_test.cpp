@@ -254,5 +254,13 @@ TEST_F(BrokenMesh, ToleranceIsRelativeToTheSize) {
   }
 }
 
+TEST(MeshIssue, DoesNotPrintAnIndexThatWasNotGiven) {
+  MeshIssue issue;
+  issue.error = MeshError::OpenEdge;
+  EXPECT_EQ(describe(issue).find("-1"), std::string::npos) << describe(issue);
+  issue.triangle = 3;
+  EXPECT_NE(describe(issue).find("triangle 3 only"), std::string::npos) << describe(issue);
+}
+
 }  // namespace
 }  // namespace cs550::test

@@ -3,7 +3,7 @@
 namespace cs550 {
 namespace {
 
-std::string number(Index i) { return std::to_string(i); }
+std::string number(Index i) { return i == no_index ? "(none named)" : std::to_string(i); }
 
 }  // namespace
 
