@@ -14,6 +14,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --milestones) milestones=yes; shift; continue ;;
     --own-tests) own_tests=yes; shift; continue ;;
+    --challenge) challenge=yes; shift; continue ;;
     --submission) submission=$2 ;;
     --results) results=$2 ;;
     --work) work=$2 ;;
@@ -51,7 +52,7 @@ if [ -n "${milestones-}" ]; then
   exit
 fi
 [ -z "${FAKE_LOG-}" ] || echo "lab $lab" >>"$FAKE_LOG"
-printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${salt:-published}" '
+printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${salt:-published}" -v challenge="${challenge-}" '
   FILENAME == "-" { if ($1 == "fails") fails[$2] = 1; if ($0 == "no compile") broken = 1; next }
   /"name":/ { split($0, part, "\""); name = part[4] }
   /"points": [0-9]/ { gsub(/[^0-9]/, ""); points = $0 }
@@ -67,5 +68,6 @@ printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${salt:-published}" '
     printf "{\"lab\":%d,\"isolation\":\"fake\",\"compiler\":\"fake 1.0\",\"seed\":\"%s\",", lab, seed
     printf "\"compile\":{\"ok\":%s,\"seconds\":1.5,\"errors\":\"%s\"},\n", broken ? "false" : "true",
       broken ? "a.cpp:1: error: expected <;>" : ""
+    if (challenge) printf "\"challenge\":[{\"what\":\"things\",\"better\":\"fewer\",\"count\":42}],\n"
     printf "\"tests\":[%s]}\n", tests
   }' - "$root"/tests/lab"$lab"_*/manifest.json >"$results"

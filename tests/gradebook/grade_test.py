@@ -171,6 +171,16 @@ def test_own_tests_are_a_bonus(folder):
     assert grades(out)["ada"]["lab3"] == "102"
 
 
+def test_challenges_are_counted_for_the_leaderboard_only(folder):
+    pack(folder / "class/ada.zip", {HILL: "// a"})
+    course = folder / "course.toml"
+    course.write_text('leaderboard = ["challenge"]\n')
+    grade(folder / "class", "--out", folder / "out", "--labs", "3", "--course", course)
+    assert lab(folder / "out", "ada", 3)["challenge"] == [{"what": "things", "better": "fewer", "count": 42}]
+    grade(folder / "class", "--out", folder / "without", "--labs", "3")
+    assert "challenge" not in lab(folder / "without", "ada", 3)
+
+
 def test_a_missing_file_is_the_starter(folder):
     pack(folder / "class/ada.zip", {"merging.cpp": "// mine"})
     pack(folder / "class/bob.zip", {"labs/lab2_half_edge_mesh/merging.cpp": "// both in one file"})

@@ -10,6 +10,7 @@
 #include "gradebook/course/course_file.hpp"
 #include "gradebook/marks/pseudonyms.hpp"
 #include "gradebook/records/merge.hpp"
+#include "gradebook/records/record_json.hpp"
 #include "gradebook/reports/class_page.hpp"
 #include "gradebook/reports/classroom.hpp"
 #include "gradebook/reports/feedback.hpp"
@@ -64,6 +65,19 @@ TEST(Gradescope, HasTheFieldsOfItsFormat) {
   EXPECT_EQ(json.at("leaderboard")[0].at("name"), "Points");
   EXPECT_EQ(json.at("leaderboard")[1].at("order"), "asc");
   EXPECT_EQ(json.at("extra_data").at("submission"), "ada");
+}
+
+TEST(Gradescope, RanksTheChallengesOfFinishedLabs) {
+  LabRecord lab = lab_record(24, 24, 12);
+  lab.challenge = {{"vertices visited", true, 42}, {"ids kept", false, 7}};
+  const Course course = course_of("leaderboard = ['challenge', 'points']\n");
+  const Record record = record_of("ada", lab_from_json(to_json(lab), "a record"));
+  const Json board =
+      Json::parse(gradescope_json(mark_of(record, course), course)).at("leaderboard");
+  ASSERT_EQ(board.size(), 3U);
+  EXPECT_EQ(board[0], (Json{{"name", "Lab 3: vertices visited"}, {"value", 42}, {"order", "asc"}}));
+  EXPECT_EQ(board[1], (Json{{"name", "Lab 3: ids kept"}, {"value", 7}, {"order", "desc"}}));
+  EXPECT_EQ(board[2].at("name"), "Points");
 }
 
 TEST(Junit, CountsVerdictsAndShowsPoints) {

@@ -76,7 +76,7 @@ struct Course {
   std::string secret;                 ///< seeds derive from it; empty: the published seeds
   std::optional<int> retention_days;  ///< how long records are kept
   Attempt attempt = Attempt::Best;
-  std::vector<std::string> leaderboard;  ///< "points", "seconds"; empty: none
+  std::vector<std::string> leaderboard;  ///< "points", "seconds", "challenge"; empty: none
   Limits limits;
   Visibility visible_tests = Visibility::Visible;
   Visibility hidden_tests = Visibility::AfterPublished;
@@ -89,6 +89,8 @@ struct Course {
 
   /// Of a lab; the default for one that is not listed.
   LabSettings lab(int number) const;
+  /// Whether the leaderboard shows the challenges of the labs.
+  bool counts_challenges() const;
   /// The lab's limits, filled up with the course's.
   Limits limits_of(int number) const;
 };

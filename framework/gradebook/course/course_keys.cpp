@@ -28,6 +28,7 @@ CourseKey choice(std::string_view name, Words choices, bool is_required = false)
   return {name, ValueKind::Choice, 0, 0, std::move(choices), is_required};
 }
 
+const Words leaderboards{"points", "seconds", "challenge"};
 const Words visibilities{"visible", "hidden", "after_due_date", "after_published"};
 
 std::vector<CourseTable> make_tables() {
@@ -37,7 +38,7 @@ std::vector<CourseTable> make_tables() {
             text("secret"),
             whole("retention_days", 1, 36500),
             choice("attempt", {"best", "last"}),
-            {"leaderboard", ValueKind::ListOfChoices, 0, 0, {"points", "seconds"}, false}},
+            {"leaderboard", ValueKind::ListOfChoices, 0, 0, leaderboards, false}},
            R"(title = "Rigid bodies, autumn 2026"
 secret = "a sentence that no student can guess"
 retention_days = 400

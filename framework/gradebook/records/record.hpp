@@ -23,6 +23,13 @@ struct TestResult {
   std::string picture;  ///< of the case that fails, as SVG; empty for most tests
 };
 
+/// What a challenge counts on a submission that passes every test of the lab.
+struct ChallengeResult {
+  std::string what;  ///< "vertices visited by 2000 climbs from the same vertex"
+  bool fewer_is_better = true;
+  long count = 0;
+};
+
 /// What the tests that a student has written are worth.
 struct OwnTests {
   bool compiled = false;
@@ -47,6 +54,7 @@ struct LabRecord {
   std::vector<TestResult> tests;
   std::optional<OwnTests>
       own_tests;  ///< empty without them, or if the course has no points for them
+  std::vector<ChallengeResult> challenge;  ///< empty if the leaderboard does not show it
   /// Why the grader itself failed. The lab has no mark then; empty if it was graded.
   std::string not_graded;
 

@@ -55,6 +55,25 @@ OwnTests own_tests_of(const Json& json) {
   return own;
 }
 
+Json json_of(const std::vector<ChallengeResult>& challenge) {
+  Json rows = Json::array();
+  for (const ChallengeResult& one : challenge) {
+    rows.push_back({{"what", one.what},
+                    {"better", one.fewer_is_better ? "fewer" : "more"},
+                    {"count", one.count}});
+  }
+  return rows;
+}
+
+/// Of a lab's record or of the judge's result. Most have none.
+std::vector<ChallengeResult> challenge_of(const Json& lab) {
+  std::vector<ChallengeResult> challenge;
+  for (const Json& row : lab.value("challenge", Json::array())) {
+    challenge.push_back({row.at("what"), row.at("better") == "fewer", row.at("count")});
+  }
+  return challenge;
+}
+
 Json json_of(const LabRecord& lab) {
   Json tests = Json::array();
   for (const TestResult& test : lab.tests) tests.push_back(json_of(test));
@@ -75,6 +94,7 @@ Json json_of(const LabRecord& lab) {
       {"tests", tests}};
   if (!lab.same_as.empty()) json["same_as"] = lab.same_as;
   if (lab.own_tests) json["own_tests"] = json_of(*lab.own_tests);
+  if (!lab.challenge.empty()) json["challenge"] = json_of(lab.challenge);
   return json;
 }
 
@@ -95,6 +115,7 @@ LabRecord lab_of(const Json& json) {
   lab.tests = tests_of(json);
   lab.same_as = json.value("same_as", "");
   if (json.contains("own_tests")) lab.own_tests = own_tests_of(json.at("own_tests"));
+  lab.challenge = challenge_of(json);
   return lab;
 }
 
@@ -185,6 +206,7 @@ LabRecord lab_from_judge(const std::string& text, const std::string& file) {
     lab.compile_errors =
         shortened(json.at("compile").at("errors").get<std::string>(), longest_errors);
     lab.tests = tests_of(json);
+    lab.challenge = challenge_of(json);
     return lab;
   });
 }

@@ -40,11 +40,24 @@ Json test_json(const TestResult& test, double scale, const Course& course) {
           {"tags", {test.step, test.hidden ? "hidden" : "visible"}}};
 }
 
-Json leaderboard(const Course& course, double score, double seconds) {
+/// The challenges of the labs that pass every test.
+void add_challenges(const StudentMark& mark, const Record& record, Json& board) {
+  for (const LabMark& lab : mark.labs) {
+    for (const ChallengeResult& one : record.lab(lab.lab)->challenge) {
+      board.push_back({{"name", fmt::format("Lab {}: {}", lab.lab, one.what)},
+                       {"value", one.count},
+                       {"order", one.fewer_is_better ? "asc" : "desc"}});
+    }
+  }
+}
+
+Json leaderboard(const StudentMark& mark, const Course& course, double score, double seconds) {
   Json board = Json::array();
   for (const std::string& entry : course.leaderboard) {
     if (entry == "points") {
       board.push_back({{"name", "Points"}, {"value", rounded(score)}, {"order", "desc"}});
+    } else if (entry == "challenge") {
+      add_challenges(mark, *mark.student.records.front(), board);
     } else {
       board.push_back({{"name", "Seconds"}, {"value", rounded(seconds)}, {"order", "asc"}});
     }
@@ -97,7 +110,7 @@ std::string gradescope_json(const StudentMark& mark, const Course& course) {
       {"stdout_visibility", "hidden"},
       {"tests", tests},
       {"extra_data", {{"submission", record.hash}, {"project", record.project}, {"labs", labs}}}};
-  if (!course.leaderboard.empty()) json["leaderboard"] = leaderboard(course, score, seconds);
+  if (!course.leaderboard.empty()) json["leaderboard"] = leaderboard(mark, course, score, seconds);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

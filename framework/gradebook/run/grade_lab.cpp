@@ -44,6 +44,7 @@ std::vector<std::string> command_for(const CatalogueLab& lab, const Course& cour
       "--results",    folder / "result.json",
       "--isolation",  judge.isolation};
   if (lab.is_engine()) command.emplace_back("--milestones");
+  if (course.counts_challenges()) command.emplace_back("--challenge");
   if (!course.secret.empty()) command.insert(command.end(), {"--salt", seed_salt(course.secret)});
   const Limits limits = course.limits_of(lab.number);
   add_limit(command, "--wall", limits.wall);
@@ -159,6 +160,7 @@ std::string result_key(int lab, const LabFiles& files, const Course& course, con
                                  course.secret,        number(limits.wall), number(limits.cpu),
                                  number(limits.memory)};
   if (has_own_tests(lab, files, course)) parts.emplace_back("own tests");
+  if (course.counts_challenges()) parts.emplace_back("challenge");
   for (const SourceFile& file : files.files) {
     parts.push_back(file.path);
     parts.push_back(file.text);

@@ -84,14 +84,18 @@ Json read_json(const fs::path& file) {
   return Json::parse(stream, nullptr, false);
 }
 
+std::vector<std::string> judge_environment(const Order& order, const fs::path& work,
+                                           std::uint32_t salt) {
+  return {order.to_environment(), "CS550_PICTURES=" + (work / "pictures").string(),
+          "CS550_SEED_SALT=" + std::to_string(salt)};
+}
+
 }  // namespace
 
 Json run_judge(const Order& order, std::size_t tests, const std::string& filter,
                const fs::path& work) {
   const std::string suite = order.lab == 0 ? "Milestone." : "Lab" + std::to_string(order.lab) + ".";
-  std::vector<std::string> environment{order.to_environment(),
-                                       "CS550_PICTURES=" + (work / "pictures").string(),
-                                       "CS550_SEED_SALT=" + std::to_string(order.salt)};
+  const std::vector<std::string> environment = judge_environment(order, work, order.salt);
   if (!fs::exists(judge_program(order.lab))) {
     throw std::runtime_error(judge_program(order.lab).string() +
                              " is missing; build it: ./cs550 build test judges");
@@ -112,6 +116,16 @@ Json run_judge(const Order& order, std::size_t tests, const std::string& filter,
     }
   }
   return rows;
+}
+
+Json run_challenge(const Order& order, const fs::path& work) {
+  constexpr std::uint32_t published_seeds = 0;
+  const fs::path counts = work / "challenge.json";
+  run({judge_program(order.lab).string(), "--challenge"},
+      judge_environment(order, work, published_seeds), work, counts,
+      Watch(counts, order.wall + own_time));
+  const Json rows = read_json(counts);
+  return rows.is_array() ? rows : Json::array();
 }
 
 }  // namespace cs550::grader

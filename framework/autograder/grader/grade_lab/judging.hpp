@@ -19,4 +19,8 @@ namespace cs550::grader {
 nlohmann::json run_judge(const Order& order, std::size_t tests, const std::string& filter,
                          const std::filesystem::path& work);
 
+/// Counts the challenges of a lab on the submission, with the published seeds, so that a student's own counts are
+/// the same. @return [{what, better, count}]; empty if the submission fails meanwhile
+nlohmann::json run_challenge(const Order& order, const std::filesystem::path& work);
+
 }  // namespace cs550::grader

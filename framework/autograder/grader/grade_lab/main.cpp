@@ -34,6 +34,8 @@ CLI::App* add_options(CLI::App& app, Options& options) {
                "folder with a folder labN_topic for each");
   app.add_flag("--own-tests", options.own_tests,
                "grade my_tests.cpp, the student's own tests, by the known mistakes that it finds");
+  app.add_flag("--challenge", options.challenge,
+               "once every test passes, count the lab's challenge too");
   app.add_option("--submission", options.submission, "folder with the lab's files")
       ->required()
       ->check(CLI::ExistingDirectory);
@@ -137,19 +139,23 @@ Json grade(const Options& options) {
   }
   add_picture(records, work / "pictures");
   const Json all = sum_of(records, [](const Json&) { return true; });
-  return {{"lab", options.lab},
-          {"isolation", to_string(order.isolation)},
-          {"compiler", CS550_COMPILER_NAME},
-          {"seed", options.salt == 0 ? "published" : "salt " + std::to_string(options.salt)},
-          {"compile",
-           {{"ok", compilation.succeeded},
-            {"seconds", compilation.seconds},
-            {"errors", compilation.errors}}},
-          {"tests", records},
-          {"points", all.at("points")},
-          {"earned", all.at("earned")},
-          {"visible", sum_of(records, [](const Json& test) { return !test.at("hidden"); })},
-          {"hidden", sum_of(records, [](const Json& test) -> bool { return test.at("hidden"); })}};
+  Json result{
+      {"lab", options.lab},
+      {"isolation", to_string(order.isolation)},
+      {"compiler", CS550_COMPILER_NAME},
+      {"seed", options.salt == 0 ? "published" : "salt " + std::to_string(options.salt)},
+      {"compile",
+       {{"ok", compilation.succeeded},
+        {"seconds", compilation.seconds},
+        {"errors", compilation.errors}}},
+      {"tests", records},
+      {"points", all.at("points")},
+      {"earned", all.at("earned")},
+      {"visible", sum_of(records, [](const Json& test) { return !test.at("hidden"); })},
+      {"hidden", sum_of(records, [](const Json& test) -> bool { return test.at("hidden"); })}};
+  const bool is_finished = options.filter == "*" && all.at("earned") == all.at("points");
+  if (options.challenge && is_finished) result["challenge"] = run_challenge(order, work);
+  return result;
 }
 
 }  // namespace

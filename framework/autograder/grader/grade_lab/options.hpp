@@ -14,6 +14,7 @@ struct Options {
   int lab = 0;
   bool milestones = false;
   bool own_tests = false;
+  bool challenge = false;
   std::filesystem::path submission;
   std::filesystem::path work;
   std::filesystem::path results;
