@@ -23,6 +23,9 @@ add_library(cs550_warnings INTERFACE)
 if(NOT CS550_STUDENTS_COPY)
   target_compile_options(cs550_warnings INTERFACE -Wall -Wextra -Wpedantic
                          $<$<BOOL:${CS550_WERROR}>:-Werror>)
+  # A judge runs given code and tests on what a submission returned: a wrong index must end the test and
+  # not read memory.
+  target_compile_definitions(cs550_warnings INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 endif()
 
 # All functions of a lab are declared in its header. Another one is a mistyped signature, or a helper

@@ -72,6 +72,9 @@ def faults(attack, record):
     elif earned != "some" and record["earned"] != earned:
         passed = [test["name"] for test in record["tests"] if test["earned"]]
         yield f"earned {record['earned']}, not {earned}: {passed}"
+    broken = [test["name"] for test in record["tests"] if test["message"] == "the judge ended during this test"]
+    if broken:
+        yield f"the judge ended in {broken}"
     status = record["tests"][0]["status"]
     if attack.get("status", status) != status:
         yield f"its first test is {status}: {record['tests'][0]['message'][:200]}"

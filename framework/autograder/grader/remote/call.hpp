@@ -10,6 +10,7 @@
 
 #include "autograder/grader/judge/submission.hpp"
 #include "autograder/grader/message.hpp"
+#include "autograder/grader/remote/answer_indices.hpp"
 #include "serialisation/arguments.hpp"
 
 namespace cs550::grader {
@@ -36,6 +37,8 @@ void take_output(serialisation::ByteReader& answer, P original) {
   if constexpr (Parameter::is_output) {
     typename Parameter::Stored changed;
     answer(changed);
+    const typename Parameter::Stored& was = Parameter::store(original);
+    keep_bodies(was, changed);
     Parameter::assign(original, std::move(changed));
   }
 }
@@ -49,6 +52,7 @@ R take_answer(serialisation::ByteReader& answer, P... arguments) {
     R result;
     answer(result);
     (take_output<P>(answer, arguments), ...);
+    check_indices(result, arguments...);
     return result;
   }
 }

