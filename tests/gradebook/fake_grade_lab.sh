@@ -1,5 +1,6 @@
 #!/bin/sh
 # fake_grade_lab.sh N --submission FOLDER --work FOLDER --results FILE ...
+# fake_grade_lab.sh --probe KIND
 # Takes the place of grade_lab: writes a result of the same form, without compiling anything. Comments in the
 # submission decide it:
 #   // fake: fails NAME      the test LabN.NAME fails
@@ -8,6 +9,11 @@
 #   // fake: sleeps SECONDS
 #   // fake: catches NUMBER           with --own-tests, of 20 mistakes; without it, the reference fails
 #   // fake: misses lab3_ghosts      with --milestones, that milestone is not reached
+if [ "$1" = --probe ]; then
+  [ -z "${FAKE_UNPROTECTED-}" ] || { echo "no isolation works" >&2; exit 1; }
+  echo fake
+  exit
+fi
 lab=$1
 shift
 while [ $# -gt 0 ]; do

@@ -98,6 +98,18 @@ def test_a_class_is_graded(folder):
     no_work_is_left(out)
 
 
+def test_the_isolation_in_force_is_reported(folder):
+    small_class(folder / "class")
+    assert "Isolation of submissions: fake." in grade(folder / "class", "--out", folder / "out", "--labs", "3")
+    assert "Isolation of submissions: fake." in (folder / "out/class.html").read_text()
+    os.environ["FAKE_UNPROTECTED"] = "1"
+    try:
+        printed = grade(folder / "class", "--out", folder / "unprotected", "--labs", "3", code=1)
+    finally:
+        del os.environ["FAKE_UNPROTECTED"]
+    assert "no isolation works" in printed and not (folder / "unprotected").exists(), printed
+
+
 def test_equal_files_are_graded_once(folder):
     for student in ("ada", "bob", "eve"):
         pack(folder / "class" / f"{student}.zip", {HILL: "// the same", "notes.txt": student})

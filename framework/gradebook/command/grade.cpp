@@ -37,6 +37,14 @@ std::string project_version(const fs::path& root) {
   }
 }
 
+/// The isolation of submissions on this machine. @throws std::runtime_error if it does not work, or
+/// would not keep a submission from stealing points
+std::string isolation_in_force(const GradeRequest& request) {
+  std::string kind = cli::output_of({request.judge, "--probe", request.isolation});
+  while (!kind.empty() && kind.back() == '\n') kind.pop_back();
+  return kind;
+}
+
 std::vector<int> numbers_of(const Catalogue& catalogue) {
   std::vector<int> numbers;
   for (const auto& [number, lab] : catalogue) numbers.push_back(number);
@@ -145,6 +153,7 @@ bool grade(const GradeRequest& request) {
     std::cout << fmt::format("skipped: {}: {}\n", file.path, file.reason);
   }
 
+  const std::string isolation = isolation_in_force(request);
   const FolderLock lock(request.out);
   const RecordFolder folder(request.out);
   if (!request.resume && folder.has_records()) {
@@ -154,7 +163,7 @@ bool grade(const GradeRequest& request) {
   }
   keep_settings(settings, request.out);
   const Judge judge{request.judge, request.root / "labs", fs::absolute(request.out) / "work",
-                    project_version(request.root), request.isolation};
+                    project_version(request.root), isolation};
   std::optional<Temporary> work(judge.work);
   const auto start = std::chrono::steady_clock::now();
   // Where the solutions have been removed (gradescope/setup.sh), the reference has been graded
@@ -185,6 +194,7 @@ bool grade(const GradeRequest& request) {
   write_reports(request.out, records, settings.roster, settings.course);
   print_troubles(records);
   print_expired(folder, settings.course);
+  std::cout << fmt::format("Isolation of submissions: {}.\n", isolation);
   std::cout << fmt::format("The marks are in {}, the overview in {}.\n",
                            (request.out / "grades.csv").string(),
                            (request.out / "class.html").string());

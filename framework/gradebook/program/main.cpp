@@ -110,7 +110,8 @@ void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
   app.add_option("--course", request.course, "settings of the course: weights, due dates, limits")
       ->option_text("FILE")
       ->check(CLI::ExistingFile);
-  app.add_option("--isolation", request.isolation, "auto, bubblewrap or plain")
+  app.add_option("--isolation", request.isolation,
+                 "bubblewrap, plain, or auto: the best that protects the marks here")
       ->option_text("KIND")
       ->check(CLI::IsMember({"auto", "bubblewrap", "plain"}));
   app.add_option("--judge", request.judge,

@@ -1,8 +1,10 @@
 #include "gradebook/reports/class_page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "gradebook/reports/page.hpp"
 #include "gradebook/reports/statistics.hpp"
@@ -170,6 +172,18 @@ std::string oddities(const ClassStatistics& statistics) {
   return text;
 }
 
+/// How the submissions were kept from the machine: "bubblewrap", or several kinds.
+std::string isolations(const std::vector<StudentMark>& marks) {
+  std::set<std::string> kinds;
+  for (const StudentMark& mark : marks) {
+    for (const Record* record : mark.student.records) {
+      for (const LabRecord& lab : record->labs) kinds.insert(lab.isolation);
+    }
+  }
+  kinds.erase("");
+  return fmt::format("{}", fmt::join(kinds, ", "));
+}
+
 }  // namespace
 
 std::string class_page(const std::vector<StudentMark>& marks, const std::vector<int>& labs,
@@ -179,6 +193,9 @@ std::string class_page(const std::vector<StudentMark>& marks, const std::vector<
                                      [](const StudentMark& mark) { return mark.is_missing(); });
   std::string body = fmt::format("<h1>{}</h1>\n<p>{} students, {} without a submission.</p>\n",
                                  html(course.title), marks.size(), missing);
+  if (const std::string kinds = isolations(marks); !kinds.empty()) {
+    body += "<p class=\"faint\">Isolation of submissions: " + html(kinds) + ".</p>\n";
+  }
   body += "<h2>Distribution</h2>\n" + lab_cards(statistics.labs);
   body += "<h2>Hardest tests</h2>\n" + test_tables(statistics.tests);
   if (!statistics.milestones.empty()) {

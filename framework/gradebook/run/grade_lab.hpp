@@ -20,7 +20,7 @@ struct Judge {
   std::filesystem::path starters;  ///< labs/ of the project
   std::filesystem::path work;      ///< a new folder for each lab is made here
   std::string project;             ///< commit
-  std::string isolation = "auto";  ///< auto, bubblewrap or plain
+  std::string isolation;           ///< of submissions: bubblewrap or plain
 };
 
 /// The files of one lab as they are graded.

@@ -1,8 +1,14 @@
 # Builds the judge of a lab and grades a folder with it. Run with -DLAB=N -DBUILD=FOLDER -DGRADE_LAB=PROGRAM
-# -DFILES=FOLDER -DRECORD=FILE; the environment variable CS550_SUBMISSION names another folder to grade.
+# -DFILES=FOLDER -DRECORD=FILE; the environment variable CS550_SUBMISSION names another folder to grade,
+# and CS550_ISOLATION another isolation than `auto`.
 file(REMOVE "${RECORD}")
 if(DEFINED ENV{CS550_SUBMISSION})
   set(FILES "$ENV{CS550_SUBMISSION}")
+endif()
+
+set(isolation auto)
+if(DEFINED ENV{CS550_ISOLATION})
+  set(isolation "$ENV{CS550_ISOLATION}")
 endif()
 
 function(run)
@@ -13,5 +19,6 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --build "${BUILD}" --target grade_lab lab${LAB}_judge)
-run("${GRADE_LAB}" ${LAB} --submission "${FILES}" --work "${BUILD}/judged/lab${LAB}" --results "${RECORD}")
+run("${GRADE_LAB}" ${LAB} --submission "${FILES}" --work "${BUILD}/judged/lab${LAB}" --results "${RECORD}"
+    --isolation "${isolation}")
 message("The record is ${RECORD}")

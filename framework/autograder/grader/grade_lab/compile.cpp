@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -17,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kept_errors = 64U << 10U;  ///< bytes of what the compiler prints
-constexpr std::size_t shown_errors = 4096;       ///< bytes of it that are reported
+constexpr std::size_t kept_errors = 256U << 10U;  ///< bytes of what the compiler prints
+constexpr std::size_t shown_errors = 4096;        ///< bytes of it that are reported
 constexpr std::uintmax_t largest_file = 1U << 20U;
 constexpr int most_files = 100;
 
@@ -27,19 +29,18 @@ struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A folder that every user can reach, which is removed at the end.
+/// A folder that only we and the compiler can enter, which is removed at the end.
 class Stage {
  public:
-  Stage() {
+  explicit Stage(Isolation isolation) {
     std::string name = (fs::temp_directory_path() / "cs550_grade.XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) {
       throw std::system_error(errno, std::generic_category(), name);
     }
     path_ = name;
-    fs::permissions(path_, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
-                               fs::perms::others_read | fs::perms::others_exec);
     fs::create_directory(path_ / "out");
-    fs::permissions(path_ / "out", fs::perms::all);
+    fs::permissions(path_ / "out", fs::perms::owner_all);
+    if (isolation == Isolation::Plain && geteuid() == 0) open_to_nobody();
   }
   ~Stage() {
     std::error_code ignored;
@@ -50,6 +51,16 @@ class Stage {
   const fs::path& path() const { return path_; }
 
  private:
+  /// The compiler then runs as another user, who may write to out/ only.
+  void open_to_nobody() const {
+    constexpr unsigned nobody = 65534;
+    fs::permissions(path_, fs::perms::group_read | fs::perms::group_exec, fs::perm_options::add);
+    if (chown(path_.c_str(), 0, nobody) != 0 ||
+        chown((path_ / "out").c_str(), nobody, nobody) != 0) {
+      throw std::system_error(errno, std::generic_category(), path_.string());
+    }
+  }
+
   fs::path path_;
 };
 
@@ -100,7 +111,33 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-/// Runs compiler and linker on the stage.
+/// A file that was read must be the system's, the contract's or the submission's.
+void check_file(const std::string& file, const fs::path& stage) {
+  const std::string name = (stage / file).lexically_normal().string();
+  if (name.starts_with("/usr/") || name.starts_with(stage.string() + '/')) return;
+  throw Refusal("the submission reads a file that is not part of it: " + file);
+}
+
+/// What the compiler printed, without the names of the files that it included (-H: ". NAME", or
+/// "! NAME" if it is precompiled). A name comes before all that is quoted of the file, so that nothing
+/// is quoted of a file that is not the submission's. @throws Refusal for such a file
+std::string checked_output(const std::string& output, const fs::path& stage) {
+  std::string messages;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t depth = line.find_first_not_of(".!x");
+    const bool is_include = depth != 0 && depth != std::string::npos && line[depth] == ' ';
+    const bool is_whole = !lines.eof();  // what does not fit is cut
+    if (is_include && is_whole) {
+      check_file(line.substr(depth + 1), stage);
+    } else {
+      messages += line + '\n';
+    }
+  }
+  return messages;
+}
+
+/// Runs compiler, assembler and linker on the stage.
 class Compiler {
  public:
   Compiler(fs::path stage, Isolation isolation, const Limits& limits) {
@@ -119,33 +156,57 @@ class Compiler {
     command_.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "TMPDIR=out"};
   }
 
-  /// @throws Refusal with what it printed
-  void run(const std::string& options, const std::vector<std::string>& more) {
-    command_.words = words(CS550_COMPILER " " + options);
-    command_.words.insert(command_.words.end(), more.begin(), more.end());
-    Process process(command_, kept_errors);
-    const bool in_time = process.wait(command_.limits.cpu + std::chrono::seconds(5));
-    process.kill();
-    if (!in_time) throw Refusal("the compiler did not end in time\n" + process.output());
-    if (!process.succeeded()) throw Refusal(process.output() + process.ending());
+  /// From C++ to assembler. @throws Refusal with what it printed
+  void compile(const fs::path& file, const std::string& options, const std::string& object) {
+    std::vector<std::string> arguments = words(options);
+    arguments.insert(arguments.end(),
+                     {"-H", "-MF", object + ".d", "-S", file.string(), "-o", object + ".s"});
+    if (const std::optional<std::string> printed = failure(arguments)) {
+      throw Refusal(checked_output(*printed, command_.folder));
+    }
+  }
+
+  /// From assembler to an object file. What the assembler prints is not reported: it can be made to
+  /// quote a file without naming it. @throws Refusal
+  void assemble(const std::string& object) {
+    if (failure({"-Wa,--MD=" + object + ".s.d", "-c", object + ".s", "-o", object + ".o"})) {
+      throw Refusal("the assembler fails on an asm statement");
+    }
+  }
+
+  /// @throws Refusal with what the linker printed
+  void link(const std::vector<std::string>& objects, const std::string& library) {
+    std::vector<std::string> arguments =
+        words("-shared -Wl,-Bsymbolic -Wl,--version-script=exports.map");
+    arguments.insert(arguments.end(), objects.begin(), objects.end());
+    arguments.insert(arguments.end(), {"-o", library});
+    if (const std::optional<std::string> printed = failure(arguments)) throw Refusal(*printed);
   }
 
  private:
+  /// @return what it printed; nothing if it succeeded
+  std::optional<std::string> failure(const std::vector<std::string>& arguments) {
+    command_.words = {CS550_COMPILER};
+    command_.words.insert(command_.words.end(), arguments.begin(), arguments.end());
+    Process process(command_, kept_errors);
+    const bool in_time = process.wait(command_.limits.cpu + std::chrono::seconds(5));
+    process.kill();
+    if (in_time && process.succeeded()) return {};
+    if (!in_time) return "the compiler did not end in time\n" + process.output();
+    return process.output() + process.ending();
+  }
+
   Command command_;
 };
 
-/// Everything that was read, as the compiler and the assembler list it, must be the system's, the
-/// contract's or the submission's. Where the sandbox hides all other files there is nothing to find.
+/// Checks everything that was read, as the compiler and the assembler list it. Where the sandbox hides
+/// all other files there is nothing to find.
 void check_dependencies(const fs::path& list, const fs::path& stage) {
   std::ifstream stream(list);
   if (!stream) throw Refusal("the compiler did not list the files that it read");
   for (std::string file; stream >> file;) {
     if (file == "\\" || file.ends_with(':')) continue;
-    const fs::path path = (stage / file).lexically_normal();
-    const std::string name = path.string();
-    if (!name.starts_with("/usr/") && !name.starts_with(stage.string() + '/')) {
-      throw Refusal("the submission reads a file that is not part of it: " + file);
-    }
+    check_file(file, stage);
   }
 }
 
@@ -163,14 +224,13 @@ void build(const fs::path& source, const std::string& lab_name, const fs::path& 
   std::vector<std::string> objects;
   for (const fs::path& file : sources) {
     const std::string object = "out/" + std::to_string(objects.size());
-    compiler.run(options, {"-MF", object + ".d", "-Wa,--MD=" + object + ".s.d", "-c", file.string(),
-                           "-o", object + ".o"});
+    compiler.compile(file, options, object);
     check_dependencies(stage / (object + ".d"), stage);
+    compiler.assemble(object);
     check_dependencies(stage / (object + ".s.d"), stage);
     objects.push_back(object + ".o");
   }
-  objects.insert(objects.end(), {"-o", "out/library.so"});
-  compiler.run("-shared -Wl,-Bsymbolic -Wl,--version-script=exports.map", objects);
+  compiler.link(objects, "out/library.so");
   fs::copy_file(stage / "out/library.so", library);
 }
 
@@ -181,7 +241,7 @@ Compilation compile(const fs::path& source, const std::string& lab_name, const f
   const Clock::time_point start = Clock::now();
   Compilation result;
   try {
-    const Stage stage;
+    const Stage stage(isolation);
     build(source, lab_name, stage.path(), library, isolation, limits, part);
     result.succeeded = true;
   } catch (const Refusal& refusal) {

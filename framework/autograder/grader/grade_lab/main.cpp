@@ -27,7 +27,18 @@ enum ExitCode { Graded = 0, NotGraded = 1, WrongUsage = 2 };
 
 constexpr std::size_t longest_message_shown = 4096;  ///< bytes
 
-CLI::App* add_options(CLI::App& app, Options& options) {
+/// Prints the isolation that a wish leads to, and ends the program.
+void add_probe(CLI::App& app) {
+  const auto probe = [](const std::string& wish) {
+    std::cout << to_string(chosen_isolation(wish)) << '\n';
+    throw CLI::Success();
+  };
+  app.add_option_function<std::string>("--probe", probe,
+                                       "only print which isolation this --isolation leads to")
+      ->trigger_on_parse();
+}
+
+void add_options(CLI::App& app, Options& options) {
   app.add_option("LAB", options.lab, "number of the lab")->required()->check(CLI::Range(1, 99));
   app.add_flag("--milestones", options.milestones,
                "run the milestones of labs 1 to LAB on these labs together; the submission is a "
@@ -51,7 +62,7 @@ CLI::App* add_options(CLI::App& app, Options& options) {
       ->check(CLI::Range(256, 1 << 20));
   app.add_option("--isolation", options.isolation)
       ->check(CLI::IsMember({"auto", "bubblewrap", "plain"}));
-  return &app;
+  add_probe(app);
 }
 
 /// "lab3_hill_climbing". @throws std::runtime_error if there is no such lab
@@ -164,19 +175,17 @@ int main(int argc, char** argv) {
   CLI::App app{"Grades one lab of one submission"};
   Options options;
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? Graded : WrongUsage;
-  }
   files::watch_for_interruption();
   try {
+    app.parse(argc, argv);
     const Json record = options.milestones  ? run_milestones(options)
                         : options.own_tests ? grade_own_tests(options, lab_name(options.lab))
                                             : grade(options);
     files::write_file(options.results,
                       record.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     return Graded;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? Graded : WrongUsage;
   } catch (const std::exception& error) {
     std::cerr << "grade_lab: " << error.what() << '\n';
     return NotGraded;

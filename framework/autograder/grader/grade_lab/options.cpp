@@ -1,5 +1,7 @@
 #include "autograder/grader/grade_lab/options.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
@@ -11,16 +13,26 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds longest_compilation{60};
 
+constexpr const char* unprotected =
+    "bubblewrap does not work on this machine, and only root can confine a submission without it.\n"
+    "A submission could read your files and call the reference. Three ways out:\n"
+    "  1. Make bubblewrap work: ./cs550 doctor --install grade. Ubuntu 24.04 also needs a profile "
+    "of\n"
+    "     AppArmor (docs/instructors.md, The sandbox).\n"
+    "  2. Grade as root, on a machine that holds nothing else.\n"
+    "  3. Grade in a container.\n"
+    "To grade without protection, add --isolation plain.";
+
+}  // namespace
+
 Isolation chosen_isolation(const std::string& wish) {
   if (wish == "plain") return Isolation::Plain;
   const Isolation best = best_isolation();
-  if (wish == "bubblewrap" && best != Isolation::Bubblewrap) {
-    throw std::runtime_error("bubblewrap does not work on this machine");
-  }
+  if (best == Isolation::Bubblewrap) return best;
+  if (wish == "bubblewrap") throw std::runtime_error("bubblewrap does not work on this machine");
+  if (geteuid() != 0) throw std::runtime_error(unprotected);
   return best;
 }
-
-}  // namespace
 
 fs::path empty_work_folder(const Options& options) {
   const fs::path folder = fs::weakly_canonical(options.work);

@@ -27,6 +27,10 @@ struct Options {
   std::string isolation = "auto";
 };
 
+/// @param wish "bubblewrap", "plain", or "auto" for the best that keeps a submission from stealing points
+/// @throws std::runtime_error if it does not work here
+Isolation chosen_isolation(const std::string& wish);
+
 /// The folder for this run, with nothing in it but the folder run/ for the compiled submission.
 /// @throws std::runtime_error if emptying it would delete what is graded, or anything else of value
 std::filesystem::path empty_work_folder(const Options& options);

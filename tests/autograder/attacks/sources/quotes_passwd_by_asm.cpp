@@ -1,0 +1,1 @@
+asm(".include \"/etc/passwd\"");
