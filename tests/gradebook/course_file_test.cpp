@@ -58,6 +58,7 @@ TEST(CourseFile, AllExamplesTogetherAreAFile) {
   EXPECT_EQ(course.lab(3).due, sys_days(2026y / October / 12) + 21h + 59min);
   EXPECT_EQ(course.limits_of(3).wall, 60) << "the lab's own";
   EXPECT_EQ(course.limits_of(4).wall, 300) << "the course's";
+  EXPECT_EQ(course.limits_of(4).lab, 600);
   ASSERT_TRUE(course.late);
   EXPECT_EQ(course.late->clock, Clock::File);
   EXPECT_EQ(course.late->most_percent, 50);
@@ -129,6 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"[lab.99]\npoints = 60", "course.toml:1:", "The labs: 1, 2", "no lab 99"},
         BadFile{"[lab.three]\npoints = 60", "course.toml:1:", "The labs: 1, 2", "three"},
         BadFile{"lab = 3", "course.toml:1:", "[lab.N]", "found 3"},
+        BadFile{"[limits]\nlab = 0", "course.toml:2:", "from 1 to 3600", "found 0"},
         BadFile{"[limits]\nmemory = 1", "course.toml:2:", "from 256", "found 1"},
         BadFile{"limits = 5", "course.toml:1:", "must be a table", "found 5"},
         BadFile{"leaderboard = ['glory']", "course.toml:1:", "\"points\"", "glory"},

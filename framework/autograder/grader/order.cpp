@@ -18,7 +18,8 @@ std::string Order::to_environment() const {
                              {"bubblewrap", isolation == Isolation::Bubblewrap},
                              {"cpu", limits.cpu.count()},
                              {"memory", limits.memory},
-                             {"wall", wall.count()}};
+                             {"wall", wall.count()},
+                             {"deadline", deadline.time_since_epoch().count()}};
   return std::string(variable) + '=' + order.dump();
 }
 
@@ -33,6 +34,9 @@ std::optional<Order> Order::from_environment() {
   order.limits.cpu = std::chrono::seconds(values.at("cpu").get<int>());
   order.limits.memory = values.at("memory");
   order.wall = std::chrono::seconds(values.at("wall").get<int>());
+  // The clock of another process of this machine is the same.
+  using Clock = std::chrono::steady_clock;
+  order.deadline = Clock::time_point(Clock::duration(values.at("deadline").get<Clock::rep>()));
   return order;
 }
 

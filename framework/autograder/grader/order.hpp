@@ -21,7 +21,9 @@ struct Order {
   Isolation isolation = Isolation::Plain;
   Limits limits;                  ///< of each worker
   std::chrono::seconds wall{60};  ///< longest time for one test
-  std::uint32_t salt = 0;         ///< of the seeds; it reaches the tests by CS550_SEED_SALT
+  /// When the time for the whole lab is over, from its compilation to its last test.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  std::uint32_t salt = 0;  ///< of the seeds; it reaches the tests by CS550_SEED_SALT
 
   /// "NAME=value" for the environment of a judge.
   std::string to_environment() const;

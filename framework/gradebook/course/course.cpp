@@ -18,6 +18,7 @@ Limits Course::limits_of(int number) const {
   if (!own.wall) own.wall = limits.wall;
   if (!own.cpu) own.cpu = limits.cpu;
   if (!own.memory) own.memory = limits.memory;
+  if (!own.lab) own.lab = limits.lab;
   return own;
 }
 

@@ -17,6 +17,7 @@ struct Limits {
   std::optional<int> wall;    ///< seconds of one test
   std::optional<int> cpu;     ///< seconds of a compilation or a test
   std::optional<int> memory;  ///< MB
+  std::optional<int> lab;     ///< seconds of compilation and all tests together
 };
 
 enum class Visibility { Visible, Hidden, AfterDueDate, AfterPublished };

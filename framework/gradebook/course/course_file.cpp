@@ -40,7 +40,8 @@ std::optional<Time> time(const Node& node) {
 }
 
 Limits limits(const Node& node) {
-  return {node["wall"].value<int>(), node["cpu"].value<int>(), node["memory"].value<int>()};
+  return {node["wall"].value<int>(), node["cpu"].value<int>(), node["memory"].value<int>(),
+          node["lab"].value<int>()};
 }
 
 LabSettings lab_settings(const Node& node) {

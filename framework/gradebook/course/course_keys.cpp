@@ -46,11 +46,13 @@ attempt = "best"
 leaderboard = ["points", "seconds"])"},
           {"limits",
            Form::Single,
-           {whole("wall", 1, hour), whole("cpu", 1, hour), whole("memory", 256, 1 << 20)},
+           {whole("wall", 1, hour), whole("cpu", 1, hour), whole("memory", 256, 1 << 20),
+            whole("lab", 1, hour)},
            R"([limits]
 wall = 300
 cpu = 300
-memory = 2048)"},
+memory = 2048
+lab = 600)"},
           {"visibility",
            Form::Single,
            {choice("visible_tests", visibilities), choice("hidden_tests", visibilities)},
@@ -71,7 +73,7 @@ most_percent = 50)"},
            Form::ByLab,
            {number("weight", 0, lots), number("points", 1, lots), number("own_tests", 0, lots),
             time("due"), time("solution_released"), whole("wall", 1, hour), whole("cpu", 1, hour),
-            whole("memory", 256, 1 << 20)},
+            whole("memory", 256, 1 << 20), whole("lab", 1, hour)},
            R"([lab.3]
 weight = 1.5
 points = 100
@@ -80,7 +82,8 @@ due = 2026-10-12T23:59:00+02:00
 solution_released = 2026-10-20T08:00:00+02:00
 wall = 60
 cpu = 60
-memory = 1024)"},
+memory = 1024
+lab = 120)"},
           {"milestones", Form::Single, {number("weight", 0, lots, required)}, R"([milestones]
 weight = 0.5)"},
           {"adjustment",

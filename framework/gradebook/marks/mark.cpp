@@ -100,8 +100,7 @@ void apply_own_tests(LabMark& mark, const LabRecord& lab, const Course& course) 
   const OwnTests& own = *lab.own_tests;
   if (!own.compiled || own.fails_reference) {
     mark.notes.push_back(std::string("my_tests.cpp ") +
-                         (own.compiled ? "fails on the reference: " : "does not compile: ") +
-                         own.message);
+                         (own.compiled ? "earns nothing: " : "does not compile: ") + own.message);
     return;
   }
   mark.bonus = course.lab(mark.lab).own_tests * own.caught / std::max(1, own.mistakes);

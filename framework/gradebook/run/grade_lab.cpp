@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Far beyond the judge's own limits: a judge that hangs must not stop the class.
+/// Far beyond the limit of a lab, which the judge keeps by itself: one that hangs must not stop the class.
 constexpr std::chrono::hours longest_run{2};
 
 void add_limit(std::vector<std::string>& command, const char* option, std::optional<int> value) {
@@ -50,6 +50,7 @@ std::vector<std::string> command_for(const CatalogueLab& lab, const Course& cour
   add_limit(command, "--wall", limits.wall);
   add_limit(command, "--cpu", limits.cpu);
   add_limit(command, "--memory", limits.memory);
+  add_limit(command, "--lab-time", limits.lab);
   return command;
 }
 
@@ -156,9 +157,9 @@ LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogu
 std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge) {
   const Limits limits = course.limits_of(lab);
   const auto number = [](std::optional<int> value) { return std::to_string(value.value_or(0)); };
-  std::vector<std::string> parts{std::to_string(lab),  judge.project,       judge.isolation,
-                                 course.secret,        number(limits.wall), number(limits.cpu),
-                                 number(limits.memory)};
+  std::vector<std::string> parts{std::to_string(lab),   judge.project,       judge.isolation,
+                                 course.secret,         number(limits.wall), number(limits.cpu),
+                                 number(limits.memory), number(limits.lab)};
   if (has_own_tests(lab, files, course)) parts.emplace_back("own tests");
   if (course.counts_challenges()) parts.emplace_back("challenge");
   for (const SourceFile& file : files.files) {

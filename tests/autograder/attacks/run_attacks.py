@@ -19,6 +19,8 @@ ROOT = HERE.parents[2]
 PR_SET_CHILD_SUBREAPER = 36
 SECONDS_PER_TEST = 6
 SECONDS_PER_COMPILATION = 20
+SECONDS_PER_LAB = 600
+SECONDS_TO_END = 5  # once the time for the lab is over
 
 
 def lab_folder(root, lab):
@@ -97,7 +99,8 @@ def judge(attack, options, scratch):
     done = subprocess.run(
         [options.build / "bin/grade_lab", str(attack["lab"]), "--submission", submission,
          "--work", scratch / "work", "--results", results, "--wall", str(SECONDS_PER_TEST),
-         "--cpu", str(SECONDS_PER_COMPILATION), "--memory", "1024", "--isolation", options.isolation],
+         "--cpu", str(SECONDS_PER_COMPILATION), "--memory", "1024", "--isolation", options.isolation,
+         "--lab-time", str(attack.get("lab_time", SECONDS_PER_LAB))],
         text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     seconds = time.monotonic() - start
     left = children()
@@ -110,6 +113,8 @@ def judge(attack, options, scratch):
     if list(scratch.glob("**/pwned*")) or (ROOT / "cs550_attack").exists():
         found.append("it left a file")
     limit = SECONDS_PER_COMPILATION + 10 + len(record["tests"]) * SECONDS_PER_TEST
+    if "lab_time" in attack:
+        limit = attack["lab_time"] + SECONDS_TO_END
     if seconds > limit:
         found.append(f"it took longer than {limit} s")
     return seconds, record["earned"], found

@@ -15,6 +15,7 @@ sys.path.insert(0, str(ROOT / "tests/mutants"))
 import run_mutants  # noqa: E402
 
 SECONDS_PER_TEST = 600  # far more than any test takes: a mistake may make a call endless, but that ends by itself
+SECONDS_PER_LAB = 3600
 
 
 def sources_of(folder, lab):
@@ -43,7 +44,7 @@ def by_judge(options, sources):
             (submission / name).write_text(text)
         subprocess.run([options.build / "bin/grade_lab", str(options.lab), "--submission", submission,
                         "--work", Path(scratch) / "work", "--results", results, "--wall", str(SECONDS_PER_TEST),
-                        "--isolation", options.isolation], check=True)
+                        "--lab-time", str(SECONDS_PER_LAB), "--isolation", options.isolation], check=True)
         return {test["name"]: test["earned"] for test in json.loads(results.read_text())["tests"]}
 
 

@@ -13,6 +13,8 @@
 #include <system_error>
 #include <vector>
 
+#include "autograder/grader/grade_lab/options.hpp"
+
 namespace cs550::grader {
 namespace {
 
@@ -140,9 +142,9 @@ std::string checked_output(const std::string& output, const fs::path& stage) {
 /// Runs compiler, assembler and linker on the stage.
 class Compiler {
  public:
-  Compiler(fs::path stage, Isolation isolation, const Limits& limits) {
+  Compiler(fs::path stage, const Order& order) : order_(order) {
     const fs::path precompiled = stage / "precompiled";
-    if (isolation == Isolation::Bubblewrap) {
+    if (order.isolation == Isolation::Bubblewrap) {
       command_.mounted = {{precompiled, CS550_PRECOMPILED}};
     } else {
       // The compiler may run as another user, who cannot enter our folders and must not write to them.
@@ -150,8 +152,8 @@ class Compiler {
     }
     command_.folder = std::move(stage);
     command_.writes = true;
-    command_.isolation = isolation;
-    command_.limits = limits;
+    command_.isolation = order.isolation;
+    command_.limits = compiler_limits(order);
     // Relative, because another user may not be able to enter the folders above the stage.
     command_.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "TMPDIR=out"};
   }
@@ -189,13 +191,15 @@ class Compiler {
     command_.words = {CS550_COMPILER};
     command_.words.insert(command_.words.end(), arguments.begin(), arguments.end());
     Process process(command_, kept_errors);
-    const bool in_time = process.wait(command_.limits.cpu + std::chrono::seconds(5));
+    const bool in_time =
+        process.wait(time_left(order_, command_.limits.cpu + std::chrono::seconds(5)));
     process.kill();
     if (in_time && process.succeeded()) return {};
     if (!in_time) return "the compiler did not end in time\n" + process.output();
     return process.output() + process.ending();
   }
 
+  const Order& order_;
   Command command_;
 };
 
@@ -211,12 +215,12 @@ void check_dependencies(const fs::path& list, const fs::path& stage) {
 }
 
 void build(const fs::path& source, const std::string& lab_name, const fs::path& stage,
-           const fs::path& library, Isolation isolation, const Limits& limits, Part part) {
+           const fs::path& library, const Order& order, Part part) {
   const std::vector<fs::path> sources =
       copy_sources(source, stage / "labs" / lab_name, stage, part);
   fs::copy(CS550_CONTRACT_HEADERS, stage / "contract", fs::copy_options::recursive);
   std::ofstream(stage / "exports.map") << "{ global: _ZN5cs550*; local: *; };\n";
-  Compiler compiler(stage, isolation, limits);
+  Compiler compiler(stage, order);
   std::string options =
       CS550_LAB_OPTIONS " -Icontract -include precompiled/lab.hpp -fmax-errors=20 -MD";
   // A function that no header declares is a misspelt one in a lab, and a helper in tests.
@@ -237,12 +241,12 @@ void build(const fs::path& source, const std::string& lab_name, const fs::path& 
 }  // namespace
 
 Compilation compile(const fs::path& source, const std::string& lab_name, const fs::path& library,
-                    Isolation isolation, const Limits& limits, Part part) {
+                    const Order& order, Part part) {
   const Clock::time_point start = Clock::now();
   Compilation result;
   try {
-    const Stage stage(isolation);
-    build(source, lab_name, stage.path(), library, isolation, limits, part);
+    const Stage stage(order.isolation);
+    build(source, lab_name, stage.path(), library, order, part);
     result.succeeded = true;
   } catch (const Refusal& refusal) {
     result.errors = readable_text(refusal.what(), shown_errors);

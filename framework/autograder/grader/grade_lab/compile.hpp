@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "autograder/grader/sandbox.hpp"
+#include "autograder/grader/order.hpp"
 
 namespace cs550::grader {
 
@@ -29,8 +29,9 @@ enum class Part {
 /// @param source the lab's files as in labs/labN_topic/
 /// @param lab_name "lab3_hill_climbing"
 /// @param library the result
+/// @param order isolation, limits, and when the time for the lab is over
 Compilation compile(const std::filesystem::path& source, const std::string& lab_name,
-                    const std::filesystem::path& library, Isolation isolation, const Limits& limits,
+                    const std::filesystem::path& library, const Order& order,
                     Part part = Part::Code);
 
 }  // namespace cs550::grader

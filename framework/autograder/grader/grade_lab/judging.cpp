@@ -32,11 +32,12 @@ fs::path judge_program(int lab) {
 }
 
 /// Reports a judge that has written nothing for too long: it writes at the start and the end of each
-/// test. Its checks may loop for ever over what a submission returned.
+/// test. Its checks may loop for ever over what a submission returned. After the lab's deadline no test
+/// waits for the submission.
 class Watch {
  public:
-  Watch(fs::path results, std::chrono::seconds patience)
-      : results_(std::move(results)), patience_(patience) {}
+  Watch(fs::path results, const Order& order)
+      : results_(std::move(results)), patience_(order.wall + own_time), deadline_(order.deadline) {}
 
   bool is_stuck() {
     std::error_code absent;
@@ -45,12 +46,14 @@ class Watch {
       written_ = written;
       since_ = Clock::now();
     }
-    return Clock::now() - since_ > patience_;
+    const Clock::duration quiet = Clock::now() - since_;
+    return quiet > patience_ || (Clock::now() > deadline_ && quiet > own_time);
   }
 
  private:
   fs::path results_;
   std::chrono::seconds patience_;
+  Clock::time_point deadline_;
   fs::file_time_type written_;
   Clock::time_point since_ = Clock::now();
 };
@@ -108,7 +111,7 @@ Json run_judge(const Order& order, std::size_t tests, const std::string& filter,
     for (const auto& [name, row] : rows.items()) ended += (ended.empty() ? "" : ":") + suite + name;
     run({judge_program(order.lab).string(), "--results", results.string(),
          "--gtest_filter=" + filter + (filter.find('-') == std::string::npos ? "-" : ":") + ended},
-        environment, work, work / "judge.log", Watch(results, order.wall + own_time));
+        environment, work, work / "judge.log", Watch(results, order));
     const Json document = read_json(results);
     if (document.is_discarded() || document.at("tests").empty()) break;
     for (const Json& row : document.at("tests")) {

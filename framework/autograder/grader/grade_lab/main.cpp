@@ -60,6 +60,9 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 3600));
   app.add_option("--memory", options.memory, "address space of the submission (MB)")
       ->check(CLI::Range(256, 1 << 20));
+  app.add_option("--lab-time", options.lab_time,
+                 "longest time for compilation and all tests together (s)")
+      ->check(CLI::Range(1, 3600));
   app.add_option("--isolation", options.isolation)
       ->check(CLI::IsMember({"auto", "bubblewrap", "plain"}));
   add_probe(app);
@@ -137,8 +140,7 @@ Json grade(const Options& options) {
   order.libraries = {work / "run" / ("lab" + std::to_string(options.lab) + "_submission.so")};
 
   const nlohmann::json tests = graded_tests(name);
-  const Compilation compilation = compile(options.submission, name, order.libraries.front(),
-                                          order.isolation, compiler_limits(order));
+  const Compilation compilation = compile(options.submission, name, order.libraries.front(), order);
   const nlohmann::json rows = compilation.succeeded
                                   ? run_judge(order, tests.size(), options.filter, work)
                                   : nlohmann::json::object();

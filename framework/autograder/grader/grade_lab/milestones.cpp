@@ -52,8 +52,7 @@ Compilation assemble(const Options& options, const fs::path& folder, Order& orde
     order.libraries.push_back(library);
     bool is_there = false;
     if (number <= options.lab) {
-      const Compilation one = compile(options.submission / name, name, library, order.isolation,
-                                      compiler_limits(order));
+      const Compilation one = compile(options.submission / name, name, library, order);
       all.seconds += one.seconds;
       is_there = one.succeeded;
     }

@@ -55,6 +55,7 @@ Order order_for(const Options& options) {
   order.limits.cpu = std::chrono::seconds(options.cpu);
   order.limits.memory = static_cast<std::size_t>(options.memory) << 20U;
   order.wall = std::chrono::seconds(options.wall);
+  order.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(options.lab_time);
   order.salt = options.salt;
   return order;
 }
@@ -63,6 +64,13 @@ Limits compiler_limits(const Order& order) {
   Limits limits = order.limits;
   limits.cpu = std::min(limits.cpu, longest_compilation);
   return limits;
+}
+
+std::chrono::milliseconds time_left(const Order& order, std::chrono::milliseconds longest) {
+  using std::chrono::milliseconds;
+  const auto left =
+      std::chrono::duration_cast<milliseconds>(order.deadline - std::chrono::steady_clock::now());
+  return std::clamp(left, milliseconds(0), longest);
 }
 
 }  // namespace cs550::grader

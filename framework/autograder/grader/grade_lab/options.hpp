@@ -2,6 +2,7 @@
 /// @file options.hpp
 /// What grade_lab was asked for.
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -24,6 +25,7 @@ struct Options {
   int wall = 1800;
   int cpu = 1800;
   int memory = 2048;
+  int lab_time = 600;
   std::string isolation = "auto";
 };
 
@@ -40,5 +42,8 @@ Order order_for(const Options& options);
 
 /// A compilation never takes longer than a minute.
 Limits compiler_limits(const Order& order);
+
+/// At most `longest`, and no longer than until the lab's deadline.
+std::chrono::milliseconds time_left(const Order& order, std::chrono::milliseconds longest);
 
 }  // namespace cs550::grader

@@ -12,7 +12,7 @@ namespace cs550::grader {
 /// that does not end in time, or crashes, fails.
 /// @param lab_name "lab3_hill_climbing"
 /// @return {lab, isolation, compiled, message, mistakes, caught, reference_runs, reference_failures};
-///   caught is 0 if the tests ever fail on the reference
+///   caught is 0 if the tests ever fail on the reference, or if the time for the lab is over
 nlohmann::ordered_json grade_own_tests(const Options& options, const std::string& lab_name);
 
 }  // namespace cs550::grader

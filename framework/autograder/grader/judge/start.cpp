@@ -31,6 +31,7 @@ std::vector<std::string> other_labs(int lab) {
 WorkerSettings settings(const Order& order) {
   WorkerSettings settings;
   settings.per_test = order.wall;
+  settings.deadline = order.deadline;
   settings.per_call = std::min<std::chrono::milliseconds>(settings.per_call, order.wall);
   Command& command = settings.command;
   command.isolation = order.isolation;

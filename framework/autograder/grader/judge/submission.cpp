@@ -25,6 +25,7 @@ using std::chrono::milliseconds;
 
 constexpr std::size_t kept_output = 4096;  ///< bytes of what a worker prints
 constexpr std::string_view loading = "loading the submission";
+constexpr const char* lab_time_is_over = "the time for the whole lab is over";
 constexpr int patience = 3;  ///< tests that may wait for as long as a call may take
 constexpr milliseconds impatient{1000};
 
@@ -80,12 +81,13 @@ void connect(int channel) {
 }
 
 void Submission::start() {
+  if (Clock::now() >= settings_.deadline) fail("timeout", lab_time_is_over);
   if (settings_.connected >= 0) {
     channel_ = std::make_unique<Channel>(settings_.connected, longest_message);
   } else {
     start_worker();
   }
-  test_ends_ = Clock::now() + settings_.per_test;
+  test_ends_ = std::min(Clock::now() + settings_.per_test, settings_.deadline);
   check(receive(loading), loading);
 }
 
@@ -191,6 +193,7 @@ void Submission::fail_closed(std::string_view function) {
 void Submission::fail_late(std::string_view function, milliseconds limit) {
   ++late_tests_;
   end_worker();
+  if (Clock::now() >= settings_.deadline) fail("timeout", lab_time_is_over);
   fail("timeout", "no answer from " + std::string(function) + " within " +
                       std::to_string(limit.count() / 1000) + " s (an endless loop?)");
 }

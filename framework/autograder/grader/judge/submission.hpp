@@ -20,6 +20,8 @@ struct WorkerSettings {
   int connected = -1;  ///< the channel to a worker that another process has started; else -1
   std::chrono::milliseconds per_call{5000};
   std::chrono::milliseconds per_test{60000};
+  /// No test is answered from then on.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 
 /// A running worker. It has a new one for every test, so that no test depends on an earlier one.
