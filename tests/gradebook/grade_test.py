@@ -193,6 +193,27 @@ def test_challenges_are_counted_for_the_leaderboard_only(folder):
     assert "challenge" not in lab(folder / "without", "ada", 3)
 
 
+def test_gradescope_names_the_time_of_submission(folder):
+    (folder / "submission").mkdir()
+    (folder / "submission/hill_climbing.cpp").write_text("// all right")
+    (folder / "course.toml").write_text("[lab.3]\ndue = 2026-10-12T23:59:00+02:00\n"
+                                        "[late]\nclock = 'file'\npercent_per_day = 10\n")
+    metadata = folder / "submission_metadata.json"
+
+    def graded(out, *more, code=0):
+        return grade(folder / "submission", "--out", folder / out, "--labs", "3", "--course", folder / "course.toml",
+                     *more, code=code)
+
+    graded("unknown")
+    assert grades(folder / "unknown")["submission"]["lab3"] == "60"
+    assert "time of submission unknown" in (folder / "unknown/grades.csv").read_text()
+    metadata.write_text('{"id": 1, "created_at": "2026-10-13T14:22:32.365935-07:00"}')
+    graded("late", "--gradescope-metadata", metadata)
+    assert grades(folder / "late")["submission"]["lab3"] == "54", "a day begun"
+    metadata.write_text('{"id": 1}')
+    assert "created_at" in graded("damaged", "--gradescope-metadata", metadata, code=1)
+
+
 def test_a_missing_file_is_the_starter(folder):
     pack(folder / "class/ada.zip", {"merging.cpp": "// mine"})
     pack(folder / "class/bob.zip", {"labs/lab2_half_edge_mesh/merging.cpp": "// both in one file"})

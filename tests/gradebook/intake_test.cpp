@@ -245,6 +245,17 @@ TEST(Discovery, AFolderOfSubmissionsIsAllOfThem) {
   EXPECT_THROW(find_submissions({scratch / "absent"}, project_catalogue()), std::runtime_error);
 }
 
+TEST(Discovery, OnlyAnArchiveHasATimeOfSubmission) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "class/ada.zip", "");
+  files::write_file(scratch / "class/bob/labs/lab3_hill_climbing/a.cpp", "");
+  const Discovery found = find_submissions({scratch / "class/"}, project_catalogue());
+  ASSERT_EQ(found.submissions.size(), 2U);
+  EXPECT_TRUE(found.submissions[0].time);
+  EXPECT_FALSE(found.submissions[1].time) << "that of a folder is when it was cloned or unpacked";
+  EXPECT_FALSE(read(scratch / "class/bob").file_time);
+}
+
 TEST(Discovery, NamesOfRecordsAreSafe) {
   EXPECT_EQ(safe_name("ada"), "ada");
   EXPECT_EQ(safe_name("../a b"), "_.._a_b");

@@ -69,6 +69,16 @@ TEST(Marks, TheClockIsTheOneThatTheCourseNames) {
   EXPECT_NE(unknown.notes.at(0).find("unknown"), std::string::npos);
 }
 
+TEST(Marks, ASubmissionOfUnknownTimeIsNotLate) {
+  Record record = handed_in(40 * day);
+  record.file_time.reset();
+  const LabMark mark = mark_of(record, late_course);
+  EXPECT_DOUBLE_EQ(mark.mark, 72);
+  EXPECT_EQ(mark.late_days, 0);
+  EXPECT_NE(mark.notes.at(0).find("unknown"), std::string::npos);
+  EXPECT_FALSE(record_from_json(to_json(record), "ada.json").file_time);
+}
+
 TEST(Marks, NothingIsEarnedAfterTheSolutionWasReleased) {
   const std::string course =
       std::string("[lab.3]\nsolution_released = 2026-10-12T23:59:00+02:00\n") +
@@ -184,6 +194,7 @@ TEST(Records, SurviveARoundTrip) {
 
 TEST(Times, AreParsedWithTheirOffset) {
   EXPECT_EQ(to_text(*parse_time("2026-10-12T23:59:00+02:00")), "2026-10-12T21:59:00Z");
+  EXPECT_EQ(to_text(*parse_time("2018-07-01T14:22:32.365935-07:00")), "2018-07-01T21:22:32Z");
   EXPECT_EQ(to_text(*parse_time("2026-10-12 23:59Z")), "2026-10-12T23:59:00Z");
   EXPECT_FALSE(parse_time("2026-10-12T23:59:00"));
   EXPECT_FALSE(parse_time("2026-13-12T23:59:00Z"));

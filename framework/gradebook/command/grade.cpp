@@ -6,16 +6,19 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/terminal.hpp"
 #include "files/interruption.hpp"
 #include "gradebook/command/settings.hpp"
+#include "gradebook/marks/time_text.hpp"
 #include "gradebook/reports/write_reports.hpp"
 #include "gradebook/run/class_run.hpp"
 #include "gradebook/run/reference_check.hpp"
@@ -43,6 +46,18 @@ std::string isolation_in_force(const GradeRequest& request) {
   std::string kind = cli::output_of({request.judge, "--probe", request.isolation});
   while (!kind.empty() && kind.back() == '\n') kind.pop_back();
   return kind;
+}
+
+/// When Gradescope received the submission, in seconds since 1970.
+long submission_time(const fs::path& metadata) {
+  const auto json = nlohmann::json::parse(cli::read_text(metadata), nullptr, false);
+  const bool has_time =
+      json.is_object() && json.contains("created_at") && json["created_at"].is_string();
+  const std::optional<Time> time =
+      has_time ? parse_time(json["created_at"].get<std::string>()) : std::nullopt;
+  if (time) return time->time_since_epoch().count();
+  throw std::runtime_error(metadata.string() +
+                           " has no time created_at such as 2026-10-12T23:59:00+02:00");
 }
 
 std::vector<int> numbers_of(const Catalogue& catalogue) {
@@ -151,6 +166,11 @@ bool grade(const GradeRequest& request) {
   if (found.submissions.empty()) throw std::runtime_error("no submission was found");
   for (const IgnoredFile& file : found.skipped) {
     std::cout << fmt::format("skipped: {}: {}\n", file.path, file.reason);
+  }
+
+  if (!request.metadata.empty()) {
+    const long time = submission_time(request.metadata);
+    for (FoundSubmission& submission : found.submissions) submission.time = time;
   }
 
   const std::string isolation = isolation_in_force(request);

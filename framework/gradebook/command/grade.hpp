@@ -18,6 +18,7 @@ struct GradeRequest {
   std::optional<bool> milestones;  ///< by default whether they have a weight
   bool resume = false;
   std::filesystem::path roster, course;  ///< may be empty
+  std::filesystem::path metadata;        ///< Gradescope's, of the only submission; may be empty
   std::filesystem::path judge;           ///< the program grade_lab
   std::string isolation = "auto";
 };

@@ -1,13 +1,14 @@
 #!/bin/sh
-# grade.sh SUBMISSION RESULTS: grades one submission and writes the results as Gradescope reads them.
+# grade.sh SUBMISSION RESULTS [METADATA]: grades one submission and writes the results as Gradescope reads them.
+# METADATA is Gradescope's submission_metadata.json, which has the time of submission.
 set -eu
 graded=$(mktemp -d)
 trap 'rm -rf "$graded"' EXIT
 # Gradescope adds up points of labs; milestones have none.
-set -- "$1" "$2" --out "$graded/out" --labs "$(cat labs.txt)" --no-milestones
+submission=$1 results=$2 metadata=${3-}
+set -- --out "$graded/out" --labs "$(cat labs.txt)" --no-milestones
 [ ! -e course.toml ] || set -- "$@" --course course.toml
-submission=$1 results=$2
-shift 2
+[ ! -e "$metadata" ] || set -- "$@" --gradescope-metadata "$metadata"
 CS550_ROOT=$PWD build/test/bin/cs550_grade "$submission" "$@"
 set -- "$graded"/out/gradescope/*.json
 cp "$1" "$results"

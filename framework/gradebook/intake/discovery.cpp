@@ -54,6 +54,12 @@ std::string student_of(const std::string& name) {
   return std::regex_match(name, match, lab_at_the_end) ? match[1].str() : name;
 }
 
+std::optional<long> modification_time(const fs::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) != 0 || S_ISDIR(status.st_mode)) return std::nullopt;
+  return status.st_mtime;
+}
+
 /// Walks through folders of submissions.
 class Finder {
  public:
@@ -101,18 +107,14 @@ class Finder {
     const std::string base = name;
     for (int n = 2; !names_.insert(name).second; ++n) name = base + '-' + std::to_string(n);
     found_.submissions.push_back(
-        {source, name, plain_line(folders.empty() ? student_of(stem(source)) : folders.front())});
+        {source, name, plain_line(folders.empty() ? student_of(stem(source)) : folders.front()),
+         modification_time(source)});
   }
 
   const Catalogue& catalogue_;
   Discovery found_;
   std::set<std::string> names_;
 };
-
-long modification_time(const fs::path& file) {
-  struct stat status {};
-  return stat(file.c_str(), &status) == 0 ? status.st_mtime : 0;
-}
 
 }  // namespace
 
@@ -136,7 +138,7 @@ Submission read_submission(const FoundSubmission& found, const Catalogue& catalo
   submission.name = found.name;
   submission.source = plain_line(found.source.filename().string());
   submission.student = found.student;
-  submission.file_time = modification_time(found.source);
+  submission.file_time = found.time;
   Collector collector(submission, catalogue);
   try {
     submission.trouble = fs::is_directory(found.source) ? read_folder(found.source, collector)

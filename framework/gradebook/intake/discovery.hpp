@@ -3,6 +3,7 @@
 /// Finding the submissions in what the instructor names, and reading them.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct FoundSubmission {
   std::filesystem::path source;  ///< archive or folder
   std::string name;              ///< unique, safe as a file name
   std::string student;           ///< from the names of the file and its folder
+  /// Seconds since 1970: modification time of an archive. That of a folder changes when it is copied or
+  /// unpacked, so it is unknown when the folder was handed in.
+  std::optional<long> time;
 };
 
 struct Discovery {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ struct Submission {
   std::string student;  ///< from the name of that file or folder
   /// What the manifest of ./cs550 submit claims; empty without one.
   std::string claimed_student, claimed_date, starter;
-  long file_time = 0;  ///< seconds since 1970: when the source was last modified
+  std::optional<long> file_time;  ///< seconds since 1970: when it was handed in, if that is known
   std::map<int, std::vector<SourceFile>> labs;  ///< by number, files sorted by path
   /// The labs that came as their folder in the student's copy, from which no file is missing.
   std::set<int> whole_labs;

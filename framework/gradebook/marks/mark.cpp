@@ -15,7 +15,8 @@ namespace {
 std::optional<Time> submission_time(const Student& student, const Record& record, Clock clock) {
   switch (clock) {
     case Clock::File:
-      return Time(std::chrono::seconds(record.file_time));
+      if (!record.file_time) return std::nullopt;
+      return Time(std::chrono::seconds(*record.file_time));
     case Clock::Manifest:
       return parse_time(record.claimed_date);
     case Clock::Roster:

@@ -9,7 +9,7 @@ namespace cs550::gradebook {
 std::optional<Time> parse_time(const std::string& text) {
   using namespace std::chrono;
   static const std::regex iso(
-      R"((\d{4})-(\d\d)-(\d\d)[T ](\d\d):(\d\d)(?::(\d\d))?(?:Z|([+-])(\d\d):(\d\d)))");
+      R"((\d{4})-(\d\d)-(\d\d)[T ](\d\d):(\d\d)(?::(\d\d)(?:\.\d+)?)?(?:Z|([+-])(\d\d):(\d\d)))");
   std::smatch part;
   if (!std::regex_match(text, part, iso)) return std::nullopt;
   const auto number = [&part](std::size_t i) { return part[i].matched ? std::stoi(part[i]) : 0; };

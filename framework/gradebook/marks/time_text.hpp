@@ -9,7 +9,8 @@
 
 namespace cs550::gradebook {
 
-/// "2026-10-12T21:59:00Z", or with an offset "+02:00"; nothing for any other text.
+/// "2026-10-12T21:59:00Z", or with an offset "+02:00"; nothing for any other text. Fractions of a second
+/// are dropped.
 std::optional<Time> parse_time(const std::string& text);
 
 /// "2026-10-12T21:59:00Z"

@@ -110,6 +110,10 @@ void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
   app.add_option("--course", request.course, "settings of the course: weights, due dates, limits")
       ->option_text("FILE")
       ->check(CLI::ExistingFile);
+  app.add_option("--gradescope-metadata", request.metadata,
+                 "submission_metadata.json of Gradescope, which has the time of submission")
+      ->option_text("FILE")
+      ->check(CLI::ExistingFile);
   app.add_option("--isolation", request.isolation,
                  "bubblewrap, plain, or auto: the best that protects the marks here")
       ->option_text("KIND")

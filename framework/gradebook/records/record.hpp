@@ -66,7 +66,7 @@ struct LabRecord {
 struct Record {
   std::string name, source, student;
   std::string claimed_student, claimed_date, starter;
-  long file_time = 0;  ///< seconds since 1970
+  std::optional<long> file_time;  ///< seconds since 1970: when it was handed in, if that is known
   std::string hash;
   std::string project;  ///< commit of the instructor's copy
   std::vector<LabRecord> labs;

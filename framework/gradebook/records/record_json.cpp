@@ -150,7 +150,7 @@ std::string to_json(const Record& record) {
             {"student", record.student},
             {"claimed", {{"student", record.claimed_student}, {"date", record.claimed_date}}},
             {"starter", record.starter},
-            {"file_time", record.file_time},
+            {"file_time", record.file_time ? Json(*record.file_time) : Json()},
             {"hash", record.hash},
             {"project", record.project},
             {"trouble", record.trouble},
@@ -176,7 +176,8 @@ Record record_from_json(const std::string& text, const std::string& file) {
     record.claimed_student = json.at("claimed").at("student");
     record.claimed_date = json.at("claimed").at("date");
     record.starter = json.at("starter");
-    record.file_time = json.at("file_time");
+    if (const Json& time = json.at("file_time"); !time.is_null())
+      record.file_time = time.get<long>();
     record.hash = json.at("hash");
     record.project = json.at("project");
     record.trouble = json.at("trouble");
