@@ -168,6 +168,53 @@ TEST(Archive, LinksAndDevicesAreIgnoredAndTheRestIsTaken) {
   EXPECT_NE(reason_for(submission, "labs/lab3_hill_climbing/hill_climbing.cpp"), "");
 }
 
+/// The files of a submission, handed in as a zip archive in this order, as a folder, and the other way round.
+std::vector<Submission> in_any_order(std::vector<std::pair<std::string, std::string>> files) {
+  std::vector<Submission> submissions;
+  for (int i = 0; i < 2; ++i) {
+    const ScratchFolder scratch;
+    {
+      ArchiveWriter writer(scratch / "ada.zip");
+      for (const auto& [path, text] : files) writer.add(path, text);
+    }
+    submissions.push_back(read(scratch / "ada.zip"));
+    for (const auto& [path, text] : files) files::write_file(scratch / "ada/" / path, text);
+    submissions.push_back(
+        read_submission({scratch / "ada", "ada", "ada", {}}, project_catalogue()));
+    std::reverse(files.begin(), files.end());
+  }
+  return submissions;
+}
+
+TEST(Choice, TheLabsFolderInTheProjectIsGradedAlone) {
+  for (const Submission& submission :
+       in_any_order({{"labs/lab3_hill_climbing/hill_climbing.cpp", "new"},
+                     {"labs/lab3_hill_climbing/util.hpp", "new"},
+                     {"hill_climbing.cpp", "stray"},
+                     {"backup/lab3/extra.cpp", "old"},
+                     {"old/labs/lab3_hill_climbing/older.cpp", "old"}})) {
+    ASSERT_EQ(submission.labs.at(3).size(), 2U);
+    EXPECT_EQ(submission.labs.at(3)[0].text, "new");
+    EXPECT_EQ(submission.labs.at(3)[1].path, "util.hpp");
+    EXPECT_TRUE(submission.whole_labs.contains(3));
+    for (const char* other :
+         {"hill_climbing.cpp", "backup/lab3/extra.cpp", "old/labs/lab3_hill_climbing/older.cpp"}) {
+      EXPECT_EQ(reason_for(submission, other), "not in labs/lab3_hill_climbing/, which is graded");
+    }
+  }
+}
+
+TEST(Choice, OfEqualNamesTheOneNearestToTheTopIsGraded) {
+  for (const Submission& submission : in_any_order({{"b/hill_climbing.cpp", "second"},
+                                                    {"a/hill_climbing.cpp", "first"},
+                                                    {"a/deep/hill_climbing.cpp", "deep"}})) {
+    ASSERT_EQ(submission.labs.at(3).size(), 1U);
+    EXPECT_EQ(submission.labs.at(3)[0].text, "first");
+    EXPECT_NE(reason_for(submission, "b/hill_climbing.cpp"), "");
+    EXPECT_NE(reason_for(submission, "a/deep/hill_climbing.cpp"), "");
+  }
+}
+
 TEST(Archive, AZipBombIsRefused) {
   const ScratchFolder scratch;
   {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "gradebook/intake/lab_path.hpp"
 #include "gradebook/text/escape.hpp"
 
 namespace cs550::gradebook {
@@ -25,6 +24,15 @@ bool contains(const std::string& a, const std::string& b) {
   return a.starts_with(b + '/') || b.starts_with(a + '/');
 }
 
+long depth_of(const std::string& path) {
+  return std::count_if(path.begin(), path.end(), [](char c) { return c == '/' || c == '\\'; });
+}
+
+/// Files nearer to the top come first.
+bool is_nearer(const std::string& a, const std::string& b) {
+  return std::pair(depth_of(a), a) < std::pair(depth_of(b), b);
+}
+
 }  // namespace
 
 bool Collector::wants(const std::string& path) {
@@ -39,22 +47,54 @@ void Collector::take(const std::string& path, std::string text) {
     read_manifest(text);
     return;
   }
-  const IntakeLimits limits;
-  const LabPath place = lab_path(path, catalogue_);
-  std::vector<SourceFile>& files = submission_.labs[place.lab];
-  if (text.size() > limits.file) {
+  if (text.size() > IntakeLimits().file) {
     ignore(path, "larger than 1 MB");
-  } else if (static_cast<int>(files.size()) >= limits.files_of_lab) {
-    ignore(path, "the lab has more than 200 files");
+    return;
+  }
+  LabPath place = lab_path(path, catalogue_);
+  std::vector<Candidate>& candidates = candidates_[place.lab];
+  candidates.push_back({path, std::move(place), std::move(text)});
+}
+
+/// The lab's folder in a copy of the project is what the student worked on: stray files beside it, or in a
+/// second copy, are not mixed with it.
+void Collector::choose(std::vector<Candidate> candidates) {
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return is_nearer(a.path, b.path); });
+  const auto own = std::find_if(candidates.begin(), candidates.end(),
+                                [](const Candidate& file) { return file.place.is_in_project; });
+  if (own == candidates.end()) {
+    for (Candidate& file : candidates) add(std::move(file));
+    return;
+  }
+  const LabPath chosen = own->place;
+  submission_.whole_labs.insert(chosen.lab);
+  const std::string folder = (chosen.project.empty() ? "" : chosen.project + '/') + "labs/" +
+                             catalogue_.at(chosen.lab).name + '/';
+  for (Candidate& file : candidates) {
+    if (file.place.is_in_project && file.place.project == chosen.project) {
+      add(std::move(file));
+    } else {
+      ignore(file.path, "not in " + folder + ", which is graded");
+    }
+  }
+}
+
+void Collector::add(Candidate file) {
+  const IntakeLimits limits;
+  std::vector<SourceFile>& files = submission_.labs[file.place.lab];
+  const std::string& name = file.place.file;
+  if (static_cast<int>(files.size()) >= limits.files_of_lab) {
+    ignore(file.path, "the lab has more than 100 files");
   } else if (std::any_of(files.begin(), files.end(),
-                         [&](const SourceFile& file) { return file.path == place.file; })) {
-    ignore(path, "a second file of this name; the first one is graded");
+                         [&](const SourceFile& known) { return known.path == name; })) {
+    ignore(file.path, "a second file of this name; the first one is graded");
   } else if (std::any_of(files.begin(), files.end(),
-                         [&](const SourceFile& file) { return contains(file.path, place.file); })) {
-    ignore(path, "a file and a folder of the same name");
+                         [&](const SourceFile& known) { return contains(known.path, name); })) {
+    ignore(file.path, "a file and a folder of the same name");
   } else {
-    files.push_back({place.file, std::move(text)});
-    if (place.is_in_project) submission_.whole_labs.insert(place.lab);
+    files.push_back({name, std::move(file.text)});
   }
 }
 
@@ -81,7 +121,8 @@ void Collector::ignore(const std::string& path, const std::string& reason) {
 }
 
 void Collector::finish() {
-  std::erase_if(submission_.labs, [](const auto& lab) { return lab.second.empty(); });
+  for (auto& [lab, candidates] : candidates_) choose(std::move(candidates));
+  candidates_.clear();
   for (auto& [lab, files] : submission_.labs) {
     std::sort(files.begin(), files.end(),
               [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });

@@ -146,8 +146,8 @@ Submission read_submission(const FoundSubmission& found, const Catalogue& catalo
   } catch (const std::exception& error) {
     submission.trouble = plain_line(error.what());
   }
-  if (!submission.trouble.empty()) submission.labs.clear();
   collector.finish();
+  if (!submission.trouble.empty()) submission.labs.clear();
   return submission;
 }
 

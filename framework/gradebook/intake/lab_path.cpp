@@ -64,9 +64,12 @@ LabPath below_lab_folder(const Words& words, const Catalogue& catalogue) {
   for (auto word = words.begin(); word + 1 < words.end() && !is_given_folder(*word); ++word) {
     for (const auto& [number, lab] : catalogue) {
       if (!names_lab(*word, lab)) continue;
-      const bool is_in_project =
-          word != words.begin() && *(word - 1) == "labs" && *word == lab.name;
-      return {number, joined(word + 1, words.end()), "", is_in_project};
+      LabPath found{number, joined(word + 1, words.end()), "", false, ""};
+      if (word != words.begin() && *(word - 1) == "labs" && *word == lab.name) {
+        found.is_in_project = true;
+        found.project = joined(words.begin(), word - 1);
+      }
+      return found;
     }
   }
   return {};
@@ -79,7 +82,7 @@ LabPath named_like_starter(const Words& words, const Catalogue& catalogue) {
   for (const auto& [number, lab] : catalogue) {
     if (std::count(lab.starter_files.begin(), lab.starter_files.end(), words.back()) == 0) continue;
     if (found.lab != 0) return {};
-    found = {number, words.back(), "", false};
+    found = {number, words.back(), "", false, ""};
   }
   return found;
 }

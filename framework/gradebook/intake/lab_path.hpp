@@ -15,6 +15,7 @@ struct LabPath {
   std::string file;            ///< relative to the lab's folder
   std::string ignored;         ///< the reason; empty if the file is taken
   bool is_in_project = false;  ///< below labs/labN_topic/, as in the student's own copy
+  std::string project;         ///< the folder of that copy; empty at the top
 };
 
 inline constexpr const char* outside_of_labs = "not in a lab's folder";
