@@ -436,6 +436,16 @@ def test_settings_are_named_or_those_of_the_run(folder):
     assert grades(folder / "named")["ada"]["lab3"] == "100", "a resumed run keeps its settings"
 
 
+def test_entries_about_nobody_are_printed(folder):
+    small_class(folder / "class")
+    (folder / "course.toml").write_text("[[adjustment]]\nstudent = 'ade'\nlab = 3\npoints = 1\nreason = 'x'\n")
+    course = ("--course", folder / "course.toml")
+    message = "no such student: [[adjustment]] of lab 3 for ade"
+    assert message in grade(folder / "class", "--out", folder / "out", "--labs", "3", *course)
+    assert message in grade("--report", folder / "out", *course)
+    assert message not in grade(folder / "class/ada.zip", "--out", folder / "part", "--labs", "3", *course)
+
+
 def test_wrong_usage(folder):
     pack(folder / "ada.zip", {HILL: ""})
     (folder / "bad.toml").write_text("[late]\nclock = 'sun'\n")

@@ -100,6 +100,37 @@ TEST(Marks, AdjustmentsAndRegradesComeFromTheCourseFile) {
   EXPECT_DOUBLE_EQ(mark_of(record, adjustment + "-100").mark, 0) << "never negative";
 }
 
+TEST(Marks, EntriesNameAStudentByIdOrAddress) {
+  const Record record = record_of("ada", lab_record(0, 24, 12));
+  const Student student{"S0101", "", "ada@example.org", "", {}, true, {&record}};
+  const auto points = [&](const std::string& name) {
+    const Course course =
+        course_of("[[adjustment]]\nstudent = '" + name + "'\nlab = 3\nreason = 'x'\npoints = 2\n");
+    return mark_student(student, {3}, course).labs.at(0).mark;
+  };
+  EXPECT_DOUBLE_EQ(points("s0101"), 38);
+  EXPECT_DOUBLE_EQ(points("Ada@Example.org"), 38);
+  EXPECT_DOUBLE_EQ(points("s010"), 36);
+  EXPECT_DOUBLE_EQ(points(""), 36);
+}
+
+TEST(Marks, ATestIsGrantedOnce) {
+  const Record record = record_of("ada", lab_record(0, 24, 12));
+  const std::string granted =
+      "[[regrade]]\nstudent = 'ada'\nlab = 3\ntest = 'Lab3.FirstOfEqualVerticesWins'\n"
+      "status = 'granted'\n";
+  EXPECT_DOUBLE_EQ(mark_of(record, granted + granted).mark, 60);
+}
+
+TEST(Marks, EntriesAboutNobodyAreListed) {
+  const Course course = course_of(
+      "[[extension]]\nstudent = 's9'\nlab = 3\ndue = 2026-10-14T23:59:00+02:00\n"
+      "[[adjustment]]\nstudent = 'ADA'\nlab = 3\nreason = 'x'\npoints = 2\n");
+  const std::vector<Student> students{{"ada", "", "", "", {}, true, {}}};
+  EXPECT_EQ(entries_about_nobody(course, students),
+            std::vector<std::string>{"[[extension]] of lab 3 for s9"});
+}
+
 TEST(Marks, WeightsMakeTheTotal) {
   LabRecord lab4 = lab_record(0, 0, 0);
   lab4.lab = 4;

@@ -213,6 +213,7 @@ bool grade(const GradeRequest& request) {
   const std::vector<Record> records = folder.records();
   write_reports(request.out, records, settings.roster, settings.course);
   print_troubles(records);
+  print_entries_about_nobody(settings, records);
   print_expired(folder, settings.course);
   std::cout << fmt::format("Isolation of submissions: {}.\n", isolation);
   std::cout << fmt::format("The marks are in {}, the overview in {}.\n",

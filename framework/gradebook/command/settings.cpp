@@ -7,6 +7,7 @@
 #include "cli/system/files.hpp"
 #include "files/output_file.hpp"
 #include "gradebook/course/course_file.hpp"
+#include "gradebook/marks/mark.hpp"
 
 namespace cs550::gradebook {
 namespace {
@@ -48,6 +49,14 @@ Settings read_settings(const fs::path& root, const fs::path& course, const fs::p
 void keep_settings(const Settings& settings, const fs::path& folder) {
   keep(settings.course_text, folder / course_copy);
   keep(settings.roster_text, folder / roster_copy);
+}
+
+void print_entries_about_nobody(const Settings& settings, const std::vector<Record>& records) {
+  if (settings.roster.empty() && records.size() == 1) return;
+  const std::vector<Student> students = assign(settings.roster, records);
+  for (const std::string& entry : entries_about_nobody(settings.course, students)) {
+    std::cout << fmt::format("no such student: {}; the entry has no effect\n", entry);
+  }
 }
 
 void print_expired(const RecordFolder& folder, const Course& course) {

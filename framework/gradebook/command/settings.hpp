@@ -29,6 +29,10 @@ Settings read_settings(const std::filesystem::path& root, const std::filesystem:
 /// Copies both files into the folder. Only the owner can read them: the course file has the secret.
 void keep_settings(const Settings& settings, const std::filesystem::path& folder);
 
+/// Prints the entries of the course file that are about no student. A single submission without a roster
+/// is a part of a class, and says nothing about them.
+void print_entries_about_nobody(const Settings& settings, const std::vector<Record>& records);
+
 /// Prints which records are older than the course keeps them.
 void print_expired(const RecordFolder& folder, const Course& course);
 

@@ -28,7 +28,7 @@ std::optional<Time> submission_time(const Student& student, const Record& record
 std::optional<Time> due_date(const Student& student, int lab, const Course& course,
                              std::vector<std::string>& notes) {
   for (const Extension& extension : course.extensions) {
-    if (extension.student != student.id || extension.lab != lab) continue;
+    if (!is_about(extension.student, student) || extension.lab != lab) continue;
     notes.push_back("extension until " + to_text(extension.due));
     return extension.due;
   }
@@ -37,8 +37,9 @@ std::optional<Time> due_date(const Student& student, int lab, const Course& cour
 
 void apply_regrades(LabMark& mark, const Student& student, const LabRecord& lab,
                     const Course& course) {
+  std::set<std::string> granted;
   for (const RegradeRequest& request : course.regrades) {
-    if (request.student != student.id || request.lab != mark.lab) continue;
+    if (!is_about(request.student, student) || request.lab != mark.lab) continue;
     const auto test = std::find_if(lab.tests.begin(), lab.tests.end(),
                                    [&](const TestResult& t) { return t.name == request.test; });
     if (test == lab.tests.end()) continue;
@@ -47,6 +48,7 @@ void apply_regrades(LabMark& mark, const Student& student, const LabRecord& lab,
         mark.notes.push_back("regrade of " + request.test + " requested");
         break;
       case RegradeRequest::Status::Granted:
+        if (!granted.insert(request.test).second) break;
         mark.earned += test->points - test->earned;
         mark.notes.push_back("regrade of " + request.test + " granted");
         break;
@@ -87,7 +89,7 @@ void apply_late_policy(LabMark& mark, const Student& student, const Course& cour
 
 void apply_adjustments(LabMark& mark, const Student& student, const Course& course) {
   for (const Adjustment& adjustment : course.adjustments) {
-    if (adjustment.student != student.id || adjustment.lab != mark.lab) continue;
+    if (!is_about(adjustment.student, student) || adjustment.lab != mark.lab) continue;
     mark.adjustment += adjustment.points;
     mark.notes.push_back(fmt::format("{}{} points: {}", adjustment.points < 0 ? "" : "+",
                                      points_text(adjustment.points), adjustment.reason));
@@ -217,6 +219,24 @@ std::vector<StudentMark> mark_class(const std::vector<Student>& students,
   marks.reserve(students.size());
   for (const Student& student : students) marks.push_back(mark_student(student, labs, course));
   return marks;
+}
+
+std::vector<std::string> entries_about_nobody(const Course& course,
+                                              const std::vector<Student>& students) {
+  std::vector<std::string> lines;
+  const auto check = [&](const char* table, const auto& entries) {
+    for (const auto& entry : entries) {
+      const bool is_known = std::any_of(
+          students.begin(), students.end(),
+          [&entry](const Student& student) { return is_about(entry.student, student); });
+      if (!is_known)
+        lines.push_back(fmt::format("[[{}]] of lab {} for {}", table, entry.lab, entry.student));
+    }
+  };
+  check("extension", course.extensions);
+  check("adjustment", course.adjustments);
+  check("regrade", course.regrades);
+  return lines;
 }
 
 std::string points_text(double points) {

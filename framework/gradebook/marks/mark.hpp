@@ -54,6 +54,11 @@ StudentMark mark_student(const Student& student, const std::vector<int>& labs,
 std::vector<StudentMark> mark_class(const std::vector<Student>& students,
                                     const std::vector<int>& labs, const Course& course);
 
+/// The entries of the course file whose student is neither the id nor the email of anybody:
+/// "[[extension]] of lab 3 for s0109".
+std::vector<std::string> entries_about_nobody(const Course& course,
+                                              const std::vector<Student>& students);
+
 /// A mark as people write it: "47.5", "60".
 std::string points_text(double points);
 

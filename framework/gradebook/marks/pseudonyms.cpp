@@ -10,6 +10,14 @@ std::string pseudonym(const std::string& id, const std::string& secret) {
   return "student-" + sha256_of({secret, "pseudonym", id}).substr(0, digits);
 }
 
+/// The id of the student whom an entry of the course file is about; the entry if there is none.
+std::string id_in(const std::vector<Student>& students, const std::string& entry) {
+  for (const Student& student : students) {
+    if (is_about(entry, student)) return student.id;
+  }
+  return entry;
+}
+
 void remove_texts(LabRecord& lab) {
   lab.files.clear();
   lab.same_as.clear();
@@ -35,7 +43,8 @@ PseudonymousClass with_pseudonyms(const std::vector<Record>& records,
                                   const std::vector<Student>& roster, const Course& course) {
   PseudonymousClass result;
   result.course = course;
-  for (const Student& student : assign(roster, records)) {
+  const std::vector<Student> students = assign(roster, records);
+  for (const Student& student : students) {
     const std::string name = pseudonym(student.id, course.secret);
     result.key[name] = student.id;
     for (std::size_t i = 0; i < student.records.size(); ++i) {
@@ -45,8 +54,10 @@ PseudonymousClass with_pseudonyms(const std::vector<Record>& records,
       result.roster.push_back({name, "", "", student.section, student.submitted, true, {}});
     }
   }
-  const auto rename = [&course](auto& entries) {
-    for (auto& entry : entries) entry.student = pseudonym(entry.student, course.secret);
+  const auto rename = [&](auto& entries) {
+    for (auto& entry : entries) {
+      entry.student = pseudonym(id_in(students, entry.student), course.secret);
+    }
   };
   rename(result.course.adjustments);
   rename(result.course.extensions);

@@ -77,6 +77,11 @@ std::optional<Time> submission_time(const std::string& text, const std::string& 
 
 }  // namespace
 
+bool is_about(const std::string& entry, const Student& student) {
+  const std::string name = lower(entry);
+  return name == lower(student.id) || (!name.empty() && name == lower(student.email));
+}
+
 std::vector<Student> parse_roster(const std::string& text, const std::string& file) {
   const std::vector<std::vector<std::string>> rows = parse_csv(text);
   std::map<std::string, std::size_t> column;

@@ -18,6 +18,9 @@ struct Student {
   std::vector<const Record*> records;
 };
 
+/// Whether an entry of the course file is about a student: by id or email, in capitals or not.
+bool is_about(const std::string& entry, const Student& student);
+
 /// @param text CSV with a header line: `id`, and optionally name, email, section, submitted
 /// @param file its name in messages
 /// Throws std::runtime_error for a roster without ids, or with one twice.
