@@ -8,6 +8,8 @@
 #   // fake: breaks          the grader itself fails
 #   // fake: sleeps SECONDS
 #   // fake: catches NUMBER           with --own-tests, of 20 mistakes; without it, the reference fails
+#   // fake: times out NAME            the test LabN.NAME has status timeout
+#   // fake: own tests break          with --own-tests, the grader itself fails
 #   // fake: misses lab3_ghosts      with --milestones, that milestone is not reached
 if [ "$1" = --probe ]; then
   [ -z "${FAKE_UNPROTECTED-}" ] || { echo "no isolation works" >&2; exit 1; }
@@ -31,6 +33,7 @@ done
 root=$(dirname "$0")/../..
 told=$(find "$submission" -type f -exec sed -n 's/.*fake: //p' {} +)
 case $told in
+  *'own tests break'*) [ -z "${own_tests-}" ] || { echo "the fake has no mistakes" >&2; exit 1; } ;;
   *breaks*) echo "the fake was told to break" >&2; exit 1 ;;
   *sleeps*) sleep "${told##*sleeps }" ;;
 esac
@@ -59,13 +62,13 @@ if [ -n "${milestones-}" ]; then
 fi
 [ -z "${FAKE_LOG-}" ] || echo "lab $lab" >>"$FAKE_LOG"
 printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${salt:-published}" -v challenge="${challenge-}" '
-  FILENAME == "-" { if ($1 == "fails") fails[$2] = 1; if ($0 == "no compile") broken = 1; next }
+  FILENAME == "-" { if ($1 == "fails") fails[$2] = 1; if ($1 == "times") late[$3] = 1; if ($0 == "no compile") broken = 1; next }
   /"name":/ { split($0, part, "\""); name = part[4] }
   /"points": [0-9]/ { gsub(/[^0-9]/, ""); points = $0 }
   /"step":/ { split($0, part, "\""); step = part[4] }
   /"hidden": (true|false)/ {
     hidden = /true/ ? "true" : "false"
-    status = broken ? "not_compiled" : (name in fails) ? "failed" : "passed"
+    status = broken ? "not_compiled" : (name in fails) ? "failed" : (name in late) ? "timeout" : "passed"
     tests = tests (tests ? ",\n" : "") sprintf("{\"name\":\"Lab%d.%s\",\"step\":\"%s\",\"points\":%d,\"earned\":%d," \
       "\"status\":\"%s\",\"hidden\":%s,\"seconds\":0.25,\"message\":\"%s\"}", lab, name, step, points,
       status == "passed" ? points : 0, status, hidden, status == "failed" ? "expected 1 m, got <b>2</b> m" : "")

@@ -239,6 +239,41 @@ def test_records_are_not_overwritten_without_resume(folder):
     grade(folder / "class", "--out", folder / "out", "--labs", "3", "--resume")
 
 
+def test_results_of_other_programs_are_not_reused(folder):
+    small_class(folder / "class")
+    judge = folder / "judge.sh"
+
+    def reused(text):
+        judge.write_text(f'#!/bin/sh\n{text}exec "{FAKE}" "$@"\n')
+        judge.chmod(0o755)
+        run = subprocess.run([PROGRAM, "--judge", judge, folder / "class", "--out", folder / "out", "--labs", "3",
+                              "--resume"], capture_output=True, text=True, check=True,
+                             env={**os.environ, "CS550_ROOT": str(ROOT)})
+        return re.search(r"(\d+) results? reused", run.stdout)[1]
+
+    assert [reused(""), reused(""), reused("# changed\n")] == ["0", "3", "0"]
+
+
+def test_a_timeout_is_graded_again(folder):
+    pack(folder / "class/ada.zip", {HILL: "// fake: times out FirstOfEqualVerticesWins"})
+    pack(folder / "class/bob.zip", {HILL: "// all right"})
+    for known in ("0 results reused", "1 result reused"):
+        printed = grade(folder / "class", "--out", folder / "out", "--labs", "3", "--resume")
+        assert known in printed and "timeout: ada" in printed, printed
+
+
+def test_own_tests_that_cannot_be_graded_cost_nothing_else(folder):
+    pack(folder / "class/ada.zip", {HILL: "// a", "labs/lab3_hill_climbing/my_tests.cpp": "// fake: own tests break"})
+    course = folder / "course.toml"
+    course.write_text("[lab.3]\nown_tests = 5\n")
+    out = folder / "out"
+    printed = grade(folder / "class", "--out", out, "--labs", "3", "--course", course, code=1)
+    assert "my_tests.cpp NOT GRADED: ada, lab 3" in printed and "no mistakes" in printed, printed
+    row = grades(out)["ada"]
+    assert (row["status"], row["lab3"]) == ("graded", "60") and "NOT GRADED" in row["notes"], row
+    assert "0 results reused" in grade(folder / "class", "--out", out, "--labs", "3", "--resume", code=1)
+
+
 def test_grading_twice_gives_the_same_marks(folder):
     small_class(folder / "class")
     for out in ("one", "two"):

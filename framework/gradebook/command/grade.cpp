@@ -91,6 +91,10 @@ void print_troubles(const std::vector<Record>& records) {
         std::cout << fmt::format("NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
                                  lab.not_graded);
       }
+      if (lab.own_tests && !lab.own_tests->not_graded.empty()) {
+        std::cout << fmt::format("my_tests.cpp NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
+                                 lab.own_tests->not_graded);
+      }
       if (const int late = timeouts(lab); late > 0) {
         std::cout << fmt::format("timeout: {}, lab {}: {} ended at the limit of time\n",
                                  record.name, lab.lab, counted(late, "test"));
@@ -182,8 +186,12 @@ bool grade(const GradeRequest& request) {
                              "--resume.\n  To grade everything again, choose another --out.");
   }
   keep_settings(settings, request.out);
-  const Judge judge{request.judge, request.root / "labs", fs::absolute(request.out) / "work",
-                    project_version(request.root), isolation};
+  const Judge judge{request.judge,
+                    request.root / "labs",
+                    fs::absolute(request.out) / "work",
+                    project_version(request.root),
+                    isolation,
+                    versions_of(request.judge, labs)};
   std::optional<Temporary> work(judge.work);
   const auto start = std::chrono::steady_clock::now();
   // Where the solutions have been removed (gradescope/setup.sh), the reference has been graded

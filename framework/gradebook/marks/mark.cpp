@@ -101,6 +101,10 @@ void apply_adjustments(LabMark& mark, const Student& student, const Course& cour
 void apply_own_tests(LabMark& mark, const LabRecord& lab, const Course& course) {
   if (!lab.own_tests) return;
   const OwnTests& own = *lab.own_tests;
+  if (!own.not_graded.empty()) {
+    mark.notes.push_back("my_tests.cpp NOT GRADED: " + own.not_graded);
+    return;
+  }
   if (!own.compiled || own.fails_reference) {
     mark.notes.push_back(std::string("my_tests.cpp ") +
                          (own.compiled ? "earns nothing: " : "does not compile: ") + own.message);

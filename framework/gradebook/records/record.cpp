@@ -20,9 +20,19 @@ double LabRecord::seconds() const {
                          [](double sum, const TestResult& test) { return sum + test.seconds; });
 }
 
+bool LabRecord::is_graded() const {
+  return not_graded.empty() && (!own_tests || own_tests->not_graded.empty());
+}
+
+bool LabRecord::is_final() const {
+  return is_graded() && std::none_of(tests.begin(), tests.end(), [](const TestResult& test) {
+           return test.status == "timeout";
+         });
+}
+
 bool Record::is_graded() const {
   return std::all_of(labs.begin(), labs.end(),
-                     [](const LabRecord& lab) { return lab.not_graded.empty(); });
+                     [](const LabRecord& lab) { return lab.is_graded(); });
 }
 
 const LabRecord* Record::lab(int number) const {

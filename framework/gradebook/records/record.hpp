@@ -36,7 +36,8 @@ struct OwnTests {
   int mistakes = 0;  ///< known ones of the lab
   int caught = 0;    ///< of these; 0 if a test ever fails on the reference
   bool fails_reference = false;
-  std::string message;  ///< of the compiler, or what a test prints that fails on the reference
+  std::string message;     ///< of the compiler, or what a test prints that fails on the reference
+  std::string not_graded;  ///< why the grader itself failed; empty if they were graded
 };
 
 struct LabRecord {
@@ -61,6 +62,9 @@ struct LabRecord {
   int points() const;
   int earned() const;
   double seconds() const;  ///< of compilation and tests
+  bool is_graded() const;  ///< whether the grader failed in no part of it
+  /// Whether grading the same files again would give the same: a timeout may be that of a busy machine.
+  bool is_final() const;
 };
 
 struct Record {

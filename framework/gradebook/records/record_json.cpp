@@ -37,18 +37,19 @@ std::vector<TestResult> tests_of(const Json& json) {
 }
 
 Json json_of(const OwnTests& own) {
-  return {{"compiled", own.compiled},
-          {"mistakes", own.mistakes},
-          {"caught", own.caught},
-          {"reference_failures", own.fails_reference ? 1 : 0},
-          {"message", own.message}};
+  return {{"compiled", own.compiled}, {"mistakes", own.mistakes},
+          {"caught", own.caught},     {"reference_failures", own.fails_reference ? 1 : 0},
+          {"message", own.message},   {"not_graded", own.not_graded}};
 }
 
 OwnTests own_tests_of(const Json& json) {
   constexpr std::size_t longest_message = 4096;
-  OwnTests own{json.at("compiled"), json.at("mistakes"), json.at("caught"),
+  OwnTests own{json.at("compiled"),
+               json.at("mistakes"),
+               json.at("caught"),
                json.at("reference_failures") != 0,
-               shortened(json.at("message").get<std::string>(), longest_message)};
+               shortened(json.at("message").get<std::string>(), longest_message),
+               json.value("not_graded", "")};
   if (own.caught < 0 || own.caught > own.mistakes || (own.fails_reference && own.caught > 0)) {
     throw std::runtime_error("the result of the student's own tests is impossible");
   }

@@ -144,7 +144,7 @@ class Run {
       return task;
     }
     task = std::make_shared<Task>(Task{key, lab, std::move(files), {}, false, name});
-    if (const std::optional<LabRecord> known = folder_.result(key)) {
+    if (const std::optional<LabRecord> known = folder_.result(key); known && known->is_final()) {
       task->result = *known;
       task->is_done = true;
       ++outcome_.known;
@@ -182,7 +182,7 @@ class Run {
 
   void grade(Task& task) const {
     task.result = grade_lab(task.lab, task.files, course_, judge_, stop_);
-    if (!stop_ && task.result.not_graded.empty()) folder_.store_result(task.key, task.result);
+    if (!stop_ && task.result.is_final()) folder_.store_result(task.key, task.result);
   }
 
   void store_complete() {

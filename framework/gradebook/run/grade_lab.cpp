@@ -94,6 +94,19 @@ bool has_own_tests(int lab, const LabFiles& files, const Course& course) {
                      [](const SourceFile& file) { return file.path == "my_tests.cpp"; });
 }
 
+/// Grading the student's own tests. If that fails, the lab keeps its result.
+OwnTests run_own_tests(std::vector<std::string> command, const fs::path& folder,
+                       const std::atomic<bool>& stop) {
+  command.emplace_back("--own-tests");
+  try {
+    return own_tests_from_judge(result_of(command, folder, stop), "its result");
+  } catch (const std::exception& error) {
+    OwnTests own;
+    own.not_graded = plain_text(error.what());
+    return own;
+  }
+}
+
 LabRecord run_judge(const CatalogueLab& lab, const LabFiles& files, const Course& course,
                     const Judge& judge, const std::atomic<bool>& stop) {
   const WorkFolder folder(judge.work);
@@ -101,14 +114,22 @@ LabRecord run_judge(const CatalogueLab& lab, const LabFiles& files, const Course
     files::write_file(folder.path() / "submission" / file.path, file.text);
   }
   fs::create_directories(folder.path() / "work");
-  std::vector<std::string> command = command_for(lab, course, judge, folder.path());
+  const std::vector<std::string> command = command_for(lab, course, judge, folder.path());
   LabRecord record = lab_from_judge(result_of(command, folder.path(), stop), "its result");
   check_tests(record, lab);
   if (has_own_tests(lab.number, files, course)) {
-    command.emplace_back("--own-tests");
-    record.own_tests = own_tests_from_judge(result_of(command, folder.path(), stop), "its result");
+    record.own_tests = run_own_tests(command, folder.path(), stop);
   }
   return record;
+}
+
+/// Of the contents of files, without those that do not exist.
+std::string hash_of(const std::vector<fs::path>& files) {
+  std::string hashes;
+  for (const fs::path& file : files) {
+    if (fs::is_regular_file(file)) hashes += sha256_of({cli::read_text(file)});
+  }
+  return sha256_of({hashes});
 }
 
 LabRecord without_result(const CatalogueLab& lab, const std::string& status) {
@@ -154,12 +175,28 @@ LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogu
   return result;
 }
 
+std::map<int, std::string> versions_of(const fs::path& program, const std::vector<int>& labs) {
+  const fs::path folder = program.parent_path();
+  // References and given code, which judges and workers load.
+  std::vector<fs::path> shared = cli::files_below(folder.parent_path() / "labs");
+  std::erase_if(shared, [](const fs::path& file) { return file.extension() != ".so"; });
+  shared.insert(shared.end(), {program, folder / "lab_worker"});
+  const std::string all = hash_of(shared);
+  std::map<int, std::string> versions{{0, hash_of({folder / "milestones_judge"})}};
+  for (const int lab : labs) {
+    const std::string name = fmt::format("lab{}", lab);
+    versions[lab] = hash_of({folder / (name + "_judge"), folder / (name + "_own_tests")});
+  }
+  for (auto& [lab, version] : versions) version += all;
+  return versions;
+}
+
 std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge) {
   const Limits limits = course.limits_of(lab);
   const auto number = [](std::optional<int> value) { return std::to_string(value.value_or(0)); };
-  std::vector<std::string> parts{std::to_string(lab),   judge.project,       judge.isolation,
-                                 course.secret,         number(limits.wall), number(limits.cpu),
-                                 number(limits.memory), number(limits.lab)};
+  std::vector<std::string> parts{std::to_string(lab), judge.project,         judge.versions.at(lab),
+                                 judge.isolation,     course.secret,         number(limits.wall),
+                                 number(limits.cpu),  number(limits.memory), number(limits.lab)};
   if (has_own_tests(lab, files, course)) parts.emplace_back("own tests");
   if (course.counts_challenges()) parts.emplace_back("challenge");
   for (const SourceFile& file : files.files) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,12 @@ namespace cs550::gradebook {
 
 /// What the grader runs, and where.
 struct Judge {
-  std::filesystem::path program;   ///< grade_lab
-  std::filesystem::path starters;  ///< labs/ of the project
-  std::filesystem::path work;      ///< a new folder for each lab is made here
-  std::string project;             ///< commit
-  std::string isolation;           ///< of submissions: bubblewrap or plain
+  std::filesystem::path program;        ///< grade_lab
+  std::filesystem::path starters;       ///< labs/ of the project
+  std::filesystem::path work;           ///< a new folder for each lab is made here
+  std::string project;                  ///< commit
+  std::string isolation;                ///< of submissions: bubblewrap or plain
+  std::map<int, std::string> versions;  ///< versions_of() the labs and the engine
 };
 
 /// The files of one lab as they are graded.
@@ -35,6 +37,11 @@ LabFiles files_to_grade(const Submission& submission, const CatalogueLab& lab,
 /// The files of the labs of an engine, each in its lab's folder.
 LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogue,
                          const CatalogueLab& engine, const std::filesystem::path& starters);
+
+/// A hash of the programs and libraries that grade each lab, and the engine: 0. The commit does not name
+/// them while files differ from it.
+std::map<int, std::string> versions_of(const std::filesystem::path& program,
+                                       const std::vector<int>& labs);
 
 /// Names everything that the result of a lab depends on.
 std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge);
