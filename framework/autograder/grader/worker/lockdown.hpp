@@ -10,8 +10,8 @@ namespace cs550::grader {
 /// @return false if nothing was done, since this process is not root. @throws std::system_error
 bool confine_to(const std::filesystem::path& folder);
 
-/// Allows only what computing needs: memory, threads, time, reading files, and descriptors that are
-/// open. Starting a program, a process or a connection fails with EPERM.
+/// Allows only what computing needs: memory, time, reading files, and descriptors that are open.
+/// Starting a program, a process, a thread or a connection fails with EPERM.
 /// @throws std::system_error
 void forbid_system_calls();
 
