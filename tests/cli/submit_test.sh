@@ -15,6 +15,9 @@ echo "int starter;" >"$project/.starters/lab3_hill_climbing/hill_climbing.cpp"
 echo "int mine;" >"$lab/hill_climbing.cpp"
 echo "int helper;" >"$lab/util.h"
 echo "int deeper;" >"$lab/util/more.hpp"
+echo "int template_code;" >"$lab/util/more.tpp"
+echo "int odd;" >"$lab/my util.h"
+echo "1, 2" >"$lab/table.txt"
 echo "int hidden;" >"$lab/util/.cache/a.hpp"
 echo "old" >"$lab/hill_climbing.cpp.bak-1"
 echo "words" >"$lab/README.md"
@@ -28,6 +31,10 @@ prints() { grep -qF "$1" "$scratch/printed" || wrong "expected in the message: $
 touch compiles
 submit --out first.zip
 prints "no name"
+prints "Not packed: labs/lab3_hill_climbing/my util.h"
+prints "Rename it to labs/lab3_hill_climbing/my_util.h"
+prints "Not packed: labs/lab3_hill_climbing/table.txt"
+! grep -q README "$scratch/printed" || wrong "the handout need not be packed"
 submit --out named.zip --student "Ada Lovelace"
 submit --out again.zip
 ! grep -q "no name" printed || wrong "the name was forgotten"
@@ -36,7 +43,7 @@ mkdir unpacked
 (cd unpacked && cmake -E tar xf ../again.zip)
 (cd unpacked && find . -type f | sort) >found
 printf './%s\n' labs/lab3_hill_climbing/hill_climbing.cpp labs/lab3_hill_climbing/util.h \
-  labs/lab3_hill_climbing/util/more.hpp manifest.json >expected
+  labs/lab3_hill_climbing/util/more.hpp labs/lab3_hill_climbing/util/more.tpp manifest.json >expected
 cmp expected found || wrong "the zip contains $(cat found)"
 for file in hill_climbing.cpp util.h util/more.hpp; do
   cmp "$lab/$file" "unpacked/labs/lab3_hill_climbing/$file" || wrong "$file was changed"

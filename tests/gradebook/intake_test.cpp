@@ -43,6 +43,10 @@ TEST(LabPath, OtherFilesAreIgnoredWithTheReason) {
   }
   EXPECT_NE(place("labs/lab3_hill_climbing/README.md").ignored.find("C++"), std::string::npos);
   EXPECT_NE(place("labs/lab3_hill_climbing/a.cpp.bak-1").ignored.find("C++"), std::string::npos);
+  EXPECT_EQ(place("labs/lab3_hill_climbing/a.tpp").lab, 3);
+  EXPECT_NE(place("labs/lab3_hill_climbing/my util.h").ignored.find("letters"), std::string::npos);
+  EXPECT_EQ(place("Ada's work/labs/lab3_hill_climbing/util.h").lab, 3)
+      << "only names in the lab count";
   EXPECT_EQ(place("labs/lab3_hill_climbing/._a.cpp").ignored, "hidden file");
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "files/output_file.hpp"
+#include "files/source_name.hpp"
 
 namespace cs550::cli {
 
@@ -103,6 +103,23 @@ std::vector<fs::path> replace_lab_files(const std::string& lab_name, const Texts
   return backups;
 }
 
+/// Those of which no folder and no file has a name that begins with a dot.
+std::vector<fs::path> visible_files(const std::string& lab_name) {
+  const fs::path folder = lab_folder(lab_name);
+  std::vector<fs::path> files = files_below(folder);
+  std::erase_if(files, [&](const fs::path& file) {
+    const fs::path name = file.lexically_relative(folder);
+    return std::any_of(name.begin(), name.end(),
+                       [](const fs::path& part) { return part.native().starts_with('.'); });
+  });
+  return files;
+}
+
+bool is_handed_in(const std::string& lab_name, const fs::path& file) {
+  return files::is_source(file) &&
+         files::has_plain_name(file.lexically_relative(lab_folder(lab_name)));
+}
+
 void append(std::vector<fs::path>& files, const std::vector<fs::path>& more) {
   files.insert(files.end(), more.begin(), more.end());
 }
@@ -128,15 +145,17 @@ std::vector<fs::path> lab_files(const std::string& lab_name) {
 }
 
 std::vector<fs::path> files_to_submit(const std::string& lab_name) {
-  static const std::set<fs::path> extensions{".cpp", ".hpp", ".h", ".inl", ".ipp", ".inc"};
-  const fs::path folder = lab_folder(lab_name);
-  std::vector<fs::path> files = files_below(folder);
+  std::vector<fs::path> files = visible_files(lab_name);
+  std::erase_if(files, [&](const fs::path& file) { return !is_handed_in(lab_name, file); });
+  return files;
+}
+
+std::vector<fs::path> files_left_out(const std::string& lab_name) {
+  std::vector<fs::path> files = visible_files(lab_name);
   std::erase_if(files, [&](const fs::path& file) {
-    const fs::path name = file.lexically_relative(folder);
-    const bool is_hidden = std::any_of(name.begin(), name.end(), [](const fs::path& part) {
-      return part.native().starts_with('.');
-    });
-    return is_hidden || !extensions.contains(file.extension());
+    const bool is_ours =
+        file.filename() == "README.md" || file.extension().native().starts_with(".bak-");
+    return is_ours || is_handed_in(lab_name, file);
   });
   return files;
 }

@@ -17,6 +17,9 @@ std::vector<std::filesystem::path> lab_files(const std::string& lab_name);
 /// left out.
 std::vector<std::filesystem::path> files_to_submit(const std::string& lab_name);
 
+/// The other files of the lab's folder, of which the handout and backups need no mention.
+std::vector<std::filesystem::path> files_left_out(const std::string& lab_name);
+
 /// Changes when anything changes that a result of the lab depends on: the lab's files, its tests,
 /// given code, and the other labs that its tests are linked with. In a students' copy those are the
 /// student's earlier labs; no test of a lab calls a later one.

@@ -16,6 +16,7 @@
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
 #include "files/path_argument.hpp"
+#include "files/source_name.hpp"
 
 namespace cs550::cli {
 
@@ -62,6 +63,22 @@ std::string date() {
 void warn_unless_it_compiles(int lab) {
   if (build("student", "lab" + std::to_string(lab) + "_student_code")) return;
   std::cerr << "Warning: lab " << lab << " does not compile, so that its tests will fail.\n";
+}
+
+/// Names what a lab might need and lacks in the zip file.
+void print_files_left_out(const std::string& lab_name) {
+  for (const fs::path& file : files_left_out(lab_name)) {
+    const fs::path name = fs::relative(file, project_root());
+    if (files::is_source(file)) {
+      const std::string renamed = files::plain_name(name);
+      std::cerr << "Not packed: " << name.string()
+                << "\n  Its name may have letters, digits and _-. only. Rename it to " << renamed
+                << ", also where it is included.\n";
+    } else {
+      std::cerr << "Not packed: " << name.string() << "\n  Code must be in files that end in "
+                << files::source_extensions() << ".\n";
+    }
+  }
 }
 
 Json manifest(const std::vector<std::string>& labs, const std::string& student) {
@@ -140,7 +157,10 @@ int run_submit(const SubmitOptions& options) {
               << " is still the unchanged starter.\n  To pack it anyway, add --force.\n";
     return Failed;
   }
-  for (const std::string& name : labs) warn_unless_it_compiles(lab_number(name));
+  for (const std::string& name : labs) {
+    warn_unless_it_compiles(lab_number(name));
+    print_files_left_out(name);
+  }
   const std::string student = student_name(options.student);
   if (student.empty()) {
     std::cerr << "Warning: the submission has no name. Add one with --student NAME.\n";

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "files/source_name.hpp"
 #include "gradebook/text/escape.hpp"
 
 namespace cs550::gradebook {
@@ -87,11 +88,6 @@ LabPath named_like_starter(const Words& words, const Catalogue& catalogue) {
   return found;
 }
 
-bool is_source(const std::string& name) {
-  static const std::set<std::string> extensions{".cpp", ".hpp", ".h", ".inl", ".ipp", ".inc"};
-  return extensions.contains(std::filesystem::path(name).extension());
-}
-
 bool is_hidden(const std::string& file) { return file[0] == '.' || file.find("/.") != file.npos; }
 
 LabPath ignored(const std::string& reason) {
@@ -109,7 +105,12 @@ LabPath lab_path(std::string_view path, const Catalogue& catalogue) {
   if (place.lab == 0) place = named_like_starter(words, catalogue);
   if (place.lab == 0) return ignored(outside_of_labs);
   if (is_hidden(place.file)) return ignored("hidden file");
-  if (!is_source(place.file)) return ignored("not a C++ source file (.cpp, .hpp, .h, .inl, .inc)");
+  if (!files::is_source(place.file)) {
+    return ignored("not a C++ source file (" + files::source_extensions() + ")");
+  }
+  if (!files::has_plain_name(place.file)) {
+    return ignored("a name of other characters than letters, digits and _-.");
+  }
   return place;
 }
 

@@ -7,13 +7,13 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
 
 #include "autograder/grader/grade_lab/options.hpp"
+#include "files/source_name.hpp"
 
 namespace cs550::grader {
 namespace {
@@ -66,35 +66,18 @@ class Stage {
   fs::path path_;
 };
 
-/// The same kinds as ./cs550 submit packs.
-bool is_source(const fs::path& file) {
-  static const std::set<fs::path> extensions{".cpp", ".hpp", ".h", ".inl", ".ipp", ".inc"};
-  return extensions.contains(file.extension());
-}
-
-/// Letters that need no care in a command or a message.
-bool has_plain_name(const fs::path& file) {
-  const std::string name = file.string();
-  return name.front() != '-' && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-           return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == '/';
-         });
-}
-
 /// Copies the sources. @return those to compile, relative to the stage: as in a student's build, the
 /// .cpp files of the lab's own folder. Those below it may be included.
 std::vector<fs::path> copy_sources(const fs::path& from, const fs::path& to, const fs::path& root,
                                    Part part) {
   std::vector<fs::path> sources;
-  int files = 0;
+  int count = 0;
   const auto options = fs::directory_options::none;  // does not follow links to folders
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(from, options)) {
     const fs::path name = entry.path().lexically_relative(from);
-    if (entry.is_symlink() || !entry.is_regular_file() || !is_source(name)) continue;
-    if (!has_plain_name(name)) {
-      throw Refusal("a file has a name that is not made of letters, digits and _-. alone: " +
-                    name.string());
-    }
-    if (++files > most_files) throw Refusal("more than " + std::to_string(most_files) + " files");
+    const bool is_file = !entry.is_symlink() && entry.is_regular_file();
+    if (!is_file || !files::is_source(name) || !files::has_plain_name(name)) continue;
+    if (++count > most_files) throw Refusal("more than " + std::to_string(most_files) + " files");
     if (entry.file_size() > largest_file) throw Refusal(name.string() + " is larger than 1 MB");
     fs::create_directories((to / name).parent_path());
     fs::copy_file(entry.path(), to / name);
