@@ -7,7 +7,7 @@
 namespace cs550::test {
 
 /// What is added to every seed: the environment variable CS550_SEED_SALT, 0 if it is absent. An
-/// instructor's course has a salt of its own, so that no table of the published inputs earns points.
+/// instructor's course has a salt of its own, so that no table of the published random inputs earns points.
 std::uint32_t seed_salt();
 
 /// The generator of scenes, with further distributions for tests.
