@@ -4,7 +4,9 @@
 /// faster than cereal's own, which work on streams, and safe to use on bytes of a stranger: nothing
 /// is read past the end, no size exceeds the bytes that are left, and a bool is 0 or 1.
 
+#include <algorithm>
 #include <cereal/cereal.hpp>
+#include <cereal/types/vector.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +15,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace cs550::serialisation {
 
@@ -114,6 +117,18 @@ void load(ByteReader& archive, cereal::SizeTag<Size>& tag) {
   archive(size);
   if (size > archive.left()) throw cereal::Exception("a size exceeds the bytes that follow");
   tag.size = static_cast<std::remove_reference_t<Size>>(size);
+}
+
+/// Not by cereal, which makes all elements before it reads the first: a stranger could announce as many as
+/// there are bytes, and each may be much larger.
+template <class Item, class Allocator>
+requires(!std::is_arithmetic_v<Item>) void load(ByteReader& archive,
+                                                std::vector<Item, Allocator>& items) {
+  std::size_t size = 0;
+  archive(cereal::make_size_tag(size));
+  items.clear();
+  items.reserve(std::min(size, archive.left() / sizeof(Item)));
+  for (std::size_t i = 0; i < size; ++i) archive(items.emplace_back());
 }
 
 template <class Data>

@@ -1,6 +1,7 @@
 /// Bytes from a stranger: whatever they are, reading them ends with a value or an exception.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -29,6 +30,23 @@ TEST(Serialisation, BytesThatEndTooEarlyAreRefused) {
 TEST(Serialisation, ASizeBeyondTheBytesIsRefusedBeforeMemoryIsTaken) {
   const std::string bytes = to_bytes(std::numeric_limits<std::uint64_t>::max() / 64);
   EXPECT_THROW(from_bytes<std::vector<Vec3>>(bytes), cereal::Exception);
+}
+
+struct CountedItem {
+  CountedItem() { ++made; }
+  std::array<std::uint8_t, 50> bytes;
+  static inline int made = 0;
+};
+
+template <class Archive>
+void serialize(Archive& archive, CountedItem& item) {
+  archive(item.bytes);
+}
+
+TEST(Serialisation, ItemsAreMadeOnlyForBytesThatAreThere) {
+  const std::string bytes = to_bytes(std::uint64_t{100}) + std::string(100, '\0');
+  EXPECT_THROW(from_bytes<std::vector<CountedItem>>(bytes), cereal::Exception);
+  EXPECT_LE(CountedItem::made, 3) << "a hundred were announced";
 }
 
 TEST(Serialisation, MoreItemsThanFitAreRefused) {
