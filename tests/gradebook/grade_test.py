@@ -366,6 +366,7 @@ def test_reports_are_made_again_from_records(folder):
     for file in (folder / "shared").rglob("*.*"):
         assert not re.search(rb"\b(ada|bob|eve)\b", file.read_bytes()), f"{file} has a name"
     assert (out / "course.toml").stat().st_mode & 0o077 == 0
+    assert out.stat().st_mode & 0o077 == 0, "records are for the instructor alone"
 
 
 def test_a_secret_salts_the_seeds(folder):

@@ -17,7 +17,10 @@ namespace fs = std::filesystem;
 
 FolderLock::FolderLock(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder, error);
+  // Records are for the instructor alone. A folder that exists keeps its permissions.
+  if (fs::create_directories(folder, error)) {
+    fs::permissions(folder, fs::perms::owner_all, error);
+  }
   const fs::path file = folder / ".lock";
   file_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0) throw std::runtime_error("cannot write to " + folder.string());

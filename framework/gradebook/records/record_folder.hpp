@@ -15,7 +15,7 @@ namespace cs550::gradebook {
 /// While this object lives, no other grader works on the folder.
 class FolderLock {
  public:
-  /// Creates the folder. Throws std::runtime_error if another grader works on it.
+  /// Creates the folder, which only its owner can enter. Throws std::runtime_error if another grader works on it.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
