@@ -21,6 +21,10 @@ TEST(Escape, TerminalSequencesAndControlCharactersAreRemoved) {
             "reversed txet");
 }
 
+TEST(Escape, WhatNoXmlDocumentMayContainIsRemoved) {
+  EXPECT_EQ(html("a\xEF\xBF\xBE\xEF\xBF\xBF<b"), "a&lt;b");
+}
+
 TEST(Escape, InvalidUtf8IsReplaced) {
   EXPECT_EQ(plain_text("Größe λ 🙂"), "Größe λ 🙂");
   EXPECT_EQ(plain_text("\xFF"), "\xEF\xBF\xBD");

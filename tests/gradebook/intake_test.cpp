@@ -296,6 +296,21 @@ TEST(Discovery, AFolderOfSubmissionsIsAllOfThem) {
   EXPECT_THROW(find_submissions({scratch / "absent"}, project_catalogue()), std::runtime_error);
 }
 
+TEST(Discovery, WhatCannotBeReadGetsARecord) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "class/ada/lab3.rar", "Rar!");
+  files::write_file(scratch / "class/bob/report.pdf", "");
+  files::write_file(scratch / "class/EVE.ZIP", "");
+  const Discovery found = find_submissions({scratch / "class"}, project_catalogue());
+  ASSERT_EQ(found.submissions.size(), 3U);
+  EXPECT_EQ(found.submissions[0].student, "EVE");
+  EXPECT_EQ(found.submissions[1].student, "ada");
+  EXPECT_EQ(found.submissions[2].student, "bob");
+  for (const FoundSubmission& submission : found.submissions) {
+    EXPECT_NE(read_submission(submission, project_catalogue()).trouble, "") << submission.name;
+  }
+}
+
 TEST(Discovery, OnlyAnArchiveHasATimeOfSubmission) {
   const ScratchFolder scratch;
   files::write_file(scratch / "class/ada.zip", "");

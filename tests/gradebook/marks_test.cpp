@@ -167,6 +167,20 @@ TEST(Roster, RecordsFindTheirStudents) {
   EXPECT_FALSE(students[3].on_roster);
 }
 
+TEST(Roster, AFolderOfMoodleHasTheWholeName) {
+  const std::string text = "id,name\ns1,\"Lovelace, Ada\"\ns2,Ada Byron\ns3,José Ada\ns4,Jo\n";
+  std::vector<Record> records{
+      record_of("Ada Lovelace_123_assignsubmission_file_", lab_record(24, 24, 12)),
+      record_of("José Ada_124_assignsubmission_file_", lab_record(0, 0, 0)),
+      record_of("Ada Byron Lovelace_125_assignsubmission_file_", lab_record(0, 0, 0))};
+  const std::vector<Student> students = assign(parse_roster(text, "roster.csv"), records);
+  ASSERT_EQ(students.size(), 5U) << "two names fit the last folder, so it is nobody's";
+  EXPECT_EQ(students[0].records.size(), 1U);
+  EXPECT_TRUE(students[1].records.empty());
+  EXPECT_EQ(students[2].records.size(), 1U);
+  EXPECT_TRUE(students[3].records.empty());
+}
+
 TEST(Roster, AClaimCountsOnlyWhereTheFileNameIsNobodys) {
   const std::string text = "id\nada\neve\n";
   std::vector<Record> records{record_of("eve", lab_record(0, 0, 0)),

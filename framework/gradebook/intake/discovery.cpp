@@ -41,7 +41,8 @@ bool has_lab_files(const fs::path& folder, const Catalogue& catalogue) {
 
 /// The name of a file without the ending of an archive.
 std::string stem(const fs::path& source) {
-  static const std::regex ending(R"((.+?)(\.zip|\.tar|\.tar\.gz|\.tgz)?)");
+  static const std::regex ending(R"((.+?)(\.zip|\.tar|\.tar\.gz|\.tgz|\.rar|\.7z)?)",
+                                 std::regex::icase);
   std::smatch match;
   const std::string name = source.filename();
   return std::regex_match(name, match, ending) ? match[1].str() : name;
@@ -68,7 +69,8 @@ class Finder {
   /// @param folders the names of the folders between the source and this path
   void look_at(const fs::path& path, const std::vector<std::string>& folders) {
     if (!fs::is_directory(path)) {
-      if (is_archive(path)) {
+      // One that cannot be read is what a student handed in, too.
+      if (is_archive(path) || is_unknown_archive(path)) {
         add(path, folders);
       } else {
         found_.skipped.push_back({plain_line(path.string()), "not an archive", 1});
@@ -82,18 +84,18 @@ class Finder {
 
   void open(const fs::path& folder, const std::vector<std::string>& folders) {
     constexpr std::size_t deepest = 2;  // a folder per student, and one per lab in it
-    const std::vector<fs::path> inside = children(folder);
-    if (inside.empty() || folders.size() == deepest) {
-      // An empty folder is what a student handed in, and gets a record.
-      const std::size_t above = folders.empty() ? 0 : folders.size() - 1;
-      add(folder, {folders.begin(), folders.begin() + static_cast<std::ptrdiff_t>(above)});
-      return;
+    const std::size_t before = found_.submissions.size();
+    if (folders.size() < deepest) {
+      for (const fs::path& child : children(folder)) {
+        std::vector<std::string> names = folders;
+        if (fs::is_directory(child)) names.push_back(child.filename());
+        look_at(child, names);
+      }
     }
-    for (const fs::path& child : inside) {
-      std::vector<std::string> names = folders;
-      if (fs::is_directory(child)) names.push_back(child.filename());
-      look_at(child, names);
-    }
+    if (found_.submissions.size() > before) return;
+    // A folder without a submission is what a student handed in, and gets a record.
+    const std::size_t above = folders.empty() ? 0 : folders.size() - 1;
+    add(folder, {folders.begin(), folders.begin() + static_cast<std::ptrdiff_t>(above)});
   }
 
   Discovery result() { return std::move(found_); }

@@ -4,7 +4,10 @@
 #include <archive_entry.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <initializer_list>
 #include <memory>
 #include <string_view>
 
@@ -52,6 +55,16 @@ bool read_content(archive* from, std::size_t most, std::string& content) {
   }
 }
 
+bool ends_with_any(const std::filesystem::path& file,
+                   std::initializer_list<std::string_view> endings) {
+  std::string name = file.filename();
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(endings.begin(), endings.end(), [&name](std::string_view ending) {
+    return name.size() > ending.size() && name.ends_with(ending);
+  });
+}
+
 std::string damage(archive* damaged) {
   const char* reason = archive_error_string(damaged);
   return fmt::format("a damaged archive: {}", plain_line(reason == nullptr ? "unknown" : reason));
@@ -60,11 +73,11 @@ std::string damage(archive* damaged) {
 }  // namespace
 
 bool is_archive(const std::filesystem::path& file) {
-  const std::string name = file.filename();
-  for (const std::string_view ending : {".zip", ".tar", ".tar.gz", ".tgz"}) {
-    if (name.size() > ending.size() && name.ends_with(ending)) return true;
-  }
-  return false;
+  return ends_with_any(file, {".zip", ".tar", ".tar.gz", ".tgz"});
+}
+
+bool is_unknown_archive(const std::filesystem::path& file) {
+  return ends_with_any(file, {".rar", ".7z", ".xz", ".bz2", ".zst", ".gz"}) && !is_archive(file);
 }
 
 std::string read_archive(const std::filesystem::path& file, Collector& collector,

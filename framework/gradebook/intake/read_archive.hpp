@@ -8,8 +8,10 @@
 
 namespace cs550::gradebook {
 
-/// Whether a file's name is that of an archive: .zip, .tar, .tar.gz, .tgz.
+/// Whether a file's name is that of an archive: .zip, .tar, .tar.gz, .tgz, in capitals or not.
 bool is_archive(const std::filesystem::path& file);
+/// Whether it is that of an archive of another kind, such as .rar, which cannot be read.
+bool is_unknown_archive(const std::filesystem::path& file);
 
 /// Offers every file of an archive to the collector. Links and devices are ignored.
 /// @return why the archive was not read to its end; empty if it was

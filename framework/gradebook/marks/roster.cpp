@@ -25,7 +25,8 @@ std::set<std::string> words_of(const std::string& text) {
   std::set<std::string> words;
   std::string word;
   for (const char c : lower(text) + ' ') {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+    const bool is_letter = static_cast<unsigned char>(c) >= 0x80;  // of other alphabets, in UTF-8
+    if (is_letter || std::isalnum(static_cast<unsigned char>(c)) != 0) {
       word += c;
     } else if (!word.empty()) {
       words.insert(word);
@@ -40,6 +41,12 @@ bool is_called(const Student& student, const std::string& name) {
   if (wanted.empty()) return false;
   return wanted == lower(student.id) || wanted == lower(student.email) ||
          wanted == lower(student.name);
+}
+
+/// "Ada Lovelace_123_assignsubmission_file_", as Moodle calls a folder, has all words of her name.
+bool has_name(const std::set<std::string>& words, const Student& student) {
+  const std::set<std::string> name = words_of(student.name);
+  return !name.empty() && std::includes(words.begin(), words.end(), name.begin(), name.end());
 }
 
 /// The only student for whom a condition holds; null if there is none, or several.
@@ -60,6 +67,9 @@ Student* student_of(std::vector<Student>& roster, const Record& record) {
   if (student == nullptr) {
     const std::set<std::string> words = words_of(record.student);
     student = only_one(roster, [&](const Student& s) { return words.contains(lower(s.id)); });
+    if (student == nullptr) {
+      student = only_one(roster, [&](const Student& s) { return has_name(words, s); });
+    }
   }
   if (student == nullptr) {
     student =

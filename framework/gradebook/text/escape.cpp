@@ -42,7 +42,8 @@ std::size_t escape_length(std::string_view text) {
   return 2;
 }
 
-/// Control characters (C0, C1, DEL), and the marks that reverse the direction of text.
+/// Control characters (C0, C1, DEL), the marks that reverse the direction of text, and U+FFFE and U+FFFF,
+/// which no XML document may contain.
 bool is_invisible(std::string_view character) {
   if (character.size() == 1) {
     return (character[0] >= 0 && character[0] < ' ') || character[0] == '\x7F';
@@ -50,7 +51,8 @@ bool is_invisible(std::string_view character) {
   const bool is_c1 = character[0] == '\xC2' && static_cast<std::uint8_t>(character[1]) < 0xA0;
   const bool is_direction = (character >= "\xE2\x80\xAA" && character <= "\xE2\x80\xAE") ||
                             (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
-  return is_c1 || is_direction;
+  const bool is_noncharacter = character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
+  return is_c1 || is_direction || is_noncharacter;
 }
 
 }  // namespace
