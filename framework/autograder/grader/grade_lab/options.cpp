@@ -16,9 +16,8 @@ constexpr std::chrono::seconds longest_compilation{60};
 constexpr const char* unprotected =
     "bubblewrap does not work on this machine, and only root can confine a submission without it.\n"
     "A submission could read your files and call the reference. Three ways out:\n"
-    "  1. Make bubblewrap work: ./cs550 doctor --install grade. Ubuntu 24.04 also needs a profile "
-    "of\n"
-    "     AppArmor (docs/instructors.md, The sandbox).\n"
+    "  1. Make bubblewrap work: ./cs550 doctor --install grade. Ubuntu 24.04 also needs an\n"
+    "     AppArmor profile, which docs/instructors.md shows.\n"
     "  2. Grade as root, on a machine that holds nothing else.\n"
     "  3. Grade in a container.\n"
     "To grade without protection, add --isolation plain.";

@@ -40,9 +40,6 @@ template <class Result, class... Arguments>
 void check_indices(const Result& /*contains no index*/, const Arguments&... /*arguments*/) {}
 
 inline void check_indices(const HalfEdgeMesh& mesh) {
-  if (mesh.vertex_edge.size() > mesh.vertices.size()) {
-    throw cereal::Exception("its mesh has more entries of vertex_edge than vertices");
-  }
   for (const Index e : mesh.vertex_edge) require_edge(e, mesh);
   for (const HalfEdge& edge : mesh.edges) {
     require_vertex(edge.vertex, mesh);
