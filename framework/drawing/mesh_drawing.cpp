@@ -107,8 +107,12 @@ Drawing draw_mesh(const HalfEdgeMesh& mesh, const MeshStyle& style) {
   drawing.alt_text = "A mesh of " + printed_index(mesh.vertex_count()) + " vertices, " +
                      printed_index(mesh.edge_count() / 2) + " edges and " +
                      printed_index(mesh.face_count()) + " faces.";
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  // All faces of a sound mesh together have as many corners as there are half-edges. Where links are wrong
+  // each face may have that many, which would take minutes to draw.
+  std::size_t corners = 0;
+  for (Index f = 0; f < mesh.face_count() && corners <= 4 * mesh.edges.size(); ++f) {
     Polygon polygon = face_polygon(mesh, f, style.role, style.opacity);
+    corners += polygon.corners.size();
     const Vec3 center = middle(polygon.corners);
     const Real length = Real(0.22) * size(mesh);
     if (style.face_numbers) drawing.labels.push_back({center, "f" + printed_index(f), Role::Axis});

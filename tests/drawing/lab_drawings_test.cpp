@@ -63,6 +63,15 @@ TEST(MeshDrawing, SurvivesLinksThatPointNowhere) {
   EXPECT_EQ(test::xml_fault(write_svg(fault)), "");
 }
 
+TEST(MeshDrawing, LoopsThatNeverCloseDoNotMakeItEndless) {
+  HalfEdgeMesh mesh = fixture_mesh("dodecahedron");
+  for (HalfEdge& edge : mesh.edges) edge.next = 2;
+  for (Face& face : mesh.faces) face.edge = 0;
+  std::size_t corners = 0;
+  for (const Polygon& face : draw_mesh(mesh).polygons) corners += face.corners.size();
+  EXPECT_LE(corners, 5 * mesh.edges.size());
+}
+
 TEST(MeshDrawing, LightsTheTriangleAndTheEdgeOfAnIssue) {
   const std::vector<Vec3> vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<Triangle> triangles = {{0, 1, 2}, {0, 1, 3}, {7, 8, 9}};

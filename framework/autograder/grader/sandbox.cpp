@@ -132,15 +132,6 @@ struct Start {
   }
 };
 
-/// Kills children that lost their parent, and became ours.
-void kill_orphans() {
-  std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
-  for (pid_t child = 0; children >> child;) {
-    ::kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
-  }
-}
-
 bool works(const std::vector<std::string>& words) {
   try {
     Command command;
@@ -177,6 +168,14 @@ bool is_control(char32_t point) {
 }
 
 }  // namespace
+
+void kill_orphans() {
+  std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+  for (pid_t child = 0; children >> child;) {
+    ::kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+  }
+}
 
 std::vector<char*> pointers(const std::vector<std::string>& words) {
   std::vector<char*> result;

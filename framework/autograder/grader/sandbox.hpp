@@ -74,6 +74,9 @@ class Process {
   bool ended_ = false;
 };
 
+/// Kills this program's children. Those that lost their parent are among them, once it has started a Process.
+void kill_orphans();
+
 /// The words as execve() takes them: pointers to their characters, then a null pointer.
 std::vector<char*> pointers(const std::vector<std::string>& words);
 

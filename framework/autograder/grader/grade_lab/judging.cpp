@@ -79,6 +79,7 @@ void run(const std::vector<std::string>& words, const std::vector<std::string>& 
     if (watch.is_stuck() || files::interrupted()) kill(child, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+  kill_orphans();  // the worker of a judge that was killed
   files::throw_if_interrupted();
 }
 
