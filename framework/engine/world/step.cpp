@@ -48,6 +48,10 @@ void clear_forces(WorldState& world) {
 void drop_contacts(WorldState& world) {
   for (Contact& contact : world.pairs.contacts) contact.manifold.points.clear();
   world.constraints.clear();
+  // The rest of the step must not look for the constraints.
+  SolveOrder& order = world.solve_order;
+  order.contacts.clear();
+  std::fill(order.first_point.begin(), order.first_point.end(), 0);
 }
 
 }  // namespace
