@@ -126,8 +126,7 @@ Json run_challenge(const Order& order, const fs::path& work) {
   constexpr std::uint32_t published_seeds = 0;
   const fs::path counts = work / "challenge.json";
   run({judge_program(order.lab).string(), "--challenge"},
-      judge_environment(order, work, published_seeds), work, counts,
-      Watch(counts, order.wall + own_time));
+      judge_environment(order, work, published_seeds), work, counts, Watch(counts, order));
   const Json rows = read_json(counts);
   return rows.is_array() ? rows : Json::array();
 }
