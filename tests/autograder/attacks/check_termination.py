@@ -18,17 +18,22 @@ BUSY_IN_COMPILER = "preprocessor_bomb"
 BUSY_IN_WORKER = "never_returns"
 
 
+def text_of(file):
+    """Nothing, if the process of the file has ended meanwhile."""
+    try:
+        return file.read_text()
+    except OSError:
+        return ""
+
+
 def descendants():
     """The names of all processes below this one."""
     names, parents = [], [os.getpid()]
     while parents:
         below = Path(f"/proc/{parents.pop()}/task").glob("*/children")
-        for process in " ".join(file.read_text() for file in below).split():
-            try:
-                names.append(Path(f"/proc/{process}/comm").read_text().strip())
-                parents.append(process)
-            except OSError:
-                pass  # it has ended meanwhile
+        for process in "".join(text_of(file) for file in below).split():
+            names.append(text_of(Path(f"/proc/{process}/comm")).strip())
+            parents.append(process)
     return names
 
 
