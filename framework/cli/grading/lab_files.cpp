@@ -103,7 +103,7 @@ std::vector<fs::path> replace_lab_files(const std::string& lab_name, const Texts
   return backups;
 }
 
-/// Those of which no folder and no file has a name that begins with a dot.
+/// Those without hidden folders or files in their path: no name begins with a dot.
 std::vector<fs::path> visible_files(const std::string& lab_name) {
   const fs::path folder = lab_folder(lab_name);
   std::vector<fs::path> files = files_below(folder);

@@ -17,7 +17,7 @@ std::vector<std::filesystem::path> lab_files(const std::string& lab_name);
 /// left out.
 std::vector<std::filesystem::path> files_to_submit(const std::string& lab_name);
 
-/// The other files of the lab's folder, of which the handout and backups need no mention.
+/// The other files of the lab's folder, without the handout and backups.
 std::vector<std::filesystem::path> files_left_out(const std::string& lab_name);
 
 /// Changes when anything changes that a result of the lab depends on: the lab's files, its tests,
