@@ -165,7 +165,7 @@ GRADED_TEST(Lab5, SwappedBodiesMirrorTheManifold, 2, "L5.6") {
     ++compared;
   }
   story.expect_at_least("pairs compared", compared, 500);
-  story.expect_at_least("pairs of which all points are compared", points_compared, 300);
+  story.expect_at_least("pairs with all points compared", points_compared, 300);
 }
 
 GRADED_TEST(Lab5, SeparatedBodiesTouchUpToTheMargin, 1, "L5.6") {
