@@ -70,7 +70,7 @@ misused() {
   code=0
   demo "$1" "$2" || code=$?
   [ $code = 2 ] || wrong "demo $1 $2 exited with code $code, expected 2"
-  grep -qF -- "$3" printed || wrong "expected in the message: $3"
+  tr '\n' ' ' <printed | grep -qF -- "$3" || wrong "expected in the message: $3"
 }
 misused --sleeping maybe "'maybe' is neither on nor off"
 misused --quality best "'best' is neither accurate nor game"

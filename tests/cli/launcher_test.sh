@@ -19,7 +19,7 @@ chmod +x "$scratch/bin/cmake"
 export CONFIGURED="$scratch/configured" PATH="$scratch/bin:$PATH" XDG_CACHE_HOME="$scratch/cache"
 
 wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
-prints() { grep -qF "$1" "$scratch/printed" || wrong "expected in the output: $1"; }
+prints() { tr '\n' ' ' <"$scratch/printed" | grep -qF "$1" || wrong "expected in the output: $1"; }
 builds_in() {
   "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed"
   grep -qFx "built in $1" "$1/build/test.log" || wrong "it did not build in $1"

@@ -26,7 +26,7 @@ export CS550_ROOT="$project"
 
 wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
 submit() { "$program" submit 3 "$@" >"$scratch/printed" 2>&1 </dev/null || wrong "submit $* failed"; }
-prints() { grep -qF "$1" "$scratch/printed" || wrong "expected in the message: $1"; }
+prints() { tr '\n' ' ' <"$scratch/printed" | grep -qF "$1" || wrong "expected in the message: $1"; }
 
 touch compiles
 submit --out first.zip

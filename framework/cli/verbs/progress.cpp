@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/command_line.hpp"
 #include "cli/grading/lab_files.hpp"
 #include "cli/grading/lab_report.hpp"
 #include "cli/grading/standing.hpp"
@@ -202,7 +203,7 @@ void answer(char key, const Standing& standing) {
 
 int watch() {
   if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
-    std::cerr << "cs550: --watch reads keys and redraws the screen: run it in a terminal\n";
+    print_error("--watch reads keys and redraws the screen: run it in a terminal");
     return Misused;
   }
   const KeyByKey keys;

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/command_line.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
@@ -227,7 +228,7 @@ CopyUpdate update_copy(const fs::path& copy, const fs::path& fresh) {
 // --- the verb ------------------------------------------------------------------------------------
 
 int refuse(const std::string& why) {
-  std::cerr << "cs550: " << why << '\n';
+  print_error(why);
   return Misused;
 }
 

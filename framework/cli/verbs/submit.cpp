@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/command_line.hpp"
 #include "cli/grading/lab_files.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
@@ -148,13 +149,13 @@ std::string fault_of(const fs::path& out) {
 int run_submit(const SubmitOptions& options) {
   const fs::path out = zip_file(options);
   if (const std::string fault = fault_of(out); !fault.empty()) {
-    std::cerr << "cs550: " << fault << '\n';
+    print_error(fault);
     return Misused;
   }
   const std::vector<std::string> labs = labs_to_pack(options);
   if (labs.empty() || (options.lab && !options.force && is_untouched(labs.front()))) {
-    std::cerr << "cs550: " << (labs.empty() ? "every lab" : "lab " + std::to_string(*options.lab))
-              << " is still the unchanged starter.\n  To pack it anyway, add --force.\n";
+    print_error((labs.empty() ? "every lab" : "lab " + std::to_string(*options.lab)) +
+                " is still the unchanged starter.\n  To pack it anyway, add --force.");
     return Failed;
   }
   for (const std::string& name : labs) {
