@@ -65,6 +65,44 @@ void measure(ConvexShape& shape) {
   shape.smallest_half_extent = smallest_width / 2;
 }
 
+/// Distances below this part of the largest extent are rounding of the vertices.
+constexpr Real vertex_rounding = Real(3e-7);
+
+/// The largest slope of an edge against the plane of a face beside it, beyond rounding.
+/// @pre validate() accepts the mesh
+Real steepest_edge(const HalfEdgeMesh& mesh) {
+  Bounds bounds;
+  for (const Vec3& vertex : mesh.vertices) bounds.include(vertex);
+  const Real allowed = vertex_rounding * bounds.extent().maxCoeff();
+  Real steepest = 0;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Vec3 along = mesh.edge_vector(e);
+    const Real rise = std::abs(mesh.face(mesh.edge(e).face).plane.normal.dot(along));
+    steepest = std::max(steepest, (rise - allowed) / along.norm());
+  }
+  return steepest;
+}
+
+/// Merges faces with the largest tolerance that leaves no edge steeper than max_edge_slope, else with the
+/// one that leaves the flattest edges. The tolerance is relative to the whole mesh: on a thin one it also
+/// unites narrow faces that enclose an angle. Their edges are then not perpendicular to the common normal,
+/// and the arcs of lab 4 rely on that.
+HalfEdgeMesh with_flat_faces(const HalfEdgeMesh& mesh) {
+  HalfEdgeMesh best = merge_coplanar_faces(mesh, coplanar_tolerance);
+  if (validate(best)) return best;  // a broken one is reported as it is
+  Real least = steepest_edge(best);
+  for (const Real tolerance : {coplanar_tolerance / 10, vertex_rounding}) {
+    if (least <= max_edge_slope) break;
+    HalfEdgeMesh merged = merge_coplanar_faces(mesh, tolerance);
+    if (validate(merged)) continue;
+    const Real steepest = steepest_edge(merged);
+    if (steepest >= least) continue;
+    least = steepest;
+    best = std::move(merged);
+  }
+  return best;
+}
+
 }  // namespace
 
 ShapeResult make_shape(const HalfEdgeMesh& mesh) {
@@ -89,7 +127,7 @@ ShapeResult make_shape(std::span<const Vec3> vertices, std::span<const Triangle>
   if (build.issue) {
     return {nullptr, describe(build.issue) + "; or use the convex hull of the vertices"};
   }
-  return make_shape(merge_coplanar_faces(build.mesh));
+  return make_shape(with_flat_faces(build.mesh));
 }
 
 Vec3 PosedShape::vertex(Index v) const { return pose.to_world(mesh().vertex(v)); }

@@ -15,6 +15,10 @@ inline constexpr Index max_shape_edges = 1 << 14;
 /// The largest number of vertices of a face: clipping uses polygons of fixed capacity.
 inline constexpr Index max_face_vertices = 128;
 
+/// The sine of the angle that an edge of a merged face may enclose with the plane of that face. Lab 4
+/// relies on edges that are perpendicular to the normals beside them.
+inline constexpr Real max_edge_slope = Real(2e-4);
+
 /// A convex polyhedron with its origin at its centroid. Immutable once made.
 struct ConvexShape {
   HalfEdgeMesh mesh;                 ///< body frame, coplanar faces merged
@@ -44,7 +48,8 @@ struct ShapeResult {
 /// max_face_vertices vertices.
 ShapeResult make_shape(const HalfEdgeMesh& mesh);
 
-/// Makes a shape from triangles by build_half_edge_mesh(), merge_coplanar_faces() and make_shape().
+/// Makes a shape from triangles by build_half_edge_mesh(), merge_coplanar_faces() and make_shape(). If an
+/// edge exceeds max_edge_slope, and not only by rounding, faces are merged with a smaller tolerance.
 /// @param triangles counter-clockwise seen from outside
 ShapeResult make_shape(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 
