@@ -28,7 +28,7 @@ struct BodySlot {
   Real spin_speed = 0;    ///< of its surface by rotation, at most, when the step begins (m/s)
 };
 
-/// What is kept of a pair's last full query. It decides how long the answer holds. In the frame of the
+/// What is kept of a pair's last query. It decides how long the answer holds. In the frame of the
 /// body that owns the manifold's reference feature: B for a face of B, otherwise A.
 struct PairMemory {
   Pose smaller_in_larger;    ///< the body of smaller radius, seen from the other
@@ -37,13 +37,20 @@ struct PairMemory {
   Vec3 tangent = {0, 0, 0};  ///< of the manifold
 };
 
+/// How a step got the axis and the manifold of a pair.
+enum class PairAnswer : std::uint8_t {
+  Queried,   ///< by a full query
+  Kept,      ///< the last answer still holds, see answer_holds()
+  Retested,  ///< from the last reference face alone, see retest_reference_face()
+};
+
 /// The pairs of bodies that are near each other, sorted by (body_a, body_b), with what is kept of
 /// each from step to step.
 struct PairList {
   std::vector<Contact> contacts;
-  std::vector<SeparatingAxis> axes;    ///< of the last full query
-  std::vector<PairMemory> memories;    ///< of the last full query
-  std::vector<char> kept;              ///< whether this step asks for no full query
+  std::vector<SeparatingAxis> axes;    ///< of the last query
+  std::vector<PairMemory> memories;    ///< of the last query
+  std::vector<PairAnswer> answers;     ///< of this step
   std::vector<char> touching;          ///< at the end of the last step
   std::vector<double> impulse_energy;  ///< of the impulses that the contact points keep (J)
   std::vector<char> misplaced;         ///< overlaps more deeply than the bodies can have moved

@@ -77,8 +77,10 @@ void serialize(Archive& archive, HalfEdgeMesh& mesh) {
 
 template <class Archive>
 void serialize(Archive& archive, ConvexShape& shape) {
-  auto& [mesh, volume, unit_inertia, source_origin, bounds, radius, smallest_half_extent] = shape;
-  archive(mesh, volume, unit_inertia, source_origin, bounds, radius, smallest_half_extent);
+  auto& [mesh, volume, unit_inertia, source_origin, bounds, radius, inner_radius,
+         smallest_half_extent] = shape;
+  archive(mesh, volume, unit_inertia, source_origin, bounds, radius, inner_radius,
+          smallest_half_extent);
 }
 
 template <class Archive>

@@ -42,6 +42,7 @@ TEST(ConvexShape, OfABoxIsMeasured) {
   EXPECT_EQ(shape.bounds.lower, Vec3(-1, -2, -3));
   EXPECT_EQ(shape.bounds.upper, Vec3(1, 2, 3));
   EXPECT_NEAR(shape.radius, std::sqrt(14.0), 1e-6);
+  EXPECT_NEAR(shape.inner_radius, 1, 1e-6);
   EXPECT_NEAR(shape.smallest_half_extent, 1, 1e-6);
 }
 

@@ -125,7 +125,7 @@ void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs
   pairs.contacts.push_back(contact);
   pairs.axes.emplace_back();
   pairs.memories.emplace_back();
-  pairs.kept.push_back(0);
+  pairs.answers.push_back(PairAnswer::Queried);
   pairs.touching.push_back(0);
   pairs.impulse_energy.push_back(0);
   pairs.misplaced.push_back(0);
@@ -173,7 +173,7 @@ void PairList::clear() {
   contacts.clear();
   axes.clear();
   memories.clear();
-  kept.clear();
+  answers.clear();
   touching.clear();
   impulse_energy.clear();
   misplaced.clear();
@@ -182,7 +182,7 @@ void PairList::clear() {
 void PairList::make_room(std::size_t count) {
   if (count <= contacts.capacity()) return;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(2 * count), ...); };
-  reserve(contacts, axes, memories, kept, touching, impulse_energy, misplaced);
+  reserve(contacts, axes, memories, answers, touching, impulse_energy, misplaced);
 }
 
 void PairList::append(const PairList& other, std::size_t first, std::size_t last) {
@@ -193,7 +193,7 @@ void PairList::append(const PairList& other, std::size_t first, std::size_t last
   append_to(contacts, other.contacts);
   append_to(axes, other.axes);
   append_to(memories, other.memories);
-  append_to(kept, other.kept);
+  append_to(answers, other.answers);
   append_to(touching, other.touching);
   append_to(impulse_energy, other.impulse_energy);
   append_to(misplaced, other.misplaced);

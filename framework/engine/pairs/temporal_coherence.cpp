@@ -4,16 +4,11 @@
 
 #include "engine/pairs/displacement.hpp"
 #include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/relative_pose.hpp"
 
 namespace cs550 {
 
 namespace {
-
-/// Where a body is, seen from another. Far from the world's origin the difference of the positions is
-/// exact, so only the distance between the bodies matters.
-Pose seen_from(const Pose& observer, const Pose& body) {
-  return {observer.to_body(body.position), observer.orientation.conjugate() * body.orientation};
-}
 
 /// The pose of the body of smaller radius, seen from the other, and that radius. A body that turns moves
 /// the points of a smaller one near it less than the other way round.

@@ -1,6 +1,6 @@
 #pragma once
 /// @file temporal_coherence.hpp
-/// Temporal coherence: the answer of a pair's last full query holds for as long as the bodies have
+/// Temporal coherence: the answer of a pair's last query holds for as long as the bodies have
 /// hardly moved relative to each other. Nothing is queried here; this decides *when* to ask labs 4
 /// and 5 again. The bound and its proof are in the book's chapter on temporal coherence.
 

@@ -59,7 +59,9 @@ void measure(ConvexShape& shape) {
     shape.radius = std::max(shape.radius, vertex.norm());
   }
   Real smallest_width = HUGE_VALF;
+  shape.inner_radius = HUGE_VALF;
   for (const Face& face : shape.mesh.faces) {
+    shape.inner_radius = std::min(shape.inner_radius, face.plane.offset);
     smallest_width = std::min(smallest_width, width_behind(face.plane, shape.mesh));
   }
   shape.smallest_half_extent = smallest_width / 2;

@@ -2,6 +2,7 @@
 
 #include "cs550/clipping.hpp"
 #include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/reference_retest.hpp"
 #include "engine/pairs/temporal_coherence.hpp"
 #include "engine/world/stages.hpp"
 
@@ -21,10 +22,16 @@ void for_pairs(WorldState& world, const Visit& visit) {
   });
 }
 
+void replace_manifold(const WorldState& world, Contact& contact, const Manifold& manifold) {
+  const Manifold before = contact.manifold;
+  contact.manifold = manifold;
+  if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
+}
+
 void find_axis(WorldState& world, std::size_t pair, Real h) {
   PairList& pairs = world.pairs;
-  pairs.kept[pair] = 0;
-  const Contact& contact = pairs.contacts[pair];
+  pairs.answers[pair] = PairAnswer::Queried;
+  Contact& contact = pairs.contacts[pair];
   const Bounds& swept_bounds_a = world.slots[contact.body_a].swept_bounds;
   const Bounds& swept_bounds_b = world.slots[contact.body_b].swept_bounds;
   if (!swept_bounds_a.overlaps(swept_bounds_b)) {
@@ -32,9 +39,17 @@ void find_axis(WorldState& world, std::size_t pair, Real h) {
     return;
   }
   const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
-  if (world.settings.temporal_coherence && answer_holds(world, pair, margin)) {
-    pairs.kept[pair] = 1;
-    return;
+  if (world.settings.temporal_coherence) {
+    if (answer_holds(world, pair, margin)) {
+      pairs.answers[pair] = PairAnswer::Kept;
+      return;
+    }
+    if (const auto face = retest_reference_face(world, pair, margin)) {
+      pairs.answers[pair] = PairAnswer::Retested;
+      pairs.axes[pair] = face->axis;
+      replace_manifold(world, contact, face->manifold);
+      return remember_answer(world, pair, margin);
+    }
   }
   pairs.axes[pair] =
       find_separating_axis(world.posed_shape(contact.body_a), world.posed_shape(contact.body_b),
@@ -51,15 +66,15 @@ void rebuild_manifold(WorldState& world, Contact& contact, const SeparatingAxis&
     contact.manifold.points.clear();
     return;
   }
-  const Manifold before = contact.manifold;
-  contact.manifold = build_manifold(world.posed_shape(contact.body_a),
-                                    world.posed_shape(contact.body_b), axis, margin);
-  if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
+  replace_manifold(world, contact,
+                   build_manifold(world.posed_shape(contact.body_a),
+                                  world.posed_shape(contact.body_b), axis, margin));
 }
 
 void update_manifold(WorldState& world, std::size_t pair, Real h) {
   PairList& pairs = world.pairs;
-  if (pairs.kept[pair]) return move_manifold(world, pair);
+  if (pairs.answers[pair] == PairAnswer::Kept) return move_manifold(world, pair);
+  if (pairs.answers[pair] == PairAnswer::Retested) return;
   Contact& contact = pairs.contacts[pair];
   if (pairs.axes[pair].feature == AxisFeature::None) {  // the swept bounds are apart
     contact.manifold.points.clear();
@@ -77,8 +92,12 @@ void build_manifolds(WorldState& world, Real h) {
 void count_contacts(WorldState& world) {
   StepStats& stats = world.stats;
   stats.pairs = static_cast<int>(world.pairs.size());
-  stats.kept =
-      static_cast<int>(std::count(world.pairs.kept.begin(), world.pairs.kept.end(), char{1}));
+  const auto pairs_with = [&](PairAnswer answer) {
+    return static_cast<int>(
+        std::count(world.pairs.answers.begin(), world.pairs.answers.end(), answer));
+  };
+  stats.kept = pairs_with(PairAnswer::Kept);
+  stats.retested = pairs_with(PairAnswer::Retested);
   for (const Contact& contact : world.pairs.contacts) {
     if (!contact.manifold.points.empty()) ++stats.contacts;
     stats.points += contact.manifold.points.size();

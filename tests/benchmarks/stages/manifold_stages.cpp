@@ -1,10 +1,10 @@
 /// Axis and manifold of a pair of overlapping hulls, labs 4 and 5: without a hint, with the answer
-/// for the same pose as a hint, and with the answer for a pose that has since moved. Then a pair at
-/// rest, whose answer temporal coherence keeps.
+/// for the same pose as a hint, and with the answer for a pose that has since moved. Then pairs that
+/// touch as they do in a scene, through temporal coherence: at rest, and moved.
 #include "benchmarks/stages/hull_pairs.hpp"
 #include "benchmarks/stages/stage.hpp"
 #include "cs550/clipping.hpp"
-#include "engine/pairs/temporal_coherence.hpp"
+#include "engine/pairs/reference_retest.hpp"
 
 namespace cs550::bench {
 namespace {
@@ -59,6 +59,28 @@ void keep_manifolds(benchmark::State& state, int vertices) {
   }
 }
 
+/// What a step does for pairs that have moved by more than an answer is kept.
+void retest_manifolds(benchmark::State& state, int vertices) {
+  constexpr Real deepest = Real(0.005);
+  HullPairs hulls(vertices, -deepest, 0);
+  WorldState world = world_of(hulls);
+  hulls.move();
+  for (std::size_t i = 0; i < hulls.pairs.size(); ++i) {
+    world.bodies[world.pairs.contacts[i].body_b].pose = hulls.pairs[i].b.pose;
+  }
+  std::size_t next = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const std::size_t i = next++ % hulls.pairs.size();
+    if (const auto face = retest_reference_face(world, i, HullPairs::margin)) {
+      benchmark::DoNotOptimize(face->manifold);
+      continue;
+    }
+    const HullPair& pair = hulls.pairs[i];
+    const SeparatingAxis axis = find_separating_axis(pair.a, pair.b, pair.hint, HullPairs::margin);
+    benchmark::DoNotOptimize(build_manifold(pair.a, pair.b, axis, HullPairs::margin));
+  }
+}
+
 }  // namespace
 
 std::vector<Stage> manifold_stages() {
@@ -77,6 +99,11 @@ std::vector<Stage> manifold_stages() {
   for (const int n : {8, 32, 128}) {
     stages.push_back({member("manifold/kept", n), static_cast<double>(n), 1,
                       [n](benchmark::State& state) { keep_manifolds(state, n); }});
+  }
+  for (const int n : {0, 8, 32, 128}) {
+    stages.push_back({n == 0 ? "manifold/retested/cubes" : member("manifold/retested", n),
+                      static_cast<double>(n), 1,
+                      [n](benchmark::State& state) { retest_manifolds(state, n); }});
   }
   return stages;
 }

@@ -1,0 +1,15 @@
+#pragma once
+/// @file relative_pose.hpp
+/// Where a body is, seen from another.
+
+#include "cs550/math.hpp"
+
+namespace cs550 {
+
+/// The pose of a body in the frame of an observer. Far from the world's origin the difference of the
+/// positions is exact, so only the distance between the bodies matters.
+inline Pose seen_from(const Pose& observer, const Pose& body) {
+  return {observer.to_body(body.position), observer.orientation.conjugate() * body.orientation};
+}
+
+}  // namespace cs550
