@@ -27,8 +27,8 @@ struct ConvexShape {
   Vec3 source_origin = {0, 0, 0};    ///< origin of the input's frame, in the body frame (m)
   Bounds bounds;                     ///< body frame
   Real radius = 0;                   ///< of the smallest enclosing sphere about the origin (m)
-  Real inner_radius = 0;             ///< of the largest sphere about the origin inside the shape (m)
-  Real smallest_half_extent = 0;     ///< half the smallest width along any face normal (m)
+  Real inner_radius = 0;          ///< of the largest sphere about the origin inside the shape (m)
+  Real smallest_half_extent = 0;  ///< half the smallest width along any face normal (m)
 };
 
 /// Shapes are immutable, so that bodies, worlds and threads can share them.
