@@ -41,6 +41,20 @@ void forget_impulses(WorldState& world) {
   world.mirror.stale_impulses = true;
 }
 
+/// The naive solver reflects the velocities that it finds, and these contain what gravity has added in this
+/// step. A body would gain g·h with each bounce, and one at rest would begin to hop. Each restitution is
+/// therefore reduced to what lets the contact part at e times v_n⁰.
+void bounce_without_forces(std::span<ContactConstraint> constraints,
+                           std::span<const SolverBody> bodies) {
+  for (ContactConstraint& constraint : constraints) {
+    if (constraint.restitution == 0) continue;
+    const Real v_n = normal_velocity(bodies[constraint.body_a], bodies[constraint.body_b],
+                                     constraint.r_a, constraint.r_b, constraint.n);
+    const Real before = std::min(constraint.approach_velocity, Real(0));
+    if (v_n < before) constraint.restitution *= before / v_n;
+  }
+}
+
 /// `count` passes of a substep, after `done` of them.
 Passes passes_after(const WorldState& world, int done, int count) {
   Passes passes;
@@ -57,6 +71,7 @@ void solve(WorldState& world, std::span<SolverBody> bodies, const ContactStep& s
     run_passes(world.mirror, world.constraints, bodies, step, passes);
     return;
   }
+  if (world.any_bounces) bounce_without_forces(world.constraints, bodies);
   for (int pass = 0; pass < passes.count; ++pass) {
     resolve_contacts_naive(world.constraints, bodies);
   }
