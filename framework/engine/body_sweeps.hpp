@@ -32,7 +32,7 @@ Real turning_energy(const RigidBody& body);
 /// iteration cannot follow. @param h substep (s)
 void turn_and_move(RigidBody& body, Real h, RotationMethod method);
 
-/// The gain in rotational energy, as a factor, that the guard allows in a turn.
-inline constexpr Real allowed_gain = Real(1.01);
+/// The part of its energy by which the guard lets a turn change it.
+inline constexpr Real allowed_change = Real(1e-4);
 
 }  // namespace cs550

@@ -59,6 +59,25 @@ TEST(ExtremeScenes, ThinNeedlesStayAsFastAsTheyFell) {
   }
 }
 
+/// A free body keeps its energy. A turn of 100 rad/s changes it, up or down, by a part that depends on the
+/// direction of the spin, which then stays much the same for many turns.
+TEST(ExtremeScenes, AFastSpinKeepsItsEnergyForTwoSeconds) {
+  const ShapePtr board = box_shape({Real(0.2), Real(0.5), 1});
+  for (std::uint32_t seed = 1; seed <= 32; ++seed) {
+    Random random(seed);
+    World world(game_settings());
+    world.settings().gravity.setZero();
+    BodyDef def = body_at(board, Vec3::Zero());
+    def.angular_velocity = random.real(10, 100) * random.unit_vector();
+    world.add_body(def);
+    const double start = energy(world, 0).kinetic;
+    const double momentum = angular_momentum(world).norm();
+    run(world, 120);
+    EXPECT_NEAR(energy(world, 0).kinetic, start, 0.005 * start) << "seed " << seed;
+    EXPECT_NEAR(angular_momentum(world).norm(), momentum, 1e-3 * momentum) << "seed " << seed;
+  }
+}
+
 /// Impulses that were carried to a contact whose mass has become much smaller.
 TEST(ExtremeScenes, BaumgarteAtAHundredTimesGravityStaysFinite) {
   for (std::uint32_t seed = 1; seed <= 6; ++seed) {

@@ -93,8 +93,10 @@ inline WideReal turning_energy(const WideTurn& body, const WideVec3& angular_vel
 
 /// What turn_and_move() asks of a turn.
 inline WideMask keeps_energy(const WideTurn& before, const WideTurned& after) {
-  return turning_energy(before, after.angular_velocity) <=
-         all_lanes(allowed_gain) * turning_energy(before, before.angular_velocity);
+  const WideReal energy = turning_energy(before, before.angular_velocity);
+  const WideReal change = turning_energy(before, after.angular_velocity) - energy;
+  const WideReal most = all_lanes(allowed_change) * energy;
+  return (change <= most) & (-change <= most);
 }
 
 /// Pose, and angular velocity with the inertia that follows it: blocks of four Reals.
