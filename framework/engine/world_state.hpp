@@ -184,6 +184,27 @@ struct OverlapRecovery {
   std::vector<ContactConstraint> constraints;
 };
 
+/// The kinetic energy of bodies that contacts connect (J): start + linear·s + square·s² with the part s of
+/// the impulses of relax passes and restitution.
+struct ImpactGroup {
+  double before = 0;  ///< before the contacts acted
+  double after = 0;   ///< with all impulses
+  double start = 0;
+  double linear = 0;
+  double square = 0;
+  bool is_pushed = false;  ///< by a moving kinematic body
+};
+
+/// The impacts of a substep that bounce, and the working storage of limit_impact_energy().
+struct Impacts {
+  bool any = false;
+  std::vector<double> energy_before;  ///< of each body (J)
+  std::vector<SolverBody> bodies;     ///< when the relax passes begin
+  std::vector<Vec3> impulses;         ///< of each constraint by then: along n, u and v (N·s)
+  std::vector<Index> parent;          ///< of each body, in the forest of union-find
+  std::vector<ImpactGroup> groups;    ///< of each root
+};
+
 struct WorldState {
   WorldSettings settings;
   ThreadTeam* team = nullptr;  ///< during a step with several threads
@@ -216,6 +237,7 @@ struct WorldState {
   SolveOrder solve_order;
   ColdStart cold_start;
   OverlapRecovery recovery;
+  Impacts impacts;
   PairList next_pairs;
   std::vector<char> outgrown;   ///< of each body, whether it has left its leaf's box
   std::vector<Index> moved;     ///< bodies whose leaves have moved since the last search for pairs

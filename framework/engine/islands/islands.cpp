@@ -1,7 +1,6 @@
 #include "engine/islands/islands.hpp"
 
-#include <algorithm>
-#include <numeric>
+#include "engine/islands/forest.hpp"
 
 namespace cs550 {
 
@@ -9,26 +8,9 @@ namespace {
 
 bool is_awake(const RigidBody& body) { return body.kind == BodyKind::Dynamic && !body.asleep; }
 
-/// The root of a body's tree. Paths are halved on the way (Tarjan & van Leeuwen 1984).
-Index root_of(std::vector<Index>& parent, Index body) {
-  while (parent[body] != body) {
-    parent[body] = parent[parent[body]];
-    body = parent[body];
-  }
-  return body;
-}
-
-/// Joins two trees. The smaller index becomes the root, whatever the order of the calls.
-void join(std::vector<Index>& parent, Index a, Index b) {
-  const Index root_a = root_of(parent, a);
-  const Index root_b = root_of(parent, b);
-  parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
-}
-
 void join_touching_bodies(WorldState& world) {
   std::vector<Index>& parent = world.sleeping.parent;
-  parent.resize(world.slot_count());
-  std::iota(parent.begin(), parent.end(), 0);
+  plant_forest(parent, world.slot_count());
   for (const Contact& contact : world.pairs.contacts) {
     if (contact.manifold.points.empty()) continue;
     if (is_awake(world.bodies[contact.body_a]) && is_awake(world.bodies[contact.body_b])) {

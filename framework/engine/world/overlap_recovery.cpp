@@ -64,10 +64,6 @@ bool spread(WorldState& world) {
   return any;
 }
 
-bool recovers(const WorldState& world, const ContactConstraint& constraint) {
-  return world.recovery.recovers[constraint.body_a] || world.recovery.recovers[constraint.body_b];
-}
-
 /// The same angular momentum at the new orientation may belong to a larger energy. A push gives
 /// none.
 void return_momenta(RigidBody& body, const RigidBody& before) {
@@ -82,6 +78,10 @@ void return_momenta(RigidBody& body, const RigidBody& before) {
 }
 
 }  // namespace
+
+bool recovers(const WorldState& world, const ContactConstraint& constraint) {
+  return world.recovery.recovers[constraint.body_a] || world.recovery.recovers[constraint.body_b];
+}
 
 void find_misplaced_bodies(WorldState& world, Real h) {
   world.recovery.any = false;

@@ -12,6 +12,9 @@ namespace cs550 {
 /// with them: these recover. @param h step (s)
 void find_misplaced_bodies(WorldState& world, Real h);
 
+/// Whether one of the two bodies recovers.
+bool recovers(const WorldState& world, const ContactConstraint& constraint);
+
 /// Call it before the passes with bias. Keeps the state of recovering bodies and constraints, and
 /// takes their friction away.
 void begin_push(WorldState& world);

@@ -5,6 +5,7 @@
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/contacts/contact_passes.hpp"
 #include "engine/contacts/solver_bodies.hpp"
+#include "engine/world/impact_energy.hpp"
 #include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
 
@@ -77,17 +78,23 @@ void solve(WorldState& world, std::span<SolverBody> bodies, const ContactStep& s
   }
 }
 
+/// Whether a contact is about to bounce.
+bool any_impact(const WorldState& world, const ContactStep& step) {
+  const auto is_impact = [&](const ContactConstraint& constraint) {
+    return !constraint.impact_handled && constraint.restitution > 0 &&
+           constraint.approach_velocity < -step.restitution_threshold;
+  };
+  return world.any_bounces &&
+         std::any_of(world.constraints.begin(), world.constraints.end(), is_impact);
+}
+
 /// Passes with bias. Where they bounce, a single one gives each corner of a body its own speed on top of
 /// what the other corners gave, which is more energy than there was.
 int passes_with_bias(const WorldState& world, const ContactStep& step) {
   const WorldSettings& settings = world.settings;
   const bool passes_bounce = settings.solver == SolverKind::Constraint &&
-                             settings.contact_model == ContactModel::Baumgarte && world.any_bounces;
-  const auto is_impact = [&](const ContactConstraint& constraint) {
-    return constraint.restitution > 0 && constraint.approach_velocity < -step.restitution_threshold;
-  };
-  if (settings.iterations == 0 || !passes_bounce ||
-      std::none_of(world.constraints.begin(), world.constraints.end(), is_impact)) {
+                             settings.contact_model == ContactModel::Baumgarte;
+  if (settings.iterations == 0 || !passes_bounce || !any_impact(world, step)) {
     return settings.iterations;
   }
   return std::max(settings.iterations, settings.restitution_iterations);
@@ -98,6 +105,8 @@ int passes_with_bias(const WorldState& world, const ContactStep& step) {
 /// contacts. The loads are the impulses of the warm start.
 void solve_with_bias(WorldState& world, const ContactStep& step) {
   const WorldSettings& settings = world.settings;
+  world.impacts.any = is_soft(settings) && any_impact(world, step);
+  if (world.impacts.any) note_energy_before_impacts(world);
   with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
     refresh_masses(world, step);
     if (settings.solver == SolverKind::Constraint) begin_push(world);
@@ -130,10 +139,12 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
     end_push(world);
     with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
       refresh_masses_of_thin_bodies(world, step);
+      if (world.impacts.any) begin_impacts(world, bodies);
       restart_after_push(world, bodies, step);
       relax(world, bodies, step);
       if (!world.any_bounces) return;
       apply_restitution(world.constraints, bodies, step);
+      if (world.impacts.any) limit_impact_energy(world, bodies);
       world.mirror.stale_impulses = true;
     });
   } else {
