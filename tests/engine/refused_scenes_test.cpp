@@ -59,6 +59,14 @@ TEST(Scene, RefusesProductsThatFloatCannotHold) {
   expect_refused(with_body(cube("1", "1") + ", " + cube("1e3", "1e3", speed)),
                  {"/bodies/1: ", "momentum", "1e+18", "8e+18", "\"linear_velocity\": [0, 0, 0]"});
   expect_refused(with_body(cube("1e-6", "1e-6")), {"/bodies/0: ", "moments of inertia", "1e-30"});
+  // 8e-18 kg, 1 mm from the middle to the ends, 5.3e-30 kg m² about the axis.
+  const std::string needle = R"({"kind": "box", "half_extents": [1e-3, 1e-6, 1e-6]})";
+  expect_refused(with_body(R"({"density": 1e-3, "shape": )" + needle + "}"),
+                 {"/bodies/0: ", "1/mass + radius²/(smallest moment of inertia)", "at most 1e+18",
+                  "found 1.88e+23", "\"density\": 375"});
+  expect_refused(with_body(cube("1e3", "0.12", spin)),
+                 {"/bodies/0: ", "speed of its surface by rotation", "at most 1e+18",
+                  "\"angular_velocity\": [0, 0, 0]"});
   expect_refused(R"({"schema": 1, "world": {"gravity": [0, 0, 1e6]}, "h": 1, "bodies": [)" +
                      cube("1e5", "1") + "]}",
                  {"/bodies/0: ", "momentum in kg m/s after the first step", "found 8e+21"});

@@ -1,6 +1,7 @@
 #include "engine/contacts/contact_constraints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/contacts/solve_order.hpp"
 
@@ -46,40 +47,66 @@ TurnSize larger_turn(const WorldState& world, std::span<const Index> places) {
   return std::max(world.turns[first.body_a], world.turns[first.body_b]);
 }
 
-/// Where the impulses of a contact act on both bodies, so that they have one line of action and
-/// friction conserves angular momentum too.
+/// Of a body, squared: a cube of 1 m is 1.4 m long by this measure. Immovable bodies have no limit.
+Real squared_length(const RigidBody& body) {
+  return body.kind == BodyKind::Dynamic ? 4 * body.inverse_mass * body.inertia.trace() : HUGE_VALF;
+}
+
+/// From the centres of mass to the points where the impulses of a contact act.
+struct Levers {
+  Vec3 r_a, r_b;
+};
+
+/// Where the impulses of a contact act. On both bodies at the same point, so that they have one line of
+/// action and friction conserves angular momentum too.
 ///
 /// It is halfway between the surfaces. But about the axis of a needle, half a gap or half a penetration
 /// is a lever many times the needle's thickness: the point is then on the surface of the thinner body.
+///
+/// Bodies that move by more than their length in a step have contacts across gaps of that size, or have left
+/// each other since. Halfway is then outside of both. Impulses act where the bodies touch once the gap is
+/// closed: on the surface of each.
 class ActingPoint {
  public:
-  ActingPoint(const RigidBody& a, const RigidBody& b) {
+  ActingPoint(const RigidBody& a, const RigidBody& b)
+      : centre_a_(a.pose.position),
+        centre_b_(b.pose.position),
+        squared_reach_(std::min(squared_length(a), squared_length(b))) {
     const Real slenderness_a = squared_slenderness(a);
     const Real slenderness_b = squared_slenderness(b);
     if (std::max(slenderness_a, slenderness_b) <= slender) return;
     share_of_a_ = slenderness_a > slenderness_b ? Real(1) : Real(0);
   }
 
-  Vec3 between(const Vec3& on_a, const Vec3& on_b) const {
+  Levers between(const Vec3& on_a, const Vec3& on_b) const {
+    if ((on_b - on_a).squaredNorm() > squared_reach_) return {on_a - centre_a_, on_b - centre_b_};
+    const Vec3 acting = common_point(on_a, on_b);
+    return {acting - centre_a_, acting - centre_b_};
+  }
+
+ private:
+  Vec3 common_point(const Vec3& on_a, const Vec3& on_b) const {
     if (share_of_a_ == Real(0.5)) return Real(0.5) * (on_a + on_b);
     return share_of_a_ == 1 ? on_a : on_b;
   }
 
- private:
+  Vec3 centre_a_, centre_b_;
+  Real squared_reach_;
   Real share_of_a_ = Real(0.5);
 };
 
 ContactConstraint make_constraint(const Contact& contact, const ContactPoint& point, const Pose& a,
                                   const Pose& b, const ActingPoint& acting_point) {
   const Manifold& manifold = contact.manifold;
-  const Vec3 acting = acting_point.between(a.to_world(point.anchor_a), b.to_world(point.anchor_b));
+  const Levers levers =
+      acting_point.between(a.to_world(point.anchor_a), b.to_world(point.anchor_b));
   ContactConstraint constraint;
   constraint.body_a = contact.body_a;
   constraint.body_b = contact.body_b;
   constraint.n = manifold.normal;
   constraint.u = manifold.tangent;
-  constraint.r_a = acting - a.position;
-  constraint.r_b = acting - b.position;
+  constraint.r_a = levers.r_a;
+  constraint.r_b = levers.r_b;
   constraint.separation = point.separation;
   constraint.friction = contact.friction;
   constraint.restitution = contact.restitution;
@@ -101,9 +128,9 @@ void move_levers(WorldState& world, const Contact& contact, std::span<const Inde
     ContactConstraint& constraint = world.constraints[*place++];
     const Vec3 on_a = a.pose.to_world(point.anchor_a);
     const Vec3 on_b = b.pose.to_world(point.anchor_b);
-    const Vec3 acting = acting_point.between(on_a, on_b);
-    constraint.r_a = acting - a.pose.position;
-    constraint.r_b = acting - b.pose.position;
+    const Levers levers = acting_point.between(on_a, on_b);
+    constraint.r_a = levers.r_a;
+    constraint.r_b = levers.r_b;
     const Vec3 moved = solver_b.delta_position + solver_b.delta_rotation.cross(constraint.r_b) -
                        solver_a.delta_position - solver_a.delta_rotation.cross(constraint.r_a);
     constraint.separation = constraint.n.dot(on_b - on_a - moved);

@@ -38,6 +38,9 @@ constexpr double largest_momentum = 1e18;
 /// Of one body (kg m²). The engine uses the inverse, too.
 constexpr double smallest_inertia = 1e-30;
 constexpr double largest_inertia = 1e33;
+/// Of one body at its farthest point (1/kg): by how much an impulse of 1 N·s there changes the velocity there.
+/// The engine multiplies two such numbers, of levers that may be longer.
+constexpr double largest_response = 1e18;
 /// Of one body (J).
 constexpr double largest_spin_energy = 1e30;
 
@@ -64,6 +67,12 @@ double spin_energy(const BodyDef& body, double density) {
   return 0.5 * density * w.dot(body.shape->unit_inertia.cast<double>() * w);
 }
 
+/// Of the farthest point of a body to an impulse there, at most (1/kg).
+double response(const BodyDef& body, double smallest_moment) {
+  const auto radius = static_cast<double>(body.shape->radius);
+  return 1 / mass_of(body) + radius * radius / smallest_moment;
+}
+
 // Not a number is beyond a limit, too.
 
 void refuse_thin(const Eigen::Vector3d& moments, const std::string& path) {
@@ -82,6 +91,38 @@ void refuse_above(double found, double limit, const std::string& path, const std
                              in_digits(found) + "; " + advice);
 }
 
+void refuse_moments(const BodyDef& body, const Eigen::Vector3d& moments, const std::string& path) {
+  const double density = mass_of(body) / static_cast<double>(body.shape->volume);
+  const double smallest = density * moments.minCoeff();
+  if (!(smallest >= smallest_inertia)) {
+    throw SceneFault(path, "expected moments of inertia of at least " +
+                               in_digits(smallest_inertia) + " kg m², found " +
+                               in_digits(smallest) + "; make the body larger or heavier");
+  }
+  const double found = response(body, smallest);
+  refuse_above(found, largest_response, path,
+               "1/mass + radius²/(smallest moment of inertia) in 1/kg",
+               "for example \"density\": " + in_digits(2 * density * found / largest_response));
+  refuse_above(density * moments.maxCoeff(), largest_inertia, path, "moments of inertia in kg m²",
+               "make the body smaller or lighter");
+}
+
+void refuse_speeds(const BodyDef& body, const Scene& scene, const std::string& path) {
+  const double mass = mass_of(body);
+  const double speed = body.linear_velocity.cast<double>().norm() +
+                       static_cast<double>(scene.h) * scene.settings.gravity.cast<double>().norm();
+  refuse_above(mass * speed, largest_momentum, path, "a momentum in kg m/s after the first step",
+               "for example \"linear_velocity\": [0, 0, 0]");
+  refuse_above(spin_energy(body, mass / static_cast<double>(body.shape->volume)),
+               largest_spin_energy, path, "a kinetic energy of the rotation in J",
+               "for example \"angular_velocity\": [0, 0, 0]");
+  const double surface_speed =
+      static_cast<double>(body.shape->radius) * body.angular_velocity.cast<double>().norm();
+  refuse_above(mass * surface_speed, largest_momentum, path,
+               "a mass times the speed of its surface by rotation in kg m/s",
+               "for example \"angular_velocity\": [0, 0, 0]");
+}
+
 /// What the first step multiplies. Each number of the scene is in its range, but their products may not
 /// be: an angular momentum is density × length⁵ × speed.
 void refuse_overflow(const BodyDef& body, const Eigen::Vector3d& moments, const Scene& scene,
@@ -90,21 +131,8 @@ void refuse_overflow(const BodyDef& body, const Eigen::Vector3d& moments, const 
   const double density = mass / static_cast<double>(body.shape->volume);
   refuse_above(mass, largest_momentum, path, "a mass in kg",
                "for example \"density\": " + in_digits(density / mass * largest_momentum / 2));
-  if (!(density * moments.minCoeff() >= smallest_inertia)) {
-    throw SceneFault(path, "expected moments of inertia of at least " +
-                               in_digits(smallest_inertia) + " kg m², found " +
-                               in_digits(density * moments.minCoeff()) +
-                               "; make the body larger or heavier");
-  }
-  refuse_above(density * moments.maxCoeff(), largest_inertia, path, "moments of inertia in kg m²",
-               "make the body smaller or lighter");
-  const double speed = body.linear_velocity.cast<double>().norm() +
-                       static_cast<double>(scene.h) * scene.settings.gravity.cast<double>().norm();
-  refuse_above(mass * speed, largest_momentum, path, "a momentum in kg m/s after the first step",
-               "for example \"linear_velocity\": [0, 0, 0]");
-  refuse_above(spin_energy(body, density), largest_spin_energy, path,
-               "a kinetic energy of the rotation in J",
-               "for example \"angular_velocity\": [0, 0, 1]");
+  refuse_moments(body, moments, path);
+  refuse_speeds(body, scene, path);
 }
 
 }  // namespace

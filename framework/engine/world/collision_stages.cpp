@@ -22,9 +22,29 @@ void for_pairs(WorldState& world, const Visit& visit) {
   });
 }
 
-void replace_manifold(const WorldState& world, Contact& contact, const Manifold& manifold) {
+bool is_on(const ConvexShape& shape, const Vec3& anchor) {
+  constexpr Real rounding = Real(1.01);
+  return anchor.norm() <= rounding * shape.radius;
+}
+
+/// Bodies that move by more than their length in a step have contacts across gaps of that size. There an edge
+/// that is prolonged beyond its ends, or rounding, may put points beside a body. Their levers would be a
+/// thousand times the body's length, and the effective masses beyond float.
+void drop_points_beside(const ConvexShape& a, const ConvexShape& b, Manifold& manifold) {
+  const auto points = manifold.points;
+  manifold.points.clear();
+  for (const ContactPoint& point : points) {
+    if (is_on(a, point.anchor_a) && is_on(b, point.anchor_b)) manifold.points.push_back(point);
+  }
+}
+
+void replace_manifold(const WorldState& world, Contact& contact, Real separation,
+                      const Manifold& manifold) {
   const Manifold before = contact.manifold;
   contact.manifold = manifold;
+  const ConvexShape& a = *world.definitions[contact.body_a].shape;
+  const ConvexShape& b = *world.definitions[contact.body_b].shape;
+  if (separation > std::min(a.radius, b.radius)) drop_points_beside(a, b, contact.manifold);
   if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
 }
 
@@ -47,7 +67,7 @@ void find_axis(WorldState& world, std::size_t pair, Real h) {
     if (const auto face = retest_reference_face(world, pair, margin)) {
       pairs.answers[pair] = PairAnswer::Retested;
       pairs.axes[pair] = face->axis;
-      replace_manifold(world, contact, face->manifold);
+      replace_manifold(world, contact, face->axis.separation, face->manifold);
       return remember_answer(world, pair, margin);
     }
   }
@@ -66,7 +86,7 @@ void rebuild_manifold(WorldState& world, Contact& contact, const SeparatingAxis&
     contact.manifold.points.clear();
     return;
   }
-  replace_manifold(world, contact,
+  replace_manifold(world, contact, axis.separation,
                    build_manifold(world.posed_shape(contact.body_a),
                                   world.posed_shape(contact.body_b), axis, margin));
 }
