@@ -58,13 +58,25 @@ TEST_F(ObjFile, ThatNamesMissingVerticesIsRefused) {
 }
 
 TEST_F(ObjFile, WithNumbersThatWouldBeMisreadIsRefused) {
-  for (const std::string word : {"nan", "inf", "1,5", "1e99", "0x1p3", "two"}) {
+  for (const std::string word : {"nan", "inf", "1,5", "1e99", "0e3192", "0x1p3", "two"}) {
     write("v 0 0 0\nv 1 0 " + word + "\nv 0 1 0\nf 1 2 3\n");
     expect_named(load_obj(path).error, "line 2");
     expect_named(load_obj(path).error, "found \"" + word + "\"");
   }
+  // One, but ten to the power of 400 overflows where the digits are read.
+  write("v 0 0 0\nv 1 0 1" + std::string(400, '0') + "e-400\nv 0 1 0\nf 1 2 3\n");
+  expect_named(load_obj(path).error, "line 2: expected a coordinate such as 1.5");
   write("v 0 0\n");
   expect_named(load_obj(path).error, "line 1: expected three coordinates");
+}
+
+TEST_F(ObjFile, MayHaveExponentsOfThreeDigits) {
+  write("v 0 0 0\nv 1.5e+002 0 0\nv 0 1E-003 0\nf 1 2 3\n");
+  const SoupResult result = load_obj(path);
+  EXPECT_EQ(result.error, "");
+  ASSERT_EQ(result.soup.vertices.size(), 3U);
+  EXPECT_EQ(result.soup.vertices[1], Vec3(150, 0, 0));
+  EXPECT_EQ(result.soup.vertices[2], Vec3(0, 0.001F, 0));
 }
 
 TEST_F(ObjFile, WithACarriageReturnInALineIsRefused) {

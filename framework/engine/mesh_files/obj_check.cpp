@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -37,14 +38,29 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
+/// The parser multiplies the digits by the power of ten in double precision, and each may overflow where the
+/// number itself is small: "0e3192" becomes NaN.
+bool parser_overflows(std::string_view word) {
+  constexpr std::size_t max_letters = 64;
+  constexpr int max_exponent = 99;
+  const std::size_t mark = word.find_first_of("eE");
+  int exponent = 0;
+  if (mark != std::string_view::npos && !parse_all(word.substr(mark + 1), exponent)) return true;
+  return word.size() > max_letters || std::abs(exponent) > max_exponent;
+}
+
+bool is_coordinate(std::string_view word) {
+  Real value = 0;
+  return parse_all(word, value) && std::isfinite(value) && !parser_overflows(word);
+}
+
 std::string vertex_fault(const std::vector<std::string>& words, int line) {
   if (words.size() < 4) {
     return at_line(
         line, "expected three coordinates after \"v\", found " + std::to_string(words.size() - 1));
   }
   for (std::size_t i = 1; i < 4; ++i) {
-    Real coordinate = 0;
-    if (!parse_all(words[i], coordinate) || !std::isfinite(coordinate)) {
+    if (!is_coordinate(words[i])) {
       return at_line(line,
                      "expected a coordinate such as 1.5, found \"" + excerpt(words[i]) + "\"");
     }
