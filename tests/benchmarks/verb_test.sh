@@ -33,11 +33,14 @@ refuses --json /proc/absent/out.json --filter memory
 prints "/proc/absent"
 prints "--json FILE needs a file that can be written"
 refuses --rounds 0
+refuses --threads 1
+refuses --threads two
+prints "--threads"
 refuses --pears
 prints "./cs550 bench --help"
 
 runs --help
-for option in --peers --filter --json --plot; do prints "$option"; done
+for option in --peers --filter --json --plot --threads; do prints "$option"; done
 runs --list --plot
 for name in support/climb/8192 gauss_map/arcs manifold/moved/cubes pass/at_once/2048 scene/S5b frontier/S1 step/cubes \
   memory; do
@@ -51,6 +54,11 @@ prints "S1: pyramid of 20 rows"
 prints "this engine"
 prints "allocations in a steady step"
 grep -q '"processor"' bench.json || wrong "bench.json names no processor"
+
+runs --brief --filter '^scene/S[12]$' --threads 2 --json threads.json
+prints "One thread and 2, time by the clock"
+prints "S2   this engine, game"
+grep -q '"seconds_shared"' threads.json || wrong "threads.json has no time of two threads"
 
 # The engines of the package group `peers`, or how to install them.
 if "$program" --brief --peers --filter '^scene/S1$' >"$scratch/printed" 2>&1; then

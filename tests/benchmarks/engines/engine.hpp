@@ -2,6 +2,7 @@
 /// @file engine.hpp
 /// What a comparison needs of an engine.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace cs550::bench {
 
-/// A scene that runs in one engine, on one thread, without sleeping.
+/// A scene that runs in one engine, without sleeping.
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -28,12 +29,12 @@ struct Engine {
   int usual_effort = 0;      ///< its default
   std::vector<int> efforts;  ///< for the frontier of error over time
   /// @param effort number of iterations or substeps
-  std::unique_ptr<Simulation> (*start)(const BenchScene& scene, int effort);
+  std::function<std::unique_ptr<Simulation>(const BenchScene& scene, int effort)> start;
 };
 
-/// This engine, first with its default settings.
-std::vector<Engine> own_engines();
-/// The engines of the package group `peers` that were there when this program was built.
+/// This engine, first with its default settings. @param threads that share the work of a step
+std::vector<Engine> own_engines(int threads = 1);
+/// The engines of the package group `peers` that were there when this program was built, on one thread.
 std::vector<Engine> peer_engines();
 
 }  // namespace cs550::bench

@@ -23,26 +23,23 @@ class OwnSimulation : public Simulation {
   std::vector<BodyId> ids_;
 };
 
-std::unique_ptr<Simulation> start(const BenchScene& scene, WorldSettings settings, int substeps) {
-  settings.substeps = substeps;
-  return std::make_unique<OwnSimulation>(scene, settings);
-}
-
-std::unique_ptr<Simulation> start_accurate(const BenchScene& scene, int substeps) {
-  return start(scene, accurate_settings(), substeps);
-}
-
-std::unique_ptr<Simulation> start_game(const BenchScene& scene, int substeps) {
-  return start(scene, game_settings(), substeps);
+Engine own_engine(const char* name, WorldSettings settings, std::vector<int> efforts) {
+  const auto start = [settings](const BenchScene& scene, int substeps) {
+    WorldSettings with_effort = settings;
+    with_effort.substeps = substeps;
+    return std::make_unique<OwnSimulation>(scene, with_effort);
+  };
+  return {name, "substeps", settings.substeps, std::move(efforts), start};
 }
 
 }  // namespace
 
-std::vector<Engine> own_engines() {
-  const int accurate = accurate_settings().substeps;
-  const int game = game_settings().substeps;
-  return {{"this engine, accurate", "substeps", accurate, {4, 8, 12, 16}, start_accurate},
-          {"this engine, game", "substeps", game, {2, 3, 4, 6}, start_game}};
+std::vector<Engine> own_engines(int threads) {
+  WorldSettings accurate = accurate_settings();
+  WorldSettings game = game_settings();
+  accurate.threads = game.threads = threads;
+  return {own_engine("this engine, accurate", accurate, {4, 8, 12, 16}),
+          own_engine("this engine, game", game, {2, 3, 4, 6})};
 }
 
 }  // namespace cs550::bench

@@ -70,6 +70,16 @@ void print_runs(const std::vector<SceneRun>& runs, std::ostream& out) {
   }
 }
 
+void print_thread_gains(const std::vector<ThreadGain>& gains, std::ostream& out) {
+  if (gains.empty()) return;
+  out << heading(fmt::format("One thread and {}, time by the clock", gains.front().threads))
+      << "                              ms/step  shared   gain\n";
+  for (const ThreadGain& gain : gains) {
+    out << fmt::format("  {:<4} {:<23}{:>7.3f} {:>7.3f} {:>6.2f}\n", gain.scene, gain.engine,
+                       1e3 * gain.seconds_alone, 1e3 * gain.seconds_shared, gain.gain());
+  }
+}
+
 void print_memory(const Memory& memory, std::ostream& out) {
   out << heading("Memory of a world")
       << fmt::format("  {:<32}{:>7.0f} bytes\n", "a body", memory.bytes_per_body)
@@ -88,6 +98,7 @@ void print(const Report& report, std::ostream& out) {
     out << heading(fmt::format("{}: {}", scene.scene, scene.title));
     print_runs(scene.runs, out);
   }
+  print_thread_gains(report.thread_gains, out);
   for (const Frontier& frontier : report.frontiers) {
     out << heading(fmt::format("{}: error against time as the effort varies", frontier.scene));
     print_runs(frontier.runs, out);

@@ -76,10 +76,11 @@ std::string processor_model() {
 }
 
 std::string to_json(const Report& report) {
-  Json json = {
-      {"date", report.date},     {"processor", report.processor}, {"steps", report.steps},
-      {"rounds", report.rounds}, {"stages", Json::array()},       {"exponents", Json::array()},
-      {"scenes", Json::array()}, {"frontiers", Json::array()},    {"scaling", Json::array()}};
+  Json json = {{"date", report.date},        {"processor", report.processor},
+               {"steps", report.steps},      {"rounds", report.rounds},
+               {"stages", Json::array()},    {"exponents", Json::array()},
+               {"scenes", Json::array()},    {"thread_gains", Json::array()},
+               {"frontiers", Json::array()}, {"scaling", Json::array()}};
   for (const StageCost& stage : report.stages) {
     json["stages"].push_back({{"name", stage.name}, {"n", stage.n}, {"seconds", stage.seconds}});
   }
@@ -93,6 +94,13 @@ std::string to_json(const Report& report) {
   for (const SceneComparison& scene : report.scenes) {
     json["scenes"].push_back(
         {{"scene", scene.scene}, {"title", scene.title}, {"runs", json_of(scene.runs)}});
+  }
+  for (const ThreadGain& gain : report.thread_gains) {
+    json["thread_gains"].push_back({{"scene", gain.scene},
+                                    {"engine", gain.engine},
+                                    {"threads", gain.threads},
+                                    {"seconds_alone", gain.seconds_alone},
+                                    {"seconds_shared", gain.seconds_shared}});
   }
   for (const Frontier& frontier : report.frontiers) {
     json["frontiers"].push_back({{"scene", frontier.scene}, {"runs", json_of(frontier.runs)}});

@@ -39,6 +39,17 @@ struct Frontier {
   std::vector<SceneRun> runs;
 };
 
+/// How much faster the steps of a scene are if several threads share their work.
+struct ThreadGain {
+  std::string scene;
+  std::string engine;
+  int threads = 0;
+  double seconds_alone = 0;   ///< per step with one thread, by the clock
+  double seconds_shared = 0;  ///< per step with all of them
+
+  double gain() const { return seconds_alone / seconds_shared; }
+};
+
 /// The cost of a step against the number of bodies.
 struct Scaling {
   std::string name;  ///< cubes
@@ -66,6 +77,7 @@ struct Report {
   int rounds = 0;         ///< the smallest time of all rounds is kept
   std::vector<StageCost> stages;
   std::vector<SceneComparison> scenes;
+  std::vector<ThreadGain> thread_gains;
   std::vector<Frontier> frontiers;
   std::vector<Scaling> scaling;
   std::optional<Memory> memory;

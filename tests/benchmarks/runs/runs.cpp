@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <ctime>
 
 namespace cs550::bench {
@@ -21,10 +23,20 @@ double thread_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-double seconds_per_step(Simulation& simulation, int steps) {
-  const double start = thread_seconds();
+double clock_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+template <class Clock>
+double seconds_per_step(Simulation& simulation, int steps, const Clock& clock) {
+  const double start = clock();
   for (int i = 0; i < steps; ++i) simulation.step(step_length);
-  return (thread_seconds() - start) / steps;
+  return (clock() - start) / steps;
+}
+
+double seconds_per_step(Simulation& simulation, int steps) {
+  return seconds_per_step(simulation, steps, thread_seconds);
 }
 
 Quality quality_of(const BenchScene& scene, const Simulation& simulation) {
@@ -67,6 +79,28 @@ SceneComparison compare(const NamedScene& scene, std::span<const Engine> engines
   std::vector<Contender> contenders;
   for (const Engine& engine : engines) contenders.push_back({&engine, engine.usual_effort});
   return {scene.name, scene.title, run_in_turn(scene, contenders, duration, announce)};
+}
+
+std::vector<ThreadGain> compare_threads(const NamedScene& named, int threads,
+                                        const Duration& duration, const Announce& announce) {
+  const BenchScene scene = named.make();
+  const std::vector<Engine> alone = own_engines();
+  const std::vector<Engine> shared = own_engines(threads);
+  const auto measure = [&](const Engine& engine, int count, double& smallest) {
+    announce(fmt::format("{}, {}, threads: {}", named.name, engine.name, count));
+    const auto simulation = engine.start(scene, engine.usual_effort);
+    smallest = std::min(smallest, seconds_per_step(*simulation, duration.steps, clock_seconds));
+  };
+  std::vector<ThreadGain> gains;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    ThreadGain gain{named.name, alone[i].name, threads, HUGE_VAL, HUGE_VAL};
+    for (int round = 0; round < duration.rounds; ++round) {
+      measure(alone[i], 1, gain.seconds_alone);
+      measure(shared[i], threads, gain.seconds_shared);
+    }
+    gains.push_back(gain);
+  }
+  return gains;
 }
 
 Frontier trace_frontier(const NamedScene& scene, std::span<const Engine> engines,

@@ -29,6 +29,10 @@ SceneRun run_scene(const BenchScene& scene, const Engine& engine, int effort, in
 SceneComparison compare(const NamedScene& scene, std::span<const Engine> engines,
                         const Duration& duration, const Announce& announce);
 
+/// This engine with each of its settings, by one thread and by several.
+std::vector<ThreadGain> compare_threads(const NamedScene& scene, int threads,
+                                        const Duration& duration, const Announce& announce);
+
 /// Each engine with each of its efforts.
 Frontier trace_frontier(const NamedScene& scene, std::span<const Engine> engines,
                         const Duration& duration, const Announce& announce);

@@ -18,6 +18,7 @@
 #include "cli/system/exit_code.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
+#include "engine/threads/thread_team.hpp"
 #include "files/output_file.hpp"
 
 namespace {
@@ -29,6 +30,7 @@ struct BenchOptions {
   std::string filter;
   std::filesystem::path json;
   int rounds = 1;
+  int threads = 1;
   bool peers = false;
   bool plot = false;
   bool brief = false;
@@ -60,7 +62,9 @@ std::unique_ptr<files::OutputFile> open_json(const BenchOptions& options) {
 class Measurement {
  public:
   Measurement(const BenchOptions& options, Selection selection)
-      : selection_(std::move(selection)), engines_(engines_for(options)) {
+      : selection_(std::move(selection)),
+        engines_(engines_for(options)),
+        threads_(options.threads) {
     if (options.brief) duration_ = {5, 1};
     duration_.rounds = options.brief ? 1 : options.rounds;
     stage_seconds_ = options.brief ? 1e-4 : 0.2;
@@ -77,6 +81,7 @@ class Measurement {
     for (const NamedScene& scene : selection_.scenes) {
       report.scenes.push_back(compare(scene, engines_, duration_, announce));
     }
+    if (threads_ > 1) measure_threads(report, announce);
     for (const NamedScene& scene : selection_.frontiers) {
       report.frontiers.push_back(trace_frontier(scene, engines_, duration_, announce));
     }
@@ -89,6 +94,13 @@ class Measurement {
   }
 
  private:
+  void measure_threads(Report& report, const Announce& announce) const {
+    for (const NamedScene& scene : selection_.scenes) {
+      const auto gains = compare_threads(scene, threads_, duration_, announce);
+      report.thread_gains.insert(report.thread_gains.end(), gains.begin(), gains.end());
+    }
+  }
+
   void measure_each_stage(Report& report) const {
     const int count = static_cast<int>(selection_.stages.size());
     cli::ProgressBar progress(count * duration_.rounds, "stage");
@@ -105,6 +117,7 @@ class Measurement {
 
   Selection selection_;
   std::vector<Engine> engines_;
+  int threads_;
   Duration duration_;
   double stage_seconds_ = 0;
 };
@@ -158,6 +171,10 @@ void declare(CLI::App& app, BenchOptions& options) {
   app.add_option("--rounds", options.rounds, "measure N times and keep the smallest times")
       ->option_text("N")
       ->check(CLI::Range(1, 100));
+  app.add_option("--threads", options.threads,
+                 "run this engine's scenes with N threads too;\nprint how much faster they are")
+      ->option_text("N")
+      ->check(CLI::Range(2, most_threads));
   app.add_flag("--brief", options.brief, "five steps of each scene, to see that everything runs");
 }
 
