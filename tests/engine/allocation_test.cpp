@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "cs550/scene.hpp"
@@ -55,14 +57,20 @@ TEST(Allocation, NoneInFreeFlight) {
 }
 
 TEST(Allocation, GrowthIsGeometric) {
-  // For n pairs that are added one by one, doubling needs about log2(n) allocations per array. One
-  // allocation per pair would be hundreds.
   World world = falling_hulls(60, 32);
   run(world, 1);
+  const int pairs_before = world.stats().pairs;
+  int most_pairs = pairs_before;
   long total = 0;
-  for (int step = 0; step < 300; ++step) total += allocations_of_a_step(world);
-  EXPECT_GT(world.stats().pairs, 100);
-  EXPECT_LT(total, 150);
+  for (int step = 0; step < 300; ++step) {
+    total += allocations_of_a_step(world);
+    most_pairs = std::max(most_pairs, world.stats().pairs);
+  }
+  ASSERT_GT(most_pairs, 100);
+  // Seven arrays of pairs, and as many that they are merged into, double at different steps. Arrays of contacts
+  // and points grow with them. One allocation per pair and array would be thousands.
+  constexpr int arrays = 30;
+  EXPECT_LT(total, arrays * (1 + std::log2(Real(most_pairs) / Real(pairs_before))));
 }
 
 }  // namespace

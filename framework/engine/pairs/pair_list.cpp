@@ -42,7 +42,7 @@ void move_leaf(WorldState& world, Index body, const Bounds& bounds) {
 }
 
 /// How much larger than a body's swept bounds its stored box is (m).
-Real leaf_room(const WorldState& world) { return Real(0.05) * world.settings.length_unit; }
+Real leaf_room(const WorldState& world) { return Real(0.03) * world.settings.length_unit; }
 
 /// How much larger than its shape's bounds a body's swept bounds are (m).
 Real sweep_margin(const WorldState& world, std::size_t body, Real h) {
