@@ -13,7 +13,7 @@ cp "$root/framework/cli/verbs.def" "$project/framework/cli"
 cat >"$scratch/bin/cmake" <<'FAKE'
 #!/bin/sh
 [ "$1" = --build ] && echo "built in $(pwd -P)" || echo "$*" >>"$CONFIGURED"
-[ ! -e broken ] || { echo '-- GLOB mismatch!'; echo "In file included from $(pwd -P)/labs/a.hpp:1,"; exit 1; }
+[ ! -e broken ] || { echo '-- GLOB mismatch!'; echo "In file included from $(pwd -P)/labs/a.hpp:1,"; cat broken; exit 1; }
 FAKE
 chmod +x "$scratch/bin/cmake"
 export CONFIGURED="$scratch/configured" PATH="$scratch/bin:$PATH" XDG_CACHE_HOME="$scratch/cache"
@@ -90,6 +90,18 @@ unset CS550_BUILD_DIR
 ! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "a build that fails exited with code 0"
 grep -qFx "In file included from labs/a.hpp:1," "$scratch/printed" || wrong "expected a relative path"
 ! grep -q GLOB "$scratch/printed" || wrong "it printed what CMake checks"
+# The first error that stopped the build begins the excerpt, however many follow and whatever came before.
+{
+  echo "../../labs/lab4.cpp:1:1: error: of a lab that counts as empty"
+  printf 'FAILED: lab5.o\nc++ -c lab5.cpp\n'
+  echo "../../labs/lab5.cpp: In function 'void f()':"
+  echo "../../labs/lab5.cpp:9:3: error: the first"
+  seq -f "../../labs/lab5.cpp:%g:1: error: a later one" 10 99
+} >"$project/broken"
+! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "a failed build counted as good"
+[ "$(sed -n 1p "$scratch/printed")" = "labs/lab5.cpp: In function 'void f()':" ] || wrong "another first line"
+prints "labs/lab5.cpp:9:3: error: the first labs/lab5.cpp:10:1: error: a later one"
+prints "... and 52 more lines"
 rm "$project/broken"
 
 # A second build waits for the first, and then succeeds.
