@@ -77,6 +77,14 @@ TEST(CrashReport, AnAssertionOfALibraryIsShown) {
             "assertion `index >= 0 && index < size()' failed.\n");
 }
 
+TEST(CrashReport, AnAssertionOfAContractNamesItsLine) {
+  EXPECT_EQ(
+      crash_report("lab5_student: /home/a/framework/include/cs550/static_vector.hpp:59: T& "
+                   "cs550::StaticVector<T, N>::operator[](int): Assertion `i < size_' failed.\n"),
+      "assertion `i < size_' failed.\n"
+      "  at framework/include/cs550/static_vector.hpp:59\n");
+}
+
 TEST(CrashReport, AnAssertionLeadsToTheStudentsLine) {
   EXPECT_EQ(crash_report(R"(lab3_student: DenseCoeffsBase.h:408: Assertion `index < size()' failed.
 ==9==ERROR: AddressSanitizer: ABRT on unknown address 0x0000681f (pc 0x7f bp 0x00 sp 0x7f T0)

@@ -2,6 +2,7 @@
 /// @file polygons.hpp
 /// Polygons for the tests of clip_polygon().
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -26,13 +27,16 @@ inline ClipPolygon polygon_of(const std::vector<Vec3>& corners) {
 }
 
 /// The square from (0, 0) to (1, 1) in the plane z = 0.
-inline ClipPolygon unit_square() {
-  return polygon_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)});
+/// @{
+inline std::vector<Vec3> unit_square_corners() {
+  return {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
 }
+inline ClipPolygon unit_square() { return polygon_of(unit_square_corners()); }
+/// @}
 
 inline std::string show(const ClipPolygon& polygon) {
   std::ostringstream text;
-  text << polygon.size() << " corners";
+  text << polygon.size() << (polygon.size() == 1 ? " corner" : " corners");
   for (int i = 0; i < polygon.size(); ++i) {
     text << (i == 0 ? ": " : ", ") << Story::show(polygon[i].point);
   }
@@ -49,10 +53,10 @@ inline ClipPolygon rotated(const ClipPolygon& polygon, int first) {
 }
 
 inline bool same_corners(const ClipPolygon& p, const ClipPolygon& q, Real tolerance) {
-  for (int i = 0; i < p.size(); ++i) {
-    if (!((p[i].point - q[i].point).norm() <= tolerance)) return false;
-  }
-  return p.size() == q.size();
+  return std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                    [=](const ClipVertex& a, const ClipVertex& b) {
+                      return (a.point - b.point).norm() <= tolerance;
+                    });
 }
 
 /// Checks the corners in this cyclic order, starting at any of them.
@@ -60,9 +64,7 @@ inline bool expect_corners(Story& story, const ClipPolygon& got, const std::vect
                            Real tolerance = 0, SourceLine at = {}) {
   const ClipPolygon wanted = polygon_of(expected);
   for (int first = 0; first < std::max(1, got.size()); ++first) {
-    if (got.size() == wanted.size() && same_corners(rotated(got, first), wanted, tolerance)) {
-      return true;
-    }
+    if (same_corners(rotated(got, first), wanted, tolerance)) return true;
   }
   story.expect_equal("corners, counter-clockwise", show(got), show(wanted), at);
   return false;

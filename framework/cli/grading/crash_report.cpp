@@ -45,6 +45,14 @@ std::string place_of_frame(std::string_view line) {
   return std::string(before(function, "(")) + ", " + std::string(where);
 }
 
+/// Where a line such as `lab5_student: framework/a.hpp:51: f(): Assertion ...` found fault; empty unless that is
+/// in given code, whose comment says what the caller has to keep.
+std::string given_place(std::string_view line) {
+  const std::string_view place = before(after(line, ": "), ": ");
+  const std::size_t start = place.find("framework/include/");
+  return start == std::string_view::npos ? "" : "\n  at " + std::string(place.substr(start));
+}
+
 /// What happened, from the line that reports it; empty for every other line.
 std::string headline(std::string_view line) {
   if (const auto what = after(line, "ERROR: AddressSanitizer: "); !what.empty()) {
@@ -54,7 +62,7 @@ std::string headline(std::string_view line) {
     return "undefined behaviour: " + std::string(what);
   }
   const std::string_view assertion = after(line, "Assertion ");
-  return assertion.empty() ? "" : "assertion " + std::string(assertion);
+  return assertion.empty() ? "" : "assertion " + std::string(assertion) + given_place(line);
 }
 
 /// A detail of it, from a line that has one; empty for every other line.

@@ -51,10 +51,16 @@ class StaticVector {
     size_ = size;
   }
 
-  /// The elements, as in std::vector.
+  /// The elements, as in std::vector. Precondition: 0 ≤ i < size().
   /// @{
-  T& operator[](int i) { return items_[i]; }
-  const T& operator[](int i) const { return items_[i]; }
+  T& operator[](int i) {
+    assert(i >= 0 && i < size_);
+    return items_[i];
+  }
+  const T& operator[](int i) const {
+    assert(i >= 0 && i < size_);
+    return items_[i];
+  }
   T* data() { return items_; }
   const T* data() const { return items_; }
   T* begin() { return items_; }
