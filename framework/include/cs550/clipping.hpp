@@ -100,13 +100,14 @@ inline constexpr Real edge_preference = Real(5e-3);
 /// each other without one.
 ///
 /// - Of two faces, the one whose query has the larger separation is the reference face. If they
-///   differ by at most tie_tolerance (relative to the smaller radius), axis.feature decides.
+///   differ by at most tie_tolerance (relative to the smaller radius), axis.feature decides, and A's
+///   face wins if that names the edges.
 /// - Edges replace a face if they are better by more than edge_preference. Their separation is
 ///   compared with that of the face's *query*.
 /// - For overlapping bodies the deepest point is as deep as the axis, up to edge_preference, even
 ///   where clipping loses the deepest vertex. If neither a clipped point nor the edges are, the
 ///   manifold has one point: the deepest vertex of the face's query, with its projection onto the
-///   face. The same point is returned if clipping leaves none.
+///   face, named as a vertex on that face. The same point is returned if clipping leaves none.
 ///
 /// Any query may be empty. An empty query has a separation of 0 and no features, so test the query
 /// before comparing its separation. The edge query is empty if no arcs cross, as for aligned boxes;
