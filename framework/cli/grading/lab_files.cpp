@@ -153,8 +153,8 @@ std::vector<fs::path> files_to_submit(const std::string& lab_name) {
 std::vector<fs::path> files_left_out(const std::string& lab_name) {
   std::vector<fs::path> files = visible_files(lab_name);
   std::erase_if(files, [&](const fs::path& file) {
-    const bool is_ours =
-        file.filename() == "README.md" || file.extension().native().starts_with(".bak-");
+    const bool is_ours = file.filename() == "README.md" || file.extension() == ".svg" ||
+                         file.extension().native().starts_with(".bak-");
     return is_ours || is_handed_in(lab_name, file);
   });
   return files;
