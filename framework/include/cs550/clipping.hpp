@@ -81,11 +81,11 @@ Manifold face_manifold(const PosedShape& a, const PosedShape& b, const Separatin
 Manifold edge_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis);
 
 /// **L5.5** Selects at most four points that support a body nearly as well as all of them do. Up to
-/// four points are returned unchanged, in their order. Of more, the deepest point is always kept,
-/// and the selection spans at least 65 % of the largest area (96 % on average) that any four of the
-/// points including the deepest span, measured perpendicular to the normal. Points that add no area
-/// are dropped: no two kept points coincide, and of points on one line the two ends of a segment
-/// that starts at the deepest point remain.
+/// four points are returned unchanged, in their order. Of more, the deepest point is always kept.
+/// Of points on an ellipse the selection spans at least 65 % of the largest area (96 % on average)
+/// that any four of them including the deepest span, measured perpendicular to the normal between
+/// the anchors on A. Points that add no area are dropped: no two kept points coincide, and of points
+/// on one line the two ends of a segment that starts at the deepest point remain.
 /// @param points anchors in body frames
 /// @param normal the manifold's normal in A's **body** frame, unit
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
