@@ -491,6 +491,8 @@ def test_wrong_usage(folder):
             ((folder / "ada.zip",), 2, "--out"),
             ((folder / "ada.zip", "--out", folder / "o", "--labs", "8-99"), 2, "there is no lab"),
             ((folder / "ada.zip", "--out", folder / "o", "--labs", "all"), 2, "1-7"),
+            ((folder / "ada.zip", "--out", folder / "o", "--labs", "3-1"), 2, "1-3; found 3-1"),
+            ((folder / "ada.zip", "--out", folder / "o", "--labs", "2,5-3"), 2, "3-5; found 2,5-3"),
             ((folder / "ada.zip", "--out", folder / "o", "--jobs", "0"), 2, "--jobs"),
             ((folder / "absent.zip", "--out", folder / "o"), 1, "there is no submission"),
             ((folder / "notes.txt", "--out", folder / "o"), 1, "is no submission"),
@@ -500,6 +502,14 @@ def test_wrong_usage(folder):
         printed = grade(*arguments, code=code)
         assert message in printed, f"{arguments}: {printed}"
         assert not (folder / "o").exists(), f"{arguments} left a folder"
+
+
+def test_a_roster_with_an_open_quote_is_refused(folder):
+    pack(folder / "ada.zip", {HILL: "// right"})
+    (folder / "roster.csv").write_text('id,name\nada,Ada\nbob,"Bob\neve,Eve\n')
+    printed = grade(folder / "ada.zip", "--out", folder / "out", "--labs", "3", "--roster", folder / "roster.csv", code=1)
+    assert "roster.csv:3: a quote is opened and not closed" in printed, printed
+    assert not (folder / "out").exists()
 
 
 def test_three_hundred_submissions(folder):

@@ -208,10 +208,13 @@ TEST(Roster, BadOnesAreRefused) {
   EXPECT_NE(fault("id,name\n,Ada").find("row 2 has no id"), std::string::npos);
   EXPECT_NE(fault("id,submitted\nada,soon").find("found soon"), std::string::npos);
   EXPECT_EQ(fault("id;name\nada;Ada\n"), "");
+  // The first swallows the students after it to the end of the file, the second those up to the next quote.
+  EXPECT_EQ(fault("id,name\na,Ada\nb,\"Bob\nc,Eve\n").find("roster.csv:3: a quote"), 0U);
+  EXPECT_EQ(fault("id,name\na,\"Ada\nb,\"Bob\"\nc,Eve\n").find("roster.csv:2: a quote"), 0U);
 }
 
 TEST(CsvTable, QuotedFieldsAreRead) {
-  EXPECT_EQ(parse_csv("a,b\r\n\"1,\"\"2\"\"\n3\",4\n\n"),
+  EXPECT_EQ(parse_csv("a,b\r\n\"1,\"\"2\"\"\n3\",4\n\n", "a.csv"),
             (std::vector<std::vector<std::string>>{{"a", "b"}, {"1,\"2\"\n3", "4"}}));
 }
 

@@ -148,6 +148,10 @@ std::vector<int> parse_labs(const std::string& text, const std::vector<int>& kno
     }
     const int first = std::stoi(match[1]);
     const int last = match[2].matched ? std::stoi(match[2]) : first;
+    if (last < first) {
+      throw std::invalid_argument(fmt::format(
+          "--labs needs the lower number of a range first: {}-{}; found {}", last, first, text));
+    }
     for (int lab = first; lab <= last; ++lab) labs.insert(lab);
   }
   for (const int lab : labs) {

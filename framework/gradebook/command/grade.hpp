@@ -24,7 +24,7 @@ struct GradeRequest {
 };
 
 /// The labs that a text names: {1, 3, 4, 5} for "1,3-5".
-/// Throws std::invalid_argument for any other text, and for a lab that does not exist.
+/// Throws std::invalid_argument for any other text, such as 3-1, and for a lab that does not exist.
 std::vector<int> parse_labs(const std::string& text, const std::vector<int>& known);
 
 /// Prints what was graded. @return whether every submission has a mark

@@ -93,7 +93,7 @@ bool is_about(const std::string& entry, const Student& student) {
 }
 
 std::vector<Student> parse_roster(const std::string& text, const std::string& file) {
-  const std::vector<std::vector<std::string>> rows = parse_csv(text);
+  const std::vector<std::vector<std::string>> rows = parse_csv(text, file);
   std::map<std::string, std::size_t> column;
   if (!rows.empty()) {
     for (std::size_t i = 0; i < rows[0].size(); ++i) column[lower(rows[0][i])] = i;

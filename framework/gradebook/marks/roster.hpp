@@ -23,7 +23,7 @@ bool is_about(const std::string& entry, const Student& student);
 
 /// @param text CSV with a header line: `id`, and optionally name, email, section, submitted
 /// @param file its name in messages
-/// Throws std::runtime_error for a roster without ids, or with one twice.
+/// Throws std::runtime_error for a roster without ids, with one twice, or with a quote that is not closed.
 std::vector<Student> parse_roster(const std::string& text, const std::string& file);
 
 /// Gives every record to its student. A record belongs to the student whose id, email or name is
