@@ -11,7 +11,10 @@ copy=$scratch/copy student=$scratch/student printed=$scratch/printed
 handout=labs/lab3_hill_climbing/README.md work=labs/lab3_hill_climbing/hill_climbing.cpp
 
 wrong() { echo "WRONG: $1" >&2; exit 1; }
-"$program" starter "$copy" >/dev/null 2>&1
+"$program" starter "$copy" >"$printed" 2>/dev/null
+grep -qxF "It has no solutions." "$printed" || wrong "it must report that it released nothing"
+! grep -qF figures "$printed" || grep -qF "./cs550 starter --update '$copy'" "$printed" ||
+  wrong "the command that adds figures must name the folder"
 "$program" starter --update "$copy" >"$printed" 2>/dev/null
 [ -z "$(git -C "$copy" status --porcelain)" ] || wrong "an update to the same version changes the copy"
 grep -qF "0 files replaced, 0 removed" "$printed" || wrong "it must replace nothing"
@@ -65,9 +68,20 @@ grep -qF "interrupted: what was unfinished is removed" "$printed" || wrong "it p
 [ -z "$(ls -d "$scratch"/interrupted* 2>/dev/null)" ] || wrong "it left $(ls -d "$scratch"/interrupted*)"
 
 # The scripts that compute stages again from the book belong to the last solution.
-"$program" starter --release-solutions 6 "$scratch/six" >/dev/null 2>&1
+"$program" starter --release-solutions 6 "$scratch/six" >"$printed" 2>/dev/null
+grep -qxF "It has the solutions of labs 1 to 6." "$printed" || wrong "it must report what it released"
 [ ! -e "$scratch/six/docs/rebuild" ] || wrong "docs/rebuild is released before lab 7"
 "$program" starter --release-solutions 7 "$scratch/seven" >/dev/null 2>&1
 [ -s "$scratch/seven/docs/rebuild/stack.py" ] || wrong "docs/rebuild is not released with lab 7"
 [ -d "$(echo "$scratch"/seven/solutions/lab7_*)" ] || wrong "the solution of lab 7 is not released"
+
+# An update keeps the solutions that are released, unless it is told another number.
+"$program" starter --update "$scratch/six" >"$printed" 2>/dev/null
+[ -z "$(git -C "$scratch/six" status --porcelain)" ] || wrong "an update takes released solutions back"
+grep -qxF "It has the solutions of labs 1 to 6." "$printed" || wrong "it must report which solutions it keeps"
+"$program" starter --update --release-solutions 1 "$scratch/six" >"$printed" 2>/dev/null
+grep -qxF "It has the solution of lab 1." "$printed" || wrong "it must report the only solution"
+[ -z "$(ls -A "$(echo "$scratch"/six/solutions/lab6_*)" 2>/dev/null)" ] || wrong "the solution of lab 6 is still there"
+"$program" starter --update --release-solutions 0 "$scratch/six" >"$printed" 2>/dev/null
+grep -qxF "It has no solutions." "$printed" || wrong "no solution is left"
 rm -rf "$scratch"

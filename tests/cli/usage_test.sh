@@ -87,6 +87,10 @@ done
 
 refuses starter
 refuses starter --release-solutions many copy
+prints "0 to 7; found many"
+refuses starter --release-solutions 9 copy
+prints "0 to 7; found 9"
+refuses starter --release-solutions -1 copy
 refuses progress --lsit
 refuses view --lab 99
 refuses view --failure Lab3.NoSuchTest

@@ -2,13 +2,15 @@
 //
 // A students' copy is the last commit without what .gitattributes marks as export-ignore, with its
 // starters also in .starters/, which --reset and --update compare with. Solutions are added for labs
-// 1..K only, docs/rebuild with that of lab 7, and manifests list the visible tests.
+// 1..K only, docs/rebuild with that of lab 7, and manifests list the visible tests. An update keeps the solutions
+// that a copy has.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,6 +19,7 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/verb.hpp"
+#include "cs550/excerpt.hpp"
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
 #include "files/path_argument.hpp"
@@ -37,7 +40,7 @@ constexpr const char* copied_figures = "docs/chapters/figures";
 
 struct StarterOptions {
   fs::path folder;
-  int released = 0;
+  std::optional<int> released;  ///< without it none, or as many as the copy has already
   bool update = false;
 };
 
@@ -102,7 +105,7 @@ void add_figures(const fs::path& folder) {
 void warn_of_missing_figures(const fs::path& folder) {
   if (fs::exists(folder / copied_figures)) return;
   std::cout << "Its chapters have no figures. ./cs550 docs draws them, and then\n"
-               "./cs550 starter --update adds them.\n";
+            << fmt::format("./cs550 starter --update '{}'\nadds them.\n", folder.string());
 }
 
 void record_version(const fs::path& folder) {
@@ -157,6 +160,24 @@ std::vector<std::string> files_of_copy(const fs::path& copy) {
   for (std::string line; std::getline(lines, line);) files.push_back(line);
   std::sort(files.begin(), files.end());  // paths sort otherwise: a/b before a.b
   return files;
+}
+
+/// The last lab whose solution a copy has; 0 if it has none.
+int last_released_lab(const fs::path& copy) {
+  int last = 0;
+  for (const std::string& file : files_of_copy(copy)) {
+    for (const std::string& name : lab_names()) {
+      if (file.starts_with("solutions/" + name + '/')) last = std::max(last, lab_number(name));
+    }
+  }
+  return last;
+}
+
+void print_released_solutions(const fs::path& copy) {
+  const int last = last_released_lab(copy);
+  std::cout << (last == 0   ? "It has no solutions.\n"
+                : last == 1 ? "It has the solution of lab 1.\n"
+                            : fmt::format("It has the solutions of labs 1 to {}.\n", last));
 }
 
 bool is_lab_file(const fs::path& path) {
@@ -245,13 +266,14 @@ int make_copy(const StarterOptions& options, const fs::path& folder) {
                   " exists and is not empty.\n  To update a students' copy, add --update.");
   }
   const DraftFolder draft(folder);
-  write_students_copy(draft.path(), options.released);
+  write_students_copy(draft.path(), options.released.value_or(0));
   start_history(draft.path());
   files::throw_if_interrupted();
   fs::rename(draft.path(), folder);
   warn_of_uncommitted_changes();
   std::cout << fmt::format("The students' copy is in {}: version {}, {} files, one commit.\n",
                            folder.string(), starter_version(folder), files_of_copy(folder).size());
+  print_released_solutions(folder);
   warn_of_missing_figures(folder);
   return Good;
 }
@@ -262,7 +284,8 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   }
   const std::string old_version = starter_version(folder);
   const DraftFolder draft(folder);
-  write_students_copy(draft.path(), options.released);
+  write_students_copy(draft.path(),
+                      options.released ? *options.released : last_released_lab(folder));
   files::throw_if_interrupted();
   const CopyUpdate update = update_copy(folder, draft.path());
   warn_of_uncommitted_changes();
@@ -273,6 +296,7 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
       "Nothing was committed.\n",
       old_version, starter_version(folder), update.replaced.size(), update.removed.size(),
       update.kept.size());
+  print_released_solutions(folder);
   for (const std::string& file : update.conflicts) {
     std::cout << fmt::format(
         "conflict: {} was changed, and so was its starter.\n"
@@ -280,6 +304,17 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
         file, starter_path(file).string());
   }
   return update.conflicts.empty() ? Good : Failed;
+}
+
+/// Why solutions of labs 1 to that number cannot be released; empty if they can.
+std::string fault_of_release(const std::string& word) {
+  const std::vector<std::string> labs = lab_names();
+  const int last = labs.empty() ? 0 : lab_number(labs.back());
+  for (int number = 0; number <= last; ++number) {
+    if (word == std::to_string(number)) return {};
+  }
+  return fmt::format("expected the last lab whose solution is released, 0 to {}; found {}", last,
+                     excerpt(word));
 }
 
 /// Why there can be no folder of that name; empty if there can.
@@ -318,9 +353,11 @@ Action declare_starter(CLI::App& app) {
   app.add_option("DIR", options->folder, "folder of the copy, new or empty")
       ->required()
       ->check(files::fault_of_path);
-  app.add_option("--release-solutions", options->released, "include the solutions of labs 1 to K")
+  app.add_option("--release-solutions", options->released,
+                 "include the solutions of labs 1 to K; by default none, and with --update "
+                 "those that the copy has")
       ->option_text("K")
-      ->check(CLI::Range(0, 99));
+      ->check(fault_of_release);
   app.add_flag("--update", options->update,
                "update the students' copy in DIR; changed lab files are kept");
   return [options] { return run_starter(*options); };
