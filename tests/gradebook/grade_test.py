@@ -512,6 +512,16 @@ def test_a_roster_with_an_open_quote_is_refused(folder):
     assert not (folder / "out").exists()
 
 
+def test_an_output_folder_in_the_class_is_refused(folder):
+    pack(folder / "class/ada.zip", {HILL: "// right"})
+    for out in ("class", "class/out", "class/../class/a/out"):
+        printed = grade(folder / "class/", "--out", folder / out, "--labs", "3", code=2)
+        assert "in the folder of submissions" in printed, printed
+    assert [file.name for file in (folder / "class").iterdir()] == ["ada.zip"]
+    assert "in the folder of submissions" in grade(".", "--out", "out", "--labs", "3", code=2, cwd=folder / "class")
+    grade(folder / "class", "--out", folder / "class2", "--labs", "3")
+
+
 def test_three_hundred_submissions(folder):
     for i in range(300):
         pack(folder / "class" / f"student{i:03}.zip", {HILL: f"// fake: fails FirstOfEqualVerticesWins\n// {i}",

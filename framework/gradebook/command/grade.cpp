@@ -134,6 +134,21 @@ void print_outcome(const ClassOutcome& outcome, std::chrono::duration<double> ti
                            time.count(), counted(outcome.known, "result"));
 }
 
+/// Refuses an output folder in a folder of submissions: the next run would take its files as submissions.
+void check_place(const fs::path& out, const std::vector<fs::path>& submissions) {
+  const fs::path place = fs::weakly_canonical(fs::absolute(out));
+  for (const fs::path& submission : submissions) {
+    if (!fs::is_directory(submission)) continue;
+    const fs::path folder = fs::canonical(submission);
+    const auto end = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end()).first;
+    if (end != folder.end()) continue;
+    throw std::invalid_argument(fmt::format(
+        "--out {} is in the folder of submissions {}.\n"
+        "  Its files would be taken as submissions. Choose a folder outside it.",
+        out.string(), submission.string()));
+  }
+}
+
 }  // namespace
 
 std::vector<int> parse_labs(const std::string& text, const std::vector<int>& known) {
@@ -164,6 +179,7 @@ std::vector<int> parse_labs(const std::string& text, const std::vector<int>& kno
 }
 
 bool grade(const GradeRequest& request) {
+  check_place(request.out, request.submissions);
   files::watch_for_interruption();
   const std::atomic<bool>& stop = files::interrupted();
   make_full_disk_an_error();
