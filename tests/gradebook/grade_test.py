@@ -522,6 +522,47 @@ def test_an_output_folder_in_the_class_is_refused(folder):
     grade(folder / "class", "--out", folder / "class2", "--labs", "3")
 
 
+def test_a_damaged_archive_is_in_the_notes(folder):
+    pack(folder / "class/ada-lab3.zip", {HILL: "// right"})
+    (folder / "class/ada-lab5.zip").write_bytes(b"PK damaged")
+    grade(folder / "class", "--out", folder / "out", "--labs", "3,5")
+    row = grades(folder / "out")["ada"]
+    assert row["status"] == "graded" and "damaged: ada-lab5.zip" in row["notes"], row
+
+
+def test_labs_in_several_submissions_have_no_milestones(folder):
+    def source(lab):
+        topic, = (ROOT / "labs").glob(f"lab{lab}_*")
+        return {f"labs/{topic.name}/{file.name}": f"// {lab}" for file in topic.glob("*.cpp")}
+
+    for number in (1, 2):
+        pack(folder / f"class/ada-lab{number}.zip", source(number))
+    pack(folder / "class/bob.zip", {**source(1), **source(2)})
+    pack(folder / "class/bob-lab1.zip", source(1))
+    pack(folder / "class/eve.zip", source(1))
+    (folder / "course.toml").write_text("[milestones]\nweight = 1\n")
+    out = folder / "out"
+    printed = grade(folder / "class", "--out", out, "--labs", "1-2", "--course", folder / "course.toml")
+    reason = "milestones need all labs in one submission: ./cs550 submit without a number packs them"
+    assert f"ada: {reason}" in printed and printed.count(reason) == 1, printed
+    assert [reason in grades(out)[name]["notes"] for name in ("ada", "bob", "eve")] == [True, False, False]
+    for file in ("ada-lab1.md", "ada-lab2.md", "ada-lab2.html"):
+        assert reason in (out / "feedback" / file).read_text(), file
+    assert reason not in (out / "feedback/bob.md").read_text()
+
+
+def test_submissions_of_nobody_are_printed(folder):
+    for name in ("s1", "Ada Lovelace_123", "mallory"):
+        pack(folder / f"class/{name}.zip", {HILL: "// right"})
+    roster = folder / "roster.csv"
+    roster.write_text("id,name\ns1,Ada Lovelace\ns2,Ada Lovelace\n")
+    printed = grade(folder / "class", "--out", folder / "out", "--labs", "3", "--roster", roster)
+    for message in ("not on the roster: mallory.zip",
+                    "not on the roster: Ada Lovelace_123.zip: the name fits s1 and s2. Put the id"):
+        assert message in printed and message in grade("--report", folder / "out"), printed
+    assert "not on the roster: s1" not in printed
+
+
 def test_three_hundred_submissions(folder):
     for i in range(300):
         pack(folder / "class" / f"student{i:03}.zip", {HILL: f"// fake: fails FirstOfEqualVerticesWins\n// {i}",

@@ -142,10 +142,10 @@ void check_place(const fs::path& out, const std::vector<fs::path>& submissions) 
     const fs::path folder = fs::canonical(submission);
     const auto end = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end()).first;
     if (end != folder.end()) continue;
-    throw std::invalid_argument(fmt::format(
-        "--out {} is in the folder of submissions {}.\n"
-        "  Its files would be taken as submissions. Choose a folder outside it.",
-        out.string(), submission.string()));
+    throw std::invalid_argument(
+        fmt::format("--out {} is in the folder of submissions {}.\n"
+                    "  Its files would be taken as submissions. Choose a folder outside it.",
+                    out.string(), submission.string()));
   }
 }
 
@@ -241,6 +241,7 @@ bool grade(const GradeRequest& request) {
   const std::vector<Record> records = folder.records();
   write_reports(request.out, records, settings.roster, settings.course);
   print_troubles(records);
+  print_students_to_look_at(settings, records);
   print_entries_about_nobody(settings, records);
   print_expired(folder, settings.course);
   std::cout << fmt::format("Isolation of submissions: {}.\n", isolation);

@@ -70,6 +70,7 @@ void report(const ReportRequest& request) {
     for (const Record& record : records) RecordFolder(request.out).store(record);
   }
   write_reports(request.out, records, settings.roster, settings.course);
+  print_students_to_look_at(settings, records);
   print_entries_about_nobody(settings, records);
   std::cout << fmt::format("Reports on {} submissions are in {}\n", records.size(),
                            request.out.string());

@@ -1,10 +1,12 @@
 #include "gradebook/command/settings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iostream>
 
 #include "cli/system/files.hpp"
+#include "cli/system/terminal.hpp"
 #include "files/output_file.hpp"
 #include "gradebook/course/course_file.hpp"
 #include "gradebook/marks/mark.hpp"
@@ -27,6 +29,17 @@ void keep(const std::string& text, const fs::path& file) {
   if (text.empty()) return;
   files::write_file(file, text);
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+}
+
+void print_unknown(const Student& student, const std::vector<Student>& roster) {
+  for (const Record* record : student.records) {
+    const std::vector<std::string> ids = rivals(roster, *record);
+    const std::string why =
+        ids.empty() ? ""
+                    : fmt::format(": the name fits {}. Put the id into the name of the file",
+                                  fmt::join(ids, " and "));
+    std::cout << cli::indented(fmt::format("not on the roster: {}{}", record->source, why), 0);
+  }
 }
 
 }  // namespace
@@ -56,6 +69,16 @@ void print_entries_about_nobody(const Settings& settings, const std::vector<Reco
   const std::vector<Student> students = assign(settings.roster, records);
   for (const std::string& entry : entries_about_nobody(settings.course, students)) {
     std::cout << fmt::format("no such student: {}; the entry has no effect\n", entry);
+  }
+}
+
+void print_students_to_look_at(const Settings& settings, const std::vector<Record>& records) {
+  const std::vector<Student> students = assign(settings.roster, records);
+  for (const StudentMark& mark : mark_class(students, labs_of(records), settings.course)) {
+    if (!mark.student.on_roster) print_unknown(mark.student, settings.roster);
+    if (!mark.has_scattered_labs()) continue;
+    std::cout << cli::indented(
+        fmt::format("{}: {}", mark.student.id, milestones_need_one_submission), 0);
   }
 }
 

@@ -179,6 +179,17 @@ bool StudentMark::is_graded() const {
          std::all_of(labs.begin(), labs.end(), [](const LabMark& mark) { return mark.is_graded; });
 }
 
+bool StudentMark::has_scattered_labs() const {
+  const auto has_all = [this](const Record* record) {
+    return std::all_of(labs.begin(), labs.end(), [record](const LabMark& mark) {
+      const LabRecord* lab = record->lab(mark.lab);
+      return mark.record == nullptr || (lab != nullptr && lab->submitted);
+    });
+  };
+  return engine.record != nullptr &&
+         std::none_of(student.records.begin(), student.records.end(), has_all);
+}
+
 const LabMark* StudentMark::lab(int number) const {
   for (const LabMark& mark : labs) {
     if (mark.lab == number) return &mark;

@@ -42,8 +42,14 @@ struct StudentMark {
 
   bool is_missing() const { return student.records.empty(); }
   bool is_graded() const;
+  /// Whether the milestones were run, and no submission has all labs that the student handed in.
+  bool has_scattered_labs() const;
   const LabMark* lab(int number) const;
 };
+
+/// Why milestones may be missing, and what to do about it.
+inline constexpr const char* milestones_need_one_submission =
+    "milestones need all labs in one submission: ./cs550 submit without a number packs them";
 
 /// The labs of all records, ascending.
 std::vector<int> labs_of(const std::vector<Record>& records);

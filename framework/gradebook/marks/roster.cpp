@@ -142,4 +142,20 @@ std::vector<Student> assign(std::vector<Student> roster, const std::vector<Recor
   return roster;
 }
 
+std::vector<std::string> rivals(const std::vector<Student>& roster, const Record& record) {
+  const std::set<std::string> words = words_of(record.student);
+  const auto ids_of = [&roster](const auto& condition) {
+    std::vector<std::string> ids;
+    for (const Student& student : roster) {
+      if (condition(student)) ids.push_back(student.id);
+    }
+    return ids.size() > 1 ? ids : std::vector<std::string>();
+  };
+  std::vector<std::string> ids =
+      ids_of([&](const Student& s) { return is_called(s, record.student); });
+  if (ids.empty()) ids = ids_of([&](const Student& s) { return words.contains(lower(s.id)); });
+  if (ids.empty()) ids = ids_of([&](const Student& s) { return has_name(words, s); });
+  return ids;
+}
+
 }  // namespace cs550::gradebook

@@ -33,4 +33,7 @@ std::vector<Student> parse_roster(const std::string& text, const std::string& fi
 /// @param roster may be empty: then every name is a student
 std::vector<Student> assign(std::vector<Student> roster, const std::vector<Record>& records);
 
+/// The ids of the students whom the name of a record fits equally well; empty if it fits fewer than two.
+std::vector<std::string> rivals(const std::vector<Student>& roster, const Record& record);
+
 }  // namespace cs550::gradebook

@@ -26,8 +26,23 @@ std::string status_of(const StudentMark& mark) {
   return mark.student.on_roster ? "graded" : "not on the roster";
 }
 
+/// Submissions that could not be read, of a student with another one that could.
+std::string damaged_ones(const Student& student) {
+  std::string notes;
+  for (const Record* record : student.records) {
+    if (record->trouble.empty()) continue;
+    notes += fmt::format("{}damaged: {}: {}", notes.empty() ? "" : "; ", plain_line(record->source),
+                         plain_line(record->trouble));
+  }
+  return notes;
+}
+
 std::string notes_of(const StudentMark& mark) {
-  std::string notes = trouble_of(mark.student);
+  const std::string trouble = trouble_of(mark.student);
+  std::string notes = trouble.empty() ? damaged_ones(mark.student) : trouble;
+  if (mark.has_scattered_labs()) {
+    notes += fmt::format("{}{}", notes.empty() ? "" : "; ", milestones_need_one_submission);
+  }
   for (const LabMark& lab : mark.labs) {
     for (const std::string& note : lab.notes) {
       if (note == "not submitted") continue;

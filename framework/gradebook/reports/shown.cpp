@@ -15,7 +15,10 @@ std::string missing_labs(const StudentMark& mark) {
   for (const LabMark& lab : mark.labs) {
     if (lab.record == nullptr) labs += fmt::format("{}lab {}", labs.empty() ? "" : ", ", lab.lab);
   }
-  return labs.empty() ? "" : "Not in this submission: " + labs;
+  if (labs.empty()) return {};
+  const std::string missing = "Not in this submission: " + labs;
+  return mark.engine.record == nullptr ? missing
+                                       : missing + ". Note that " + milestones_need_one_submission;
 }
 
 }  // namespace cs550::gradebook

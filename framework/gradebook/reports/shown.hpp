@@ -35,7 +35,8 @@ inline std::string milestone_text(const TestResult& milestone) {
   return milestone.status == "failed" ? "not reached" : status_text(milestone);
 }
 
-/// "Not in this submission: lab 1, lab 2"; empty if every lab that was graded is there.
+/// "Not in this submission: lab 1, lab 2", and what that means for milestones, if they were run; empty if every
+/// lab that was graded is there.
 std::string missing_labs(const StudentMark& mark);
 
 }  // namespace cs550::gradebook
