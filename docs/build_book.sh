@@ -160,6 +160,8 @@ begin "Drawing the other figures"
 draw_figures
 begin "Running Doxygen"
 python3 docs/tools/make_pages.py "$docs/pages"
+# Doxygen fails at a link that leads nowhere, as this one does once its build folder has been removed.
+[ -e compile_commands.json ] || rm -f compile_commands.json
 doxygen docs/Doxyfile
 begin "Indexing the pages for the search"
 python3 docs/tools/make_search.py "$docs"
