@@ -36,6 +36,8 @@ refuses --rounds 0
 refuses --threads 1
 refuses --threads two
 prints "--threads"
+refuses --threads 2 --filter memory
+prints "./cs550 bench --threads 2 --filter scene"
 refuses --pears
 prints "./cs550 bench --help"
 

@@ -87,9 +87,9 @@ done
 
 refuses starter
 refuses starter --release-solutions many copy
-prints "0 to 7; found many"
+prints "Value many not in range 0 to 7"
 refuses starter --release-solutions 9 copy
-prints "0 to 7; found 9"
+prints "Value 9 not in range 0 to 7"
 refuses starter --release-solutions -1 copy
 refuses progress --lsit
 refuses view --lab 99

@@ -45,8 +45,8 @@ std::string place_of_frame(std::string_view line) {
   return std::string(before(function, "(")) + ", " + std::string(where);
 }
 
-/// Where a line such as `lab5_student: framework/a.hpp:51: f(): Assertion ...` found fault; empty unless that is
-/// in given code, whose comment says what the caller has to keep.
+/// The place in a line such as `lab5_student: framework/include/a.hpp:51: f(): Assertion ...`. Empty unless it is in a
+/// header of the contract, where a comment states the precondition.
 std::string given_place(std::string_view line) {
   const std::string_view place = before(after(line, ": "), ": ");
   const std::size_t start = place.find("framework/include/");

@@ -19,7 +19,6 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/verb.hpp"
-#include "cs550/excerpt.hpp"
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
 #include "files/path_argument.hpp"
@@ -306,17 +305,6 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   return update.conflicts.empty() ? Good : Failed;
 }
 
-/// Why solutions of labs 1 to that number cannot be released; empty if they can.
-std::string fault_of_release(const std::string& word) {
-  const std::vector<std::string> labs = lab_names();
-  const int last = labs.empty() ? 0 : lab_number(labs.back());
-  for (int number = 0; number <= last; ++number) {
-    if (word == std::to_string(number)) return {};
-  }
-  return fmt::format("expected the last lab whose solution is released, 0 to {}; found {}", last,
-                     excerpt(word));
-}
-
 /// Why there can be no folder of that name; empty if there can.
 std::string fault_of_folder(fs::path folder) {
   std::error_code reason;
@@ -354,10 +342,10 @@ Action declare_starter(CLI::App& app) {
       ->required()
       ->check(files::fault_of_path);
   app.add_option("--release-solutions", options->released,
-                 "include the solutions of labs 1 to K; by default none, and with --update "
-                 "those that the copy has")
+                 "include the solutions of labs 1 to K; by default\n"
+                 "none, and with --update those that the copy has")
       ->option_text("K")
-      ->check(fault_of_release);
+      ->check(CLI::Range(0, lab_number(lab_names().back())));
   app.add_flag("--update", options->update,
                "update the students' copy in DIR; changed lab files are kept");
   return [options] { return run_starter(*options); };

@@ -148,6 +148,11 @@ void measure(const BenchOptions& options, Selection selection) {
 int run_bench(const BenchOptions& options) {
   try {
     Selection selection = select(options.filter, options.plot);
+    if (options.threads > 1 && selection.scenes.empty()) {
+      throw Misuse(
+          "--threads measures scenes, and --filter selects none.\n"
+          "  For example: ./cs550 bench --threads 2 --filter scene");
+    }
     if (options.list) {
       for (const std::string& name : selection.names()) std::cout << name << '\n';
     } else {
