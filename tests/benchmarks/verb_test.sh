@@ -62,6 +62,17 @@ prints "One thread and 2, time by the clock"
 prints "S2   this engine, game"
 grep -q '"seconds_shared"' threads.json || wrong "threads.json has no time of two threads"
 
+# A signal ends it at the next figure, without a file.
+rm -f ./*
+"$program" --filter 'scene' --json interrupted.json >"$scratch/printed" 2>&1 &
+until grep -q '^S1' "$scratch/printed"; do sleep 0.02; done
+kill -TERM $!
+code=0
+wait $! || code=$?
+[ $code = 1 ] || wrong "after SIGTERM the exit code is $code, expected 1"
+prints "interrupted: what was unfinished is removed"
+[ -z "$(ls -A .)" ] || wrong "after SIGTERM it left $(ls -A .)"
+
 # The engines of the package group `peers`, or how to install them.
 if "$program" --brief --peers --filter '^scene/S1$' >"$scratch/printed" 2>&1; then
   prints "Bullet, 10"

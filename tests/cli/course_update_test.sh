@@ -67,6 +67,16 @@ wait $! || code=$?
 grep -qF "interrupted: what was unfinished is removed" "$printed" || wrong "it printed $(cat "$printed")"
 [ -z "$(ls -d "$scratch"/interrupted* 2>/dev/null)" ] || wrong "it left $(ls -d "$scratch"/interrupted*)"
 
+# What SIGKILL leaves, the next run removes.
+"$program" starter "$scratch/killed" >"$printed" 2>&1 &
+until ls -d "$scratch"/killed.partial-* >/dev/null 2>&1; do sleep 0.02; done
+kill -KILL $!
+wait $! || true
+draft=$(ls -d "$scratch"/killed.partial-*)
+"$program" starter "$scratch/killed" >/dev/null 2>"$printed" || wrong "it does not start again after SIGKILL"
+grep -qxF "Removed $draft, which a killed run had left." "$printed" || wrong "it must report what it removed"
+[ "$(echo "$scratch"/killed*)" = "$scratch/killed" ] || wrong "there is $(echo "$scratch"/killed*)"
+
 # The scripts that compute stages again from the book belong to the last solution.
 "$program" starter --release-solutions 6 "$scratch/six" >"$printed" 2>/dev/null
 grep -qxF "It has the solutions of labs 1 to 6." "$printed" || wrong "it must report what it released"

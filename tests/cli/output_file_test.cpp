@@ -8,7 +8,9 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
+#include "cli/system/draft_folder.hpp"
 #include "cli/system/files.hpp"
 
 namespace cs550::files {
@@ -73,6 +75,20 @@ TEST_F(Output, OfTwoDraftsOfAFolderNoneIsTheOther) {
   EXPECT_NE(one.path(), other.path());
   EXPECT_TRUE(fs::is_directory(one.path()));
   EXPECT_TRUE(fs::is_directory(other.path()));
+}
+
+TEST_F(Output, OnlyAbandonedDraftsOfTheFolderAreRemoved) {
+  const cli::DraftFolder in_use(file("copy"));
+  for (const char* name : {"copy.partial-1", "copy.partial-1-2"}) {
+    fs::create_directories(file(name) / "labs");
+  }
+  fs::create_directory(file("copycat.partial-1"));
+  fs::create_directory(file("copy.partial-results"));
+  std::ofstream(file("copy.partial-3")) << "a file";
+  EXPECT_EQ(cli::remove_abandoned_drafts(file("copy")).size(), 2U);
+  EXPECT_TRUE(fs::is_directory(in_use.path()));
+  EXPECT_EQ(count(), 4) << "the draft in use, another folder's, and two that are no drafts";
+  EXPECT_TRUE(cli::remove_abandoned_drafts(file("absent") / "copy").empty());
 }
 
 }  // namespace

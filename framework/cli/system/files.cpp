@@ -1,7 +1,6 @@
 #include "cli/system/files.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -50,19 +49,6 @@ std::string fingerprint_of(const std::vector<fs::path>& files) {
     add(read_text(file));
   }
   return fmt::format("{:016x}", hash);
-}
-
-// Not by mkdtemp(), whose folder is closed to others: the wanted one follows the umask.
-DraftFolder::DraftFolder(const fs::path& wanted) {
-  fs::create_directories(wanted.parent_path());
-  const std::string start = wanted.string() + ".partial-" + std::to_string(getpid());
-  path_ = start;
-  for (int i = 1; !fs::create_directory(path_); ++i) path_ = start + '-' + std::to_string(i);
-}
-
-DraftFolder::~DraftFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
 }
 
 }  // namespace cs550::cli

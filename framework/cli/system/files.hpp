@@ -1,6 +1,6 @@
 #pragma once
 /// @file files.hpp
-/// Reading files and folders; drafts of folders.
+/// Reading files and folders.
 
 #include <filesystem>
 #include <string>
@@ -20,20 +20,5 @@ std::string sha256(const std::filesystem::path& file);
 /// Changes when the name or the content of one of the files changes (FNV-1a, 16 hexadecimal
 /// digits).
 std::string fingerprint_of(const std::vector<std::filesystem::path>& files);
-
-/// A folder beside the wanted one, on the same disk. It is removed at the end unless it was renamed
-/// to the wanted one.
-class DraftFolder {
- public:
-  explicit DraftFolder(const std::filesystem::path& wanted);
-  ~DraftFolder();
-  DraftFolder(const DraftFolder&) = delete;
-  DraftFolder& operator=(const DraftFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace cs550::cli

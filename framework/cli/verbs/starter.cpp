@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "cli/command_line.hpp"
+#include "cli/system/draft_folder.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
@@ -259,6 +260,12 @@ void warn_of_uncommitted_changes() {
   }
 }
 
+void clear_abandoned_drafts(const fs::path& folder) {
+  for (const fs::path& draft : remove_abandoned_drafts(folder)) {
+    std::cerr << fmt::format("Removed {}, which a killed run had left.\n", draft.string());
+  }
+}
+
 int make_copy(const StarterOptions& options, const fs::path& folder) {
   if (fs::exists(folder) && (!fs::is_directory(folder) || !fs::is_empty(folder))) {
     return refuse(folder.string() +
@@ -325,6 +332,7 @@ int run_starter(const StarterOptions& options) {
   const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
   if (const std::string fault = fault_of_folder(folder); !fault.empty()) return refuse(fault);
   files::watch_for_interruption();
+  clear_abandoned_drafts(folder);
   try {
     return options.update ? renew_copy(options, folder) : make_copy(options, folder);
   } catch (const std::exception&) {

@@ -10,6 +10,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/grading/lab_files.hpp"
+#include "cli/system/draft_folder.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
@@ -102,7 +103,9 @@ Json manifest(const std::vector<std::string>& labs, const std::string& student) 
 /// By CMake, so that no other program is needed.
 void write_zip(const fs::path& out, const Json& manifest) {
   files::watch_for_interruption();
-  const DraftFolder stage(project_root() / "build/submission");
+  const fs::path folder = project_root() / "build/submission";
+  remove_abandoned_drafts(folder);
+  const DraftFolder stage(folder);
   files::write_file(stage.path() / "manifest.json",
                     manifest.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   std::vector<std::string> command{"cmake",  "-E",           "tar", "cf",

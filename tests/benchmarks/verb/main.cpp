@@ -19,6 +19,7 @@
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "engine/threads/thread_team.hpp"
+#include "files/interruption.hpp"
 #include "files/output_file.hpp"
 
 namespace {
@@ -77,7 +78,10 @@ class Measurement {
     report.steps = duration_.steps;
     report.rounds = duration_.rounds;
     measure_each_stage(report);
-    const auto announce = [](const std::string& what) { cli::show_status(what); };
+    const auto announce = [](const std::string& what) {
+      files::throw_if_interrupted();
+      cli::show_status(what);
+    };
     for (const NamedScene& scene : selection_.scenes) {
       report.scenes.push_back(compare(scene, engines_, duration_, announce));
     }
@@ -105,7 +109,10 @@ class Measurement {
     const int count = static_cast<int>(selection_.stages.size());
     cli::ProgressBar progress(count * duration_.rounds, "stage");
     for (int round = 0; round < duration_.rounds; ++round) {
-      const auto finished = [&](int done) { progress.show(round * count + done); };
+      const auto finished = [&](int done) {
+        files::throw_if_interrupted();
+        progress.show(round * count + done);
+      };
       const std::vector<StageCost> costs =
           measure_stages(selection_.stages, stage_seconds_, finished);
       if (round == 0) report.stages = costs;
@@ -135,6 +142,7 @@ void draw_pictures(const std::string& json) {
 void measure(const BenchOptions& options, Selection selection) {
   Measurement measurement(options, std::move(selection));
   const std::unique_ptr<files::OutputFile> json_file = open_json(options);
+  files::watch_for_interruption();
   const Report report = measurement.run();
   print(report, std::cout);
   const std::string json = to_json(report);
