@@ -81,8 +81,9 @@ std::vector<fs::path> remove_abandoned_drafts(const fs::path& wanted) {
     const int folder = open_folder(entry.path());
     if (folder < 0) continue;
     if (take_lock(folder) == Lock::Taken && !is_gone(folder)) {
-      fs::remove_all(entry.path());
-      removed.push_back(entry.path());
+      std::error_code failed;  // of another user
+      fs::remove_all(entry.path(), failed);
+      if (!failed) removed.push_back(entry.path());
     }
     close(folder);
   }
