@@ -77,18 +77,34 @@ TEST_F(Output, OfTwoDraftsOfAFolderNoneIsTheOther) {
   EXPECT_TRUE(fs::is_directory(other.path()));
 }
 
+/// What a killed process leaves.
+void leave_draft(const fs::path& folder) {
+  fs::create_directories(folder / cli::DraftFolder::content / "labs");
+}
+
 TEST_F(Output, OnlyAbandonedDraftsOfTheFolderAreRemoved) {
   const cli::DraftFolder in_use(file("copy"));
-  for (const char* name : {"copy.partial-1", "copy.partial-1-2"}) {
-    fs::create_directories(file(name) / "labs");
-  }
-  fs::create_directory(file("copycat.partial-1"));
-  fs::create_directory(file("copy.partial-results"));
+  leave_draft(file("copy.partial-1"));
+  leave_draft(file("copy.partial-1-2"));
+  fs::create_directory(file("copy.partial-2"));  // killed before it had a draft
+  leave_draft(file("copycat.partial-1"));
+  leave_draft(file("copy.partial-results"));
   std::ofstream(file("copy.partial-3")) << "a file";
-  EXPECT_EQ(cli::remove_abandoned_drafts(file("copy")).size(), 2U);
+  EXPECT_EQ(cli::remove_abandoned_drafts(file("copy")).size(), 3U);
   EXPECT_TRUE(fs::is_directory(in_use.path()));
   EXPECT_EQ(count(), 4) << "the draft in use, another folder's, and two that are no drafts";
   EXPECT_TRUE(cli::remove_abandoned_drafts(file("absent") / "copy").empty());
+}
+
+TEST_F(Output, AFolderThatOnlyHasTheNameOfADraftStays) {
+  fs::create_directory(file("copy.partial-1"));
+  leave_draft(file("copy.partial-2"));
+  for (const char* folder : {"copy.partial-1", "copy.partial-2"}) {
+    std::ofstream(file(folder) / "notes.txt") << "the user's";
+  }
+  EXPECT_TRUE(cli::remove_abandoned_drafts(file("copy")).empty());
+  EXPECT_EQ(content("copy.partial-1/notes.txt"), "the user's");
+  EXPECT_EQ(content("copy.partial-2/notes.txt"), "the user's");
 }
 
 }  // namespace

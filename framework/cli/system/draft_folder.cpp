@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <regex>
 #include <string>
@@ -50,26 +51,37 @@ bool is_lost(int folder, const fs::path& path) {
   return take_lock(folder) == Lock::InUse || is_gone(folder);
 }
 
+/// Whether a folder contains a draft, or nothing.
+bool has_nothing_else(const fs::path& folder) {
+  const auto is_draft = [](const fs::directory_entry& entry) {
+    return entry.path().filename() == DraftFolder::content;
+  };
+  std::error_code unreadable;
+  const fs::directory_iterator entries(folder, unreadable);
+  return !unreadable && std::all_of(begin(entries), end(entries), is_draft);
+}
+
 }  // namespace
 
 // Not by mkdtemp(), whose folder is closed to others: the wanted one follows the umask.
 DraftFolder::DraftFolder(const fs::path& wanted) {
   fs::create_directories(wanted.parent_path());
   const std::string start = wanted.string() + draft_mark + std::to_string(getpid());
-  path_ = start;
+  outer_ = start;
   for (int i = 1;; ++i) {
-    if (fs::create_directory(path_)) {
-      lock_ = open_folder(path_);
-      if (!is_lost(lock_, path_)) return;
+    if (fs::create_directory(outer_)) {
+      lock_ = open_folder(outer_);
+      if (!is_lost(lock_, outer_)) break;
       close(lock_);
     }
-    path_ = start + '-' + std::to_string(i);
+    outer_ = start + '-' + std::to_string(i);
   }
+  fs::create_directory(path());
 }
 
 DraftFolder::~DraftFolder() {
   std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  fs::remove_all(outer_, ignored);
   close(lock_);
 }
 
@@ -80,8 +92,8 @@ std::vector<fs::path> remove_abandoned_drafts(const fs::path& wanted) {
     if (!is_draft_of(wanted.filename().string(), entry.path().filename().string())) continue;
     const int folder = open_folder(entry.path());
     if (folder < 0) continue;
-    if (take_lock(folder) == Lock::Taken && !is_gone(folder)) {
-      std::error_code failed;  // of another user
+    if (take_lock(folder) == Lock::Taken && !is_gone(folder) && has_nothing_else(entry.path())) {
+      std::error_code failed;
       fs::remove_all(entry.path(), failed);
       if (!failed) removed.push_back(entry.path());
     }

@@ -7,23 +7,29 @@
 
 namespace cs550::cli {
 
-/// A folder beside the wanted one, on the same disk. It is removed at the end unless it was renamed
-/// to the wanted one.
+/// A draft of a folder, beside the wanted one and therefore on the same disk:
+/// `wanted.partial-PROCESS/cs550-draft`. Both levels are removed at the end. A program renames the
+/// draft to the wanted folder once it is complete.
 class DraftFolder {
  public:
+  /// By this name, a folder that a killed process has left is told from one of the user's.
+  static constexpr const char* content = "cs550-draft";
+
   explicit DraftFolder(const std::filesystem::path& wanted);
   ~DraftFolder();
   DraftFolder(const DraftFolder&) = delete;
   DraftFolder& operator=(const DraftFolder&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path path() const { return outer_ / content; }
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path outer_;
   int lock_ = -1;  ///< a file descriptor; it shows other processes that the draft is in use
 };
 
-/// Removes the drafts of the wanted folder that killed processes have left. @returns their paths
+/// Removes the drafts of the wanted folder that killed processes have left. A folder that contains
+/// anything else stays, and so does one that cannot be removed, such as another user's.
+/// @returns the paths of those that were removed
 std::vector<std::filesystem::path> remove_abandoned_drafts(const std::filesystem::path& wanted);
 
 }  // namespace cs550::cli
