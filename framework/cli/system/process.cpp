@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -39,6 +40,26 @@ std::vector<char*> as_arguments(const std::vector<std::string>& command) {
   execvp(arguments[0], arguments);
   _exit(cannot_start);
 }
+
+/// A temporary file that vanishes with the process, however that ends.
+class NamelessFile {
+ public:
+  NamelessFile() {
+    std::string name = (std::filesystem::temp_directory_path() / "cs550.XXXXXX").string();
+    descriptor_ = mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), name);
+    unlink(name.c_str());
+  }
+  ~NamelessFile() { close(descriptor_); }
+  NamelessFile(const NamelessFile&) = delete;
+  NamelessFile& operator=(const NamelessFile&) = delete;
+
+  /// For this process, and for its children until they run another program.
+  std::string path() const { return "/dev/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_ = -1;
+};
 
 /// Whether a program can be started. One found along PATH is not looked for.
 bool is_startable(const std::string& program) {
@@ -81,12 +102,10 @@ Ending run(const std::vector<std::string>& command, const Surroundings& surround
 
 std::string output_of(const std::vector<std::string>& command,
                       const std::filesystem::path& folder) {
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / ("cs550." + std::to_string(getpid()) + ".txt");
-  const Ending ending = run(command, {folder, file});
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  std::filesystem::remove(file);
+  const NamelessFile file;
+  const Ending ending = run(command, {folder, file.path()});
+  std::ifstream stream(file.path(), std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!ending.good()) throw std::runtime_error(command.front() + " failed: " + text);
   return text;
 }
