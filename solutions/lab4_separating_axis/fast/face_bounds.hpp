@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "cs550/convex_shape.hpp"
 #include "wide_mesh.hpp"
@@ -33,17 +35,21 @@ class FaceBounds {
   Index largest() const { return largest_; }
   Real of(Index face) const { return block_of(face).smallest[lane_of(face)]; }
 
-  /// Whether some witness is less than `limit` outside both faces. It then bounds s on the whole
-  /// chord between their normals, along which its distance is linear.
-  bool any_below(Index left, Index right, Real limit) const {
-    const FourFaces& l = block_of(left);
-    const FourFaces& r = block_of(right);
-    const std::size_t lane_l = lane_of(left);
-    const std::size_t lane_r = lane_of(right);
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (std::max(l.distance[i][lane_l], r.distance[i][lane_r]) < limit) return true;
+  /// Notes for every face which witnesses are less than `limit` outside it.
+  void compare_with(const HalfEdgeMesh& a, Real limit) {
+    const Four wide_limit = four_times(limit);
+    std::uint8_t* below = below_.data();
+    for (const FourFaces& block : blocks_of(a)) {
+      FourMask bits = {};
+      for (std::size_t i = 0; i < count_; ++i) bits |= (block.distance[i] < wide_limit) & (1 << i);
+      for (std::size_t lane = 0; lane < 4; ++lane) *below++ = static_cast<std::uint8_t>(bits[lane]);
     }
-    return false;
+  }
+
+  /// Whether some witness is less than the limit outside both faces. The limit then bounds s on the whole chord
+  /// between their normals, along which the distance of the witness is linear. @pre compare_with()
+  bool any_below(Index left, Index right) const {
+    return (below_[static_cast<std::size_t>(left)] & below_[static_cast<std::size_t>(right)]) != 0;
   }
 
  private:
@@ -51,6 +57,7 @@ class FaceBounds {
 
   /// Four faces, one in each lane.
   struct FourFaces {
+    FourPlanes planes;
     std::array<Four, capacity> distance;
     Four smallest;
   };
@@ -88,24 +95,45 @@ class FaceBounds {
   }
 
   void scan_by_fours(const HalfEdgeMesh& a, const Vec3& point, std::size_t witness) {
-    constexpr Index four = 4;
+    if (witness == 0) load_planes(a);
     const FourVectors wide_point = four_times(point);
-    WideSearch search;
-    for (Index f = 0; f < a.face_count(); f += four) {
-      FourFaces& block = block_of(f);
-      const Four distance = four_distances(a, f, wide_point);
+    Four largest = four_times(-HUGE_VALF);
+    for (FourFaces& block : blocks_of(a)) {
+      const Four distance = block.planes.distance(wide_point);
       block.distance[witness] = distance;
-      block.smallest =
-          witness == 0 ? distance : (distance < block.smallest ? distance : block.smallest);
-      search.offer(block.smallest, f);
+      block.smallest = witness == 0 ? distance : smaller(distance, block.smallest);
+      largest = larger(block.smallest, largest);
     }
-    // Lanes past the last face repeat it. It was offered first, so it wins under its own number.
-    largest_ = search.first_largest();
+    largest_ = first_with_bound(a, largest_lane(largest));
+  }
+
+  void load_planes(const HalfEdgeMesh& a) {
+    Index face = 0;
+    for (FourFaces& block : blocks_of(a)) {
+      block.planes = four_planes(a, face);
+      face += 4;
+    }
+  }
+
+  /// Lanes past the last face repeat it: it comes first, under its own number.
+  Index first_with_bound(const HalfEdgeMesh& a, Real bound) {
+    Index face = 0;
+    for (const FourFaces& block : blocks_of(a)) {
+      const FourMask equal = block.smallest == four_times(bound);
+      if (any(equal)) return face + first_lane(equal);
+      face += 4;
+    }
+    return no_index;
+  }
+
+  std::span<FourFaces> blocks_of(const HalfEdgeMesh& a) {
+    return std::span(blocks_).first((static_cast<std::size_t>(a.face_count()) + 3) / 4);
   }
 
   std::size_t count_ = 0;
   Index largest_ = 0;
   std::array<FourFaces, max_shape_faces / 4 + 1> blocks_;
+  std::array<std::uint8_t, max_shape_faces + 4> below_;  ///< a bit for each witness
 };
 
 }  // namespace cs550

@@ -138,16 +138,18 @@ class EdgeSearch {
   /// The best pair of edges that may beat the faces, or any above the margin.
   /// @param hinted  last step's edges at the current poses, may be empty
   /// @param to_beat the separation of the best face, less the tolerance of a tie
-  EdgeQuery best_beyond_faces(const EdgeQuery& hinted, const FaceBounds& bounds, Real to_beat,
+  EdgeQuery best_beyond_faces(const EdgeQuery& hinted, FaceBounds& bounds, Real to_beat,
                               Real margin) {
     best_ = hinted;
+    // Where s ≤ 0, s/|n| ≤ s, since |n(t)| ≤ 1.
+    const Real limit = std::min(best_ ? std::max(to_beat, best_.separation) : to_beat, Real(0));
+    bounds.compare_with(pair_.a, limit);
     for (Index e = 0; e < pair_.a.edge_count(); e += 2) {
-      const Real floor = best_ ? std::max(to_beat, best_.separation) : to_beat;
       const Index left = pair_.a.edge(e).face;
       const Index right = pair_.a.edge(e ^ 1).face;
-      // Where s ≤ 0, s/|n| ≤ s, since |n(t)| ≤ 1.
-      if (bounds.any_below(left, right, std::min(floor, Real(0)))) continue;
+      if (bounds.any_below(left, right)) continue;
 
+      const Real floor = best_ ? std::max(to_beat, best_.separation) : to_beat;
       const Arc arc = arc_of(e);
       if (arc.may_beat(floor, pair_.b.vertex(support(left, arc.from)),
                        pair_.b.vertex(support(right, arc.to)))) {

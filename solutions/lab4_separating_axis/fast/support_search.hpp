@@ -2,6 +2,8 @@
 /// @file support_search.hpp
 /// Lab 3 for the engine: the same support vertex, or one equally far, without path and count.
 
+#include <array>
+
 #include "cs550/half_edge_mesh.hpp"
 #include "wide_mesh.hpp"
 
@@ -11,13 +13,28 @@ namespace cs550 {
 /// this takes a single load.
 inline Index next_around_vertex(const HalfEdgeMesh& mesh, Index e) { return mesh.edge(e ^ 1).next; }
 
-/// The first vertex with the smallest dot(vertex, direction), of all vertices.
+/// So many vertices are searched four at a time.
+inline constexpr Index few_vertices = 48;
+
+/// The first vertex with the smallest dot(vertex, direction), of all vertices. @pre they are few
 inline Index lowest_of_all(const HalfEdgeMesh& mesh, const Vec3& direction) {
   const FourVectors wide_direction = four_times(direction);
-  WideSearch search;
-  for_all_fours(mesh.vertex_count(),
-                [&](Index v) { search.offer(-four_vertices(mesh, v).dot(wide_direction), v); });
-  return search.first_largest();
+  std::array<Four, few_vertices / 4> heights;
+  Four lowest = four_times(HUGE_VALF);
+  std::size_t four = 0;
+  for_all_fours(mesh.vertex_count(), [&](Index v) {
+    heights[four] = four_vertices(mesh, v).dot(wide_direction);
+    lowest = smaller(heights[four++], lowest);
+  });
+  lowest = four_times(smallest_lane(lowest));
+
+  Index first = no_index;
+  four = 0;
+  for_all_fours(mesh.vertex_count(), [&](Index v) {
+    const FourMask equal = heights[four++] == lowest;
+    if (first == no_index && any(equal)) first = v + first_lane(equal);
+  });
+  return first;
 }
 
 /// The vertex with the smallest dot(vertex, direction); `start` if there is no smaller one. A box is
@@ -25,7 +42,6 @@ inline Index lowest_of_all(const HalfEdgeMesh& mesh, const Vec3& direction) {
 /// that depends on them. Larger ones are climbed.
 inline Index lowest_vertex(const HalfEdgeMesh& mesh, const Vec3& direction, Index start) {
   constexpr Index very_few = 12;
-  constexpr Index few = 48;
   Index lowest = start;
   Real height = mesh.vertex(start).dot(direction);
   const auto offer = [&](Index v) {
@@ -37,7 +53,7 @@ inline Index lowest_vertex(const HalfEdgeMesh& mesh, const Vec3& direction, Inde
     for (Index v = 0; v < mesh.vertex_count(); ++v) offer(v);
     return lowest;
   }
-  if (mesh.vertex_count() <= few) {
+  if (mesh.vertex_count() <= few_vertices) {
     offer(lowest_of_all(mesh, direction));
     return lowest;
   }

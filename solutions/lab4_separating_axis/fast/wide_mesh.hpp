@@ -1,9 +1,9 @@
 #pragma once
 /// @file wide_mesh.hpp
-/// Vertices and planes of a mesh, four at a time, and a search for the largest of many numbers. Every
-/// polyhedron has at least four vertices and four faces.
+/// Vertices and planes of a mesh, four at a time. Every polyhedron has at least four vertices and four faces.
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 #include "cs550/half_edge_mesh.hpp"
@@ -17,6 +17,29 @@ using FourMask = lanes_of_four::PartMask;
 
 /// The same number four times.
 inline Four four_times(Real x) { return x - Four{}; }
+
+inline Four larger(Four x, Four y) { return x > y ? x : y; }
+inline Four smaller(Four x, Four y) { return x < y ? x : y; }
+
+inline Real largest_lane(Four x) {
+  const Four pairs = larger(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
+  return larger(pairs, __builtin_shufflevector(pairs, pairs, 1, 0, 3, 2))[0];
+}
+
+inline Real smallest_lane(Four x) { return -largest_lane(-x); }
+
+inline bool any(FourMask mask) {
+  std::uint64_t words[2];
+  std::memcpy(words, &mask, sizeof mask);
+  return (words[0] | words[1]) != 0;
+}
+
+/// @pre any(mask)
+inline Index first_lane(FourMask mask) {
+  Index lane = 0;
+  while (mask[static_cast<std::size_t>(lane)] == 0) ++lane;
+  return lane;
+}
 
 struct FourVectors {
   Four x, y, z;
@@ -71,44 +94,24 @@ inline FourVectors four_vertices(const HalfEdgeMesh& mesh, Index v) {
           __builtin_shufflevector(z01, c, 0, 1, 4, 7)};
 }
 
-/// Plane::distance() of a point from the planes of faces f to f + 3. Past the last face, that is repeated.
-inline Four four_distances(const HalfEdgeMesh& mesh, Index f, const FourVectors& point) {
+struct FourPlanes {
+  FourVectors normal;
+  Four offset;
+
+  /// Plane::distance().
+  Four distance(const FourVectors& point) const { return normal.dot(point) - offset; }
+};
+
+/// The planes of faces f to f + 3. Past the last face, that is repeated.
+inline FourPlanes four_planes(const HalfEdgeMesh& mesh, Index f) {
   static_assert(sizeof(Plane) == 4 * sizeof(Real));
   const Index last = mesh.face_count() - 1;
   const auto plane = [&](Index face) {
     return four_reals(mesh.face(std::min(face, last)).plane.normal.data());
   };
-  Four x = plane(f);
-  Four y = plane(f + 1);
-  Four z = plane(f + 2);
-  Four offset = plane(f + 3);
-  transpose(x, y, z, offset);
-  return FourVectors{x, y, z}.dot(point) - offset;
+  FourPlanes planes{{plane(f), plane(f + 1), plane(f + 2)}, plane(f + 3)};
+  transpose(planes.normal.x, planes.normal.y, planes.normal.z, planes.offset);
+  return planes;
 }
-
-/// The largest of numbers that are offered four at a time.
-class WideSearch {
- public:
-  /// @param first the number of the first of the four
-  void offer(Four four, Index first) {
-    const FourMask more = four > largest_;
-    largest_ = more ? four : largest_;
-    where_ = more ? FourMask{first, first + 1, first + 2, first + 3} : where_;
-  }
-
-  /// The smallest number of those with the largest value.
-  Index first_largest() const {
-    std::size_t best = 0;
-    for (std::size_t lane = 1; lane < 4; ++lane) {
-      const bool equal = largest_[lane] == largest_[best];
-      if (largest_[lane] > largest_[best] || (equal && where_[lane] < where_[best])) best = lane;
-    }
-    return where_[best];
-  }
-
- private:
-  Four largest_ = four_times(-HUGE_VALF);
-  FourMask where_ = {};
-};
 
 }  // namespace cs550
