@@ -44,10 +44,20 @@ enum class PairAnswer : std::uint8_t {
   Retested,  ///< from the last reference face alone, see retest_reference_face()
 };
 
+/// What the loops over all pairs need of a contact. Most pairs are only near, and all contacts together do not fit
+/// the cache.
+struct PairSummary {
+  Index body_a = no_index;
+  Index body_b = no_index;
+  Index points = 0;  ///< of the manifold
+  Real depth = 0;    ///< of the deepest point; 0 if none is below the surface (m)
+};
+
 /// The pairs of bodies that are near each other, sorted by (body_a, body_b), with what is kept of
 /// each from step to step.
 struct PairList {
   std::vector<Contact> contacts;
+  std::vector<PairSummary> summaries;  ///< of each contact, see summarise()
   std::vector<SeparatingAxis> axes;    ///< of the last query
   std::vector<PairMemory> memories;    ///< of the last query
   std::vector<PairAnswer> answers;     ///< of this step
@@ -56,6 +66,9 @@ struct PairList {
   std::vector<char> misplaced;         ///< overlaps more deeply than the bodies can have moved
 
   std::size_t size() const { return contacts.size(); }
+  bool has_points(std::size_t pair) const { return summaries[pair].points > 0; }
+  /// Brings a pair's summary up to date. Call it after each change of its contact points.
+  void summarise(std::size_t pair);
   void clear();
   /// Makes room for that many pairs, or for twice as many if there is not enough.
   void make_room(std::size_t count);
@@ -253,6 +266,14 @@ struct WorldState {
   }
   Real slop() const { return settings.slop * settings.length_unit; }
 };
+
+/// Calls `work(first, last)` for blocks of bodies, by several threads if there are any. `work` may change only
+/// its own bodies and what belongs to them.
+template <class Work>
+void for_body_blocks(const WorldState& world, const Work& work) {
+  constexpr std::size_t few_bodies = 32;
+  for_blocks(world.team, world.slot_count(), few_bodies, work);
+}
 
 /// Visits the dynamic bodies that are awake.
 template <class State, class Visit>

@@ -12,6 +12,7 @@
 #include "engine/contacts/rolling_resistance.hpp"
 #include "engine/contacts/solve_order.hpp"
 #include "engine/instruction_set.hpp"
+#include "engine/pairs_of_contacts.hpp"
 #include "helpers/random.hpp"
 
 namespace cs550 {
@@ -372,7 +373,7 @@ RollingSystem random_rolling_system(Random& random) {
     }
     if (contact.body_a != contact.body_b) system.contacts.push_back(contact);
   }
-  arrange_constraints(system.contacts, kinds, Vec3(0, 0, Real(-9.81)), system.order);
+  arrange_constraints(pairs_of(system.contacts), kinds, Vec3(0, 0, Real(-9.81)), system.order);
   system.constraints.resize(system.order.place_of_point.size());
   for (const Index i : system.order.contacts) {
     const Contact& contact = system.contacts[i];

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/pairs_of_contacts.hpp"
 #include "helpers/random.hpp"
 
 namespace cs550::test {
@@ -58,7 +59,7 @@ TEST(SolveOrder, ConstraintsOfAMovableBodyKeepTheirOrder) {
       if (a != b) contacts.push_back(contact_between(a, b, random.integer(0, 4)));
     }
     SolveOrder order;
-    arrange_constraints(contacts, bodies, Vec3::Zero(), order);
+    arrange_constraints(pairs_of(contacts), bodies, Vec3::Zero(), order);
 
     std::vector<Index> last_constraint(movable, no_index);
     std::size_t point = 0;
@@ -81,7 +82,7 @@ TEST(SolveOrder, ConstraintsOfAMovableBodyKeepTheirOrder) {
 /// Checks that any four consecutive constraints belong to four different contacts.
 void expect_full_lanes(const std::vector<Contact>& contacts, Index bodies_on_floor) {
   SolveOrder order;
-  arrange_constraints(contacts, bodies_of_kinds(bodies_on_floor, 1), Vec3::Zero(), order);
+  arrange_constraints(pairs_of(contacts), bodies_of_kinds(bodies_on_floor, 1), Vec3::Zero(), order);
   const std::vector<int> owners = contact_of_constraint(contacts, order);
   constexpr auto group_size = static_cast<std::size_t>(ContactGroup::capacity());
   ASSERT_EQ(owners.size() % group_size, 0U) << "the example fills all lanes";
@@ -117,7 +118,7 @@ TEST(SolveOrder, ContactsWithMorePointsGoOnInTheFirstLanes) {
   const std::vector<Contact> contacts{contact_between(0, 3, 3), contact_between(1, 3, 1),
                                       contact_between(2, 3, 2)};
   SolveOrder order;
-  arrange_constraints(contacts, bodies, Vec3::Zero(), order);
+  arrange_constraints(pairs_of(contacts), bodies, Vec3::Zero(), order);
   EXPECT_EQ(contact_of_constraint(contacts, order), (std::vector<int>{0, 2, 1, 0, 2, 0}));
 }
 
@@ -147,7 +148,7 @@ TEST(SolveOrder, ContactsThatCarryWeightComeBeforeThoseOfNeighbours) {
   const std::vector<Contact> contacts = contacts_of_rows(rows, boxes);
   const std::vector<RigidBody> bodies = bodies_of_kinds(rows * boxes, 1);
   SolveOrder order;
-  arrange_constraints(contacts, bodies, Vec3(0, 0, Real(-9.81)), order);
+  arrange_constraints(pairs_of(contacts), bodies, Vec3(0, 0, Real(-9.81)), order);
 
   const auto carries_weight = [&](Index i) { return contacts[i].manifold.normal.z() != 0; };
   const auto first_neighbours =
@@ -166,7 +167,7 @@ TEST(SolveOrder, ContactsThatCarryWeightComeBeforeThoseOfNeighbours) {
   }
 
   SolveOrder weightless;
-  arrange_constraints(contacts, bodies, Vec3::Zero(), weightless);
+  arrange_constraints(pairs_of(contacts), bodies, Vec3::Zero(), weightless);
   EXPECT_TRUE(std::is_sorted(weightless.contacts.begin(), weightless.contacts.end()));
   EXPECT_LT(order.groups.size(), weightless.groups.size()) << "the rows are no longer one chain";
 }
@@ -181,7 +182,7 @@ TEST(SolveOrder, TowersFillTheirGroups) {
     if (box % boxes != boxes - 1) contacts.push_back(contact_between(box, box + 1, 4));
   }
   SolveOrder order;
-  arrange_constraints(contacts, bodies_of_kinds(floor, 1), Vec3::Zero(), order);
+  arrange_constraints(pairs_of(contacts), bodies_of_kinds(floor, 1), Vec3::Zero(), order);
   // All towers at once need a group for each eight contacts, if none is left to be finished alone.
   EXPECT_EQ(order.groups.size(), (contacts.size() + lane_count - 1) / lane_count);
 }
@@ -205,8 +206,8 @@ TEST(SolveOrder, AnOrderThatIsUsedAgainIsThatOfTheseContacts) {
   const auto expect_fresh = [&](const std::vector<Contact>& contacts,
                                 const std::vector<RigidBody>& present) {
     SolveOrder fresh;
-    arrange_constraints(contacts, present, Vec3::Zero(), fresh);
-    arrange_constraints(contacts, present, Vec3::Zero(), used);
+    arrange_constraints(pairs_of(contacts), present, Vec3::Zero(), fresh);
+    arrange_constraints(pairs_of(contacts), present, Vec3::Zero(), used);
     EXPECT_EQ(used.place_of_point, fresh.place_of_point);
     EXPECT_EQ(used.first_point, fresh.first_point);
     EXPECT_EQ(used.contacts, fresh.contacts);

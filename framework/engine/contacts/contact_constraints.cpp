@@ -32,13 +32,12 @@ TurnSize turn_size(const RigidBody& body, const SolverBody& solver_body) {
 /// Sets the turn of each body to `turn(index)`. @returns whether any is not small
 template <class Turn>
 bool measure_turns(WorldState& world, const Turn& turn) {
-  bool any = false;
   world.turns.resize(world.bodies.size());
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    world.turns[i] = turn(i);
-    any = any || world.turns[i] != TurnSize::Small;
-  }
-  return any;
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) world.turns[i] = turn(i);
+  });
+  return std::any_of(world.turns.begin(), world.turns.end(),
+                     [](TurnSize turn) { return turn != TurnSize::Small; });
 }
 
 /// Of the two bodies of a contact.
@@ -151,8 +150,7 @@ Vec3 ContactConstraint::v() const { return n.cross(u); }
 void ContactConstraint::mark_impact() { impact_handled = impact_handled || normal_impulse > 0; }
 
 void make_constraints(WorldState& world) {
-  arrange_constraints(world.pairs.contacts, world.bodies, world.settings.gravity,
-                      world.solve_order);
+  arrange_constraints(world.pairs, world.bodies, world.settings.gravity, world.solve_order);
   world.constraints.resize(world.solve_order.place_of_point.size());
   world.mirror.stale = true;
   world.any_bounces = false;

@@ -8,8 +8,6 @@ namespace cs550 {
 
 namespace {
 
-Index point_count(const Contact& contact) { return contact.manifold.points.size(); }
-
 /// Makes room for twice as many items if there is not enough for `count`.
 template <class... Arrays>
 void make_room(std::size_t count, Arrays&... arrays) {
@@ -103,55 +101,55 @@ class Schedule {
   SolveOrder& order_;
 };
 
-void number_points(std::span<const Contact> contacts, SolveOrder& order) {
+void number_points(const PairList& pairs, SolveOrder& order) {
   order.first_point.assign(1, 0);
-  for (const Contact& contact : contacts) {
-    order.first_point.push_back(order.first_point.back() + point_count(contact));
+  for (const PairSummary& summary : pairs.summaries) {
+    order.first_point.push_back(order.first_point.back() + summary.points);
   }
 }
 
 /// Contacts that link the neighbours of a row come last: those whose normals are across gravity, within 6° (the
 /// cosine is 0.1). If each were visited between the contacts of its bodies with the next row, the rows would
 /// become one chain of contacts that wait for each other.
-void list_contacts(std::span<const Contact> contacts, const Vec3& gravity, SolveOrder& order) {
+void list_contacts(const PairList& pairs, const Vec3& gravity, SolveOrder& order) {
   const Real across = Real(0.1) * gravity.norm();
   order.contacts.clear();
   order.neighbours.clear();
-  for (Index i = 0; i < static_cast<Index>(contacts.size()); ++i) {
-    if (order.first_point[i] == order.first_point[i + 1]) continue;
-    const bool links_neighbours = std::abs(contacts[i].manifold.normal.dot(gravity)) < across;
-    (links_neighbours ? order.neighbours : order.contacts).push_back(i);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!pairs.has_points(i)) continue;
+    const Vec3& normal = pairs.contacts[i].manifold.normal;
+    const bool links_neighbours = std::abs(normal.dot(gravity)) < across;
+    (links_neighbours ? order.neighbours : order.contacts).push_back(static_cast<Index>(i));
   }
   order.contacts.insert(order.contacts.end(), order.neighbours.begin(), order.neighbours.end());
 }
 
-void list_links(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
-                SolveOrder& order) {
+void list_links(const PairList& pairs, std::span<const RigidBody> bodies, SolveOrder& order) {
   const auto movable = [&](Index body) {
     return bodies[body].kind == BodyKind::Dynamic ? body : no_index;
   };
   order.links.clear();
   for (const Index i : order.contacts) {
-    order.links.push_back(
-        {i, movable(contacts[i].body_a), movable(contacts[i].body_b), point_count(contacts[i])});
+    const PairSummary& pair = pairs.summaries[i];
+    order.links.push_back({i, movable(pair.body_a), movable(pair.body_b), pair.points});
   }
 }
 
 }  // namespace
 
-void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
+void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodies,
                          const Vec3& gravity, SolveOrder& order) {
-  make_room(contacts.size(), order.contacts, order.neighbours, order.links, order.grouped,
+  make_room(pairs.size(), order.contacts, order.neighbours, order.links, order.grouped,
             order.states);
-  for (auto& queue : order.ready) make_room(contacts.size(), queue);
-  number_points(contacts, order);
-  list_contacts(contacts, gravity, order);
-  list_links(contacts, bodies, order);
+  for (auto& queue : order.ready) make_room(pairs.size(), queue);
+  number_points(pairs, order);
+  list_contacts(pairs, gravity, order);
+  list_links(pairs, bodies, order);
   if (order.links == order.grouped) return;  // most steps of a scene at rest
   Schedule(order, bodies.size()).run();
   std::swap(order.grouped, order.links);
   order.place_of_point.resize(order.first_point.back());
-  const auto points_of = [&](Index i) { return point_count(contacts[i]); };
+  const auto points_of = [&](Index i) { return pairs.summaries[i].points; };
   Index place = 0;
   for (ContactGroup& group : order.groups) {
     // Longest first: the contacts that have points left are then always the first ones.

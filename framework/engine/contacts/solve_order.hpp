@@ -16,7 +16,7 @@ namespace cs550 {
 /// so on. Constraints that share a body keep their order, and the others do not affect each other: a pass over
 /// the groups gives the same bits as one over the contacts in the order above.
 /// @param gravity in the world frame; zero leaves the order of the contacts
-void arrange_constraints(std::span<const Contact> contacts, std::span<const RigidBody> bodies,
+void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodies,
                          const Vec3& gravity, SolveOrder& order);
 
 }  // namespace cs550

@@ -15,9 +15,16 @@ void gather(const RigidBody& body, SolverBody& solver_body) {
 }
 
 void gather_solver_bodies(WorldState& world) {
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    gather(world.bodies[i], world.solver_bodies[i]);
-  }
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) gather(world.bodies[i], world.solver_bodies[i]);
+  });
+}
+
+void write_back_solver_bodies(WorldState& world) {
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    add_momentum_changes(std::span(world.bodies).subspan(first, last - first),
+                         std::span(world.solver_bodies).subspan(first, last - first));
+  });
 }
 
 }  // namespace cs550

@@ -13,6 +13,8 @@ namespace cs550 {
 void gather(const RigidBody& body, SolverBody& solver_body);
 /// Does so for all bodies.
 void gather_solver_bodies(WorldState& world);
+/// add_momentum_changes() for all bodies.
+void write_back_solver_bodies(WorldState& world);
 
 /// Runs `solve(bodies)` on SolverBody[] between gathering and writing back. Nothing else writes the array
 /// back. Without constraints there is nothing to solve.
@@ -21,7 +23,7 @@ void with_solver_bodies(WorldState& world, const Solve& solve) {
   if (world.constraints.empty()) return;
   gather_solver_bodies(world);
   solve(std::span<SolverBody>(world.solver_bodies));
-  add_momentum_changes(world.bodies, world.solver_bodies);
+  write_back_solver_bodies(world);
 }
 
 }  // namespace cs550

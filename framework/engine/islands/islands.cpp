@@ -11,10 +11,10 @@ bool is_awake(const RigidBody& body) { return body.kind == BodyKind::Dynamic && 
 void join_touching_bodies(WorldState& world) {
   std::vector<Index>& parent = world.sleeping.parent;
   plant_forest(parent, world.slot_count());
-  for (const Contact& contact : world.pairs.contacts) {
-    if (contact.manifold.points.empty()) continue;
-    if (is_awake(world.bodies[contact.body_a]) && is_awake(world.bodies[contact.body_b])) {
-      join(parent, contact.body_a, contact.body_b);
+  for (const PairSummary& pair : world.pairs.summaries) {
+    if (pair.points == 0) continue;
+    if (is_awake(world.bodies[pair.body_a]) && is_awake(world.bodies[pair.body_b])) {
+      join(parent, pair.body_a, pair.body_b);
     }
   }
 }
@@ -28,10 +28,10 @@ void find_supports(WorldState& world) {
     sleeping.supported[root] = 1;
     if (!sleeping.bodies[other].settled) sleeping.stays_awake[root] = 1;
   };
-  for (const Contact& contact : world.pairs.contacts) {
-    if (contact.manifold.points.empty()) continue;
-    support(contact.body_a, contact.body_b);
-    support(contact.body_b, contact.body_a);
+  for (const PairSummary& pair : world.pairs.summaries) {
+    if (pair.points == 0) continue;
+    support(pair.body_a, pair.body_b);
+    support(pair.body_b, pair.body_a);
   }
 }
 

@@ -13,7 +13,7 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
 }
 
-bool touches(const Contact& contact) { return !contact.manifold.points.empty(); }
+bool touches(const PairSummary& pair) { return pair.points > 0; }
 
 bool was_put_to_sleep(const BodyRest& rest) { return rest.island != no_index; }
 
@@ -43,9 +43,9 @@ void mark(WorldState& world, Index body) {
   if (was_put_to_sleep(rest)) world.sleeping.wakes[rest.island] = 1;
 }
 
-void mark_both(WorldState& world, const Contact& contact) {
-  mark(world, contact.body_a);
-  mark(world, contact.body_b);
+void mark_both(WorldState& world, const PairSummary& pair) {
+  mark(world, pair.body_a);
+  mark(world, pair.body_b);
 }
 
 void begin_marking(WorldState& world) { world.sleeping.wakes.assign(world.slot_count(), 0); }
@@ -55,8 +55,8 @@ void return_pairs(WorldState& world) {
   PairList& pairs = world.sleeping.pairs;
   std::vector<char>& moved = world.sleeping.moved_pairs;
   moved.clear();
-  for (const Contact& contact : pairs.contacts) {
-    moved.push_back(!is_at_rest(world, contact.body_a) || !is_at_rest(world, contact.body_b));
+  for (const PairSummary& pair : pairs.summaries) {
+    moved.push_back(!is_at_rest(world, pair.body_a) || !is_at_rest(world, pair.body_b));
   }
   if (std::find(moved.begin(), moved.end(), char{1}) == moved.end()) return;
   move_pairs(pairs, world.pairs, world.next_pairs, moved);
@@ -103,11 +103,11 @@ bool find_disturbances(WorldState& world) {
 
 /// Marks the islands that immovable bodies in motion carry.
 void mark_carried(WorldState& world) {
-  for (const Contact& contact : world.sleeping.pairs.contacts) {
-    if (!touches(contact)) continue;
-    for (const Index body : {contact.body_a, contact.body_b}) {
+  for (const PairSummary& pair : world.sleeping.pairs.summaries) {
+    if (!touches(pair)) continue;
+    for (const Index body : {pair.body_a, pair.body_b}) {
       const bool immovable = world.bodies[body].kind != BodyKind::Dynamic;
-      if (immovable && !is_at_rest(world, body)) mark_both(world, contact);
+      if (immovable && !is_at_rest(world, body)) mark_both(world, pair);
     }
   }
 }
@@ -115,12 +115,12 @@ void mark_carried(WorldState& world) {
 /// Wakes the sleeping bodies of the world's pairs that have contact points.
 void wake_touched(WorldState& world) {
   bool any = false;
-  for (const Contact& contact : world.pairs.contacts) {
-    const bool sleeps = world.bodies[contact.body_a].asleep || world.bodies[contact.body_b].asleep;
-    if (!sleeps || !touches(contact)) continue;
+  for (const PairSummary& pair : world.pairs.summaries) {
+    if (!touches(pair)) continue;
+    if (!world.bodies[pair.body_a].asleep && !world.bodies[pair.body_b].asleep) continue;
     if (!any) begin_marking(world);
     any = true;
-    mark_both(world, contact);
+    mark_both(world, pair);
   }
   if (any) wake_marked(world);
 }
@@ -144,8 +144,8 @@ void put_islands_to_sleep(WorldState& world) {
   }
   std::vector<char>& moved = world.sleeping.moved_pairs;
   moved.clear();
-  for (const Contact& contact : world.pairs.contacts) {
-    moved.push_back(is_at_rest(world, contact.body_a) && is_at_rest(world, contact.body_b));
+  for (const PairSummary& pair : world.pairs.summaries) {
+    moved.push_back(is_at_rest(world, pair.body_a) && is_at_rest(world, pair.body_b));
   }
   move_pairs(world.pairs, world.sleeping.pairs, world.next_pairs, moved);
 }
@@ -182,9 +182,9 @@ void wake_around(WorldState& world, Index body) {
   world.sleeping.bodies.resize(world.slot_count());
   begin_marking(world);
   mark(world, body);
-  for (const Contact& contact : world.sleeping.pairs.contacts) {
-    const bool is_its = contact.body_a == body || contact.body_b == body;
-    if (is_its && touches(contact)) mark_both(world, contact);
+  for (const PairSummary& pair : world.sleeping.pairs.summaries) {
+    const bool is_its = pair.body_a == body || pair.body_b == body;
+    if (is_its && touches(pair)) mark_both(world, pair);
   }
   world.sleeping.bodies[body].settled = false;  // so that its pairs return to the world
   wake_marked(world);

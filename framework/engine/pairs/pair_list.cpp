@@ -12,7 +12,7 @@ std::uint64_t pair_key(Index a, Index b) {
          static_cast<std::uint64_t>(std::max(a, b));
 }
 
-std::uint64_t pair_key(const Contact& contact) { return pair_key(contact.body_a, contact.body_b); }
+std::uint64_t pair_key(const PairSummary& pair) { return pair_key(pair.body_a, pair.body_b); }
 
 /// The farthest that a point of a body's surface may travel in a step (m).
 Real travel(const RigidBody& body, Real spin_speed, Real gravity, Real h) {
@@ -50,16 +50,19 @@ Real sweep_margin(const WorldState& world, std::size_t body, Real h) {
   return 2 * world.slop() + travel(world.bodies[body], world.slots[body].spin_speed, gravity, h);
 }
 
+/// How much larger than a body's swept bounds a new box is that also leaves room for later steps (m).
+Real swept_room(const WorldState& world, std::size_t body, Real h) {
+  return leaf_room(world) + sweep_margin(world, body, h);
+}
+
 bool is_awake(const WorldState& world, std::size_t body) {
   return world.slots[body].alive && !world.bodies[body].asleep;
 }
 
-/// Bodies that a thread takes at a time.
-constexpr std::size_t few_bodies = 32;
-
-/// Updates every body's swept bounds.
+/// Updates every body's swept bounds, and finds the leaves that do not suit them.
 void sweep_bounds(WorldState& world, Real h) {
-  for_blocks(world.team, world.slot_count(), few_bodies, [&](std::size_t first, std::size_t last) {
+  world.outgrown.assign(world.slot_count(), 0);
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (!is_awake(world, i)) continue;
       BodySlot& slot = world.slots[i];
@@ -67,6 +70,8 @@ void sweep_bounds(WorldState& world, Real h) {
       slot.spin_speed = world.bodies[i].angular_velocity.norm() * slot.radius;
       slot.swept_bounds = world_bounds(world.posed_shape(static_cast<Index>(i)))
                               .expanded(sweep_margin(world, i, h));
+      world.outgrown[i] =
+          leaf_is_stale(world.tree.bounds(slot.leaf), slot.swept_bounds, swept_room(world, i, h));
     }
   });
 }
@@ -74,12 +79,9 @@ void sweep_bounds(WorldState& world, Real h) {
 /// Moves the leaves that bodies have outgrown.
 void refit_leaves(WorldState& world, Real h) {
   for (std::size_t i = 0; i < world.slot_count(); ++i) {
-    if (!is_awake(world, i)) continue;
-    const BodySlot& slot = world.slots[i];
-    const Real room = leaf_room(world) + sweep_margin(world, i, h);
-    if (leaf_is_stale(world.tree.bounds(slot.leaf), slot.swept_bounds, room)) {
-      move_leaf(world, static_cast<Index>(i), slot.swept_bounds.expanded(room));
-    }
+    if (!world.outgrown[i]) continue;
+    move_leaf(world, static_cast<Index>(i),
+              world.slots[i].swept_bounds.expanded(swept_room(world, i, h)));
   }
 }
 
@@ -108,9 +110,9 @@ void find_new_keys(WorldState& world) {
                        world.new_keys.end());
 }
 
-bool leaves_overlap(const WorldState& world, const Contact& contact) {
-  const BodySlot& a = world.slots[contact.body_a];
-  const BodySlot& b = world.slots[contact.body_b];
+bool leaves_overlap(const WorldState& world, const PairSummary& pair) {
+  const BodySlot& a = world.slots[pair.body_a];
+  const BodySlot& b = world.slots[pair.body_b];
   return world.tree.bounds(a.leaf).overlaps(world.tree.bounds(b.leaf));
 }
 
@@ -123,6 +125,7 @@ void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs
   contact.friction = std::sqrt(a.friction * b.friction);
   contact.restitution = std::max(a.restitution, b.restitution);
   pairs.contacts.push_back(contact);
+  pairs.summaries.push_back({contact.body_a, contact.body_b});
   pairs.axes.emplace_back();
   pairs.memories.emplace_back();
   pairs.answers.push_back(PairAnswer::Queried);
@@ -132,10 +135,9 @@ void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs
 }
 
 void note_end(WorldState& world, std::size_t pair, std::vector<ContactEvent>& events) {
-  const Contact& contact = world.pairs.contacts[pair];
-  if (world.pairs.touching[pair]) {
-    events.push_back({world.id_at(contact.body_a), world.id_at(contact.body_b)});
-  }
+  if (!world.pairs.touching[pair]) return;
+  const PairSummary& ended = world.pairs.summaries[pair];
+  events.push_back({world.id_at(ended.body_a), world.id_at(ended.body_b)});
 }
 
 /// Merges the old pairs whose boxes still overlap with the new keys; both are sorted.
@@ -151,13 +153,13 @@ void merge_pairs(WorldState& world) {
   };
   auto key = world.new_keys.begin();
   for (std::size_t i = 0; i < old.size(); ++i) {
-    const std::uint64_t old_key = pair_key(old.contacts[i]);
+    const std::uint64_t old_key = pair_key(old.summaries[i]);
     for (; key != world.new_keys.end() && *key < old_key; ++key) {
       append_up_to(i);
       append_new_pair(world, *key, merged);
     }
     if (key != world.new_keys.end() && *key == old_key) ++key;
-    if (leaves_overlap(world, old.contacts[i])) continue;
+    if (leaves_overlap(world, old.summaries[i])) continue;
     append_up_to(i);
     ++appended;
     note_end(world, i, world.ended);
@@ -169,8 +171,19 @@ void merge_pairs(WorldState& world) {
 
 }  // namespace
 
+void PairList::summarise(std::size_t pair) {
+  const Manifold& manifold = contacts[pair].manifold;
+  PairSummary& summary = summaries[pair];
+  summary.points = manifold.points.size();
+  summary.depth = 0;
+  for (const ContactPoint& point : manifold.points) {
+    summary.depth = std::max(summary.depth, -point.separation);
+  }
+}
+
 void PairList::clear() {
   contacts.clear();
+  summaries.clear();
   axes.clear();
   memories.clear();
   answers.clear();
@@ -182,7 +195,7 @@ void PairList::clear() {
 void PairList::make_room(std::size_t count) {
   if (count <= contacts.capacity()) return;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(2 * count), ...); };
-  reserve(contacts, axes, memories, answers, touching, impulse_energy, misplaced);
+  reserve(contacts, summaries, axes, memories, answers, touching, impulse_energy, misplaced);
 }
 
 void PairList::append(const PairList& other, std::size_t first, std::size_t last) {
@@ -191,6 +204,7 @@ void PairList::append(const PairList& other, std::size_t first, std::size_t last
                  items.begin() + static_cast<std::ptrdiff_t>(last));
   };
   append_to(contacts, other.contacts);
+  append_to(summaries, other.summaries);
   append_to(axes, other.axes);
   append_to(memories, other.memories);
   append_to(answers, other.answers);
@@ -229,7 +243,7 @@ void enclose_bodies(WorldState& world) {
     return world_bounds(world.posed_shape(static_cast<Index>(body)));
   };
   world.outgrown.assign(world.slot_count(), 0);
-  for_blocks(world.team, world.slot_count(), few_bodies, [&](std::size_t first, std::size_t last) {
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (!is_awake(world, i) || world.bodies[i].kind == BodyKind::Static) continue;
       world.outgrown[i] = !world.tree.bounds(world.slots[i].leaf).contains(bounds_of(i));
@@ -247,8 +261,8 @@ void move_pairs(PairList& from, PairList& to, PairList& scratch, const std::vect
   std::size_t in_to = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (!moves[i]) continue;
-    const std::uint64_t key = pair_key(from.contacts[i]);
-    for (; in_to < to.size() && pair_key(to.contacts[in_to]) < key; ++in_to) {
+    const std::uint64_t key = pair_key(from.summaries[i]);
+    for (; in_to < to.size() && pair_key(to.summaries[in_to]) < key; ++in_to) {
       scratch.append(to, in_to);
     }
     scratch.append(from, i);
@@ -267,8 +281,8 @@ void remove_pairs_of(WorldState& world, Index body) {
   PairList& kept = world.next_pairs;
   kept.clear();
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
-    const Contact& contact = world.pairs.contacts[i];
-    if (contact.body_a == body || contact.body_b == body) {
+    const PairSummary& pair = world.pairs.summaries[i];
+    if (pair.body_a == body || pair.body_b == body) {
       note_end(world, i, world.ended_by_removal);
     } else {
       kept.append(world.pairs, i);

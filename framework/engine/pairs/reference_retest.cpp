@@ -30,12 +30,13 @@ Real deepest_separation(const Manifold& manifold) {
 
 std::optional<RetestedFace> retest_reference_face(const WorldState& world, std::size_t pair,
                                                   Real margin) {
+  if (!world.pairs.has_points(pair)) return {};
   const Contact& contact = world.pairs.contacts[pair];
   const SeparatingAxis& last = world.pairs.axes[pair];
   const AxisFeature reference = contact.manifold.reference;
   const bool on_b = reference == AxisFeature::FaceB;
   const FaceQuery& last_query = on_b ? last.face_b : last.face_a;
-  if (contact.manifold.points.empty() || reference == AxisFeature::Edges || !last_query) return {};
+  if (reference == AxisFeature::Edges || !last_query) return {};
 
   const PosedShape a = world.posed_shape(contact.body_a);
   const PosedShape b = world.posed_shape(contact.body_b);

@@ -17,11 +17,11 @@ struct RelativePose {
   Real radius;
 };
 
-RelativePose relative_pose(const WorldState& world, const Contact& contact) {
-  const Pose& a = world.bodies[contact.body_a].pose;
-  const Pose& b = world.bodies[contact.body_b].pose;
-  const Real radius_a = world.slots[contact.body_a].radius;
-  const Real radius_b = world.slots[contact.body_b].radius;
+RelativePose relative_pose(const WorldState& world, const PairSummary& pair) {
+  const Pose& a = world.bodies[pair.body_a].pose;
+  const Pose& b = world.bodies[pair.body_b].pose;
+  const Real radius_a = world.slots[pair.body_a].radius;
+  const Real radius_b = world.slots[pair.body_b].radius;
   if (radius_b < radius_a) return {seen_from(a, b), radius_b};
   return {seen_from(b, a), radius_a};
 }
@@ -32,24 +32,23 @@ bool answer_holds(const WorldState& world, std::size_t pair, Real margin) {
   const SeparatingAxis& axis = world.pairs.axes[pair];
   if (axis.feature == AxisFeature::None) return false;
 
-  const Contact& contact = world.pairs.contacts[pair];
   const PairMemory& memory = world.pairs.memories[pair];
-  const auto [now, radius] = relative_pose(world, contact);
+  const auto [now, radius] = relative_pose(world, world.pairs.summaries[pair]);
   const Real motion = largest_displacement(memory.smaller_in_larger, now, radius);
-  if (contact.manifold.points.empty()) return axis.separation - motion > margin;
+  if (!world.pairs.has_points(pair)) return axis.separation - motion > margin;
 
   const Real reach = margin - spare_margin(world);
   return motion <= kept_motion * radius && reach + motion <= memory.margin;
 }
 
 void remember_answer(WorldState& world, std::size_t pair, Real margin) {
-  const Contact& contact = world.pairs.contacts[pair];
   PairMemory& memory = world.pairs.memories[pair];
   memory.margin = margin;
-  memory.smaller_in_larger = relative_pose(world, contact).smaller_in_larger;
+  memory.smaller_in_larger = relative_pose(world, world.pairs.summaries[pair]).smaller_in_larger;
+  if (!world.pairs.has_points(pair)) return;
 
+  const Contact& contact = world.pairs.contacts[pair];
   const Manifold& manifold = contact.manifold;
-  if (manifold.points.empty()) return;
   const bool on_b = manifold.reference == AxisFeature::FaceB;
   const Pose& owner = world.bodies[on_b ? contact.body_b : contact.body_a].pose;
   const ContactPoint& point = manifold.points[0];
@@ -62,7 +61,6 @@ void move_manifold(WorldState& world, std::size_t pair) {
   Contact& contact = world.pairs.contacts[pair];
   const PairMemory& memory = world.pairs.memories[pair];
   Manifold& manifold = contact.manifold;
-  if (manifold.points.empty()) return;
   const bool on_b = manifold.reference == AxisFeature::FaceB;
   const Pose& owner = world.bodies[on_b ? contact.body_b : contact.body_a].pose;
   const Pose& other = world.bodies[on_b ? contact.body_a : contact.body_b].pose;

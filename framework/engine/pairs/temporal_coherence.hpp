@@ -22,10 +22,11 @@ inline constexpr Real kept_motion = Real(1e-3);
 bool answer_holds(const WorldState& world, std::size_t pair, Real margin);
 
 /// Stores the poses and the margin of a full query, and the plane of its manifold.
+/// @pre the pair's summary is up to date
 void remember_answer(WorldState& world, std::size_t pair, Real margin);
 
 /// Updates a kept manifold. Its plane turns with the body that owns the reference feature, the points
-/// stay where they are on the other body, and their separations are measured again.
+/// stay where they are on the other body, and their separations are measured again. @pre it has points
 void move_manifold(WorldState& world, std::size_t pair);
 
 }  // namespace cs550

@@ -38,27 +38,35 @@ void drop_points_beside(const ConvexShape& a, const ConvexShape& b, Manifold& ma
   }
 }
 
-void replace_manifold(const WorldState& world, Contact& contact, Real separation,
+void replace_manifold(WorldState& world, std::size_t pair, Real separation,
                       const Manifold& manifold) {
+  Contact& contact = world.pairs.contacts[pair];
   const Manifold before = contact.manifold;
   contact.manifold = manifold;
   const ConvexShape& a = *world.definitions[contact.body_a].shape;
   const ConvexShape& b = *world.definitions[contact.body_b].shape;
   if (separation > std::min(a.radius, b.radius)) drop_points_beside(a, b, contact.manifold);
   if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
+  world.pairs.summarise(pair);
+}
+
+/// Most pairs have no points, and their contacts are not read.
+void clear_manifold(WorldState& world, std::size_t pair) {
+  if (!world.pairs.has_points(pair)) return;
+  world.pairs.contacts[pair].manifold.points.clear();
+  world.pairs.summarise(pair);
 }
 
 void find_axis(WorldState& world, std::size_t pair, Real h) {
   PairList& pairs = world.pairs;
   pairs.answers[pair] = PairAnswer::Queried;
-  Contact& contact = pairs.contacts[pair];
-  const Bounds& swept_bounds_a = world.slots[contact.body_a].swept_bounds;
-  const Bounds& swept_bounds_b = world.slots[contact.body_b].swept_bounds;
-  if (!swept_bounds_a.overlaps(swept_bounds_b)) {
+  const Index body_a = pairs.summaries[pair].body_a;
+  const Index body_b = pairs.summaries[pair].body_b;
+  if (!world.slots[body_a].swept_bounds.overlaps(world.slots[body_b].swept_bounds)) {
     pairs.axes[pair].feature = AxisFeature::None;
     return;
   }
-  const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
+  const Real margin = contact_margin(world, body_a, body_b, h);
   if (world.settings.temporal_coherence) {
     if (answer_holds(world, pair, margin)) {
       pairs.answers[pair] = PairAnswer::Kept;
@@ -67,42 +75,42 @@ void find_axis(WorldState& world, std::size_t pair, Real h) {
     if (const auto face = retest_reference_face(world, pair, margin)) {
       pairs.answers[pair] = PairAnswer::Retested;
       pairs.axes[pair] = face->axis;
-      replace_manifold(world, contact, face->axis.separation, face->manifold);
+      replace_manifold(world, pair, face->axis.separation, face->manifold);
       return remember_answer(world, pair, margin);
     }
   }
-  pairs.axes[pair] =
-      find_separating_axis(world.posed_shape(contact.body_a), world.posed_shape(contact.body_b),
-                           pairs.axes[pair], margin);
+  pairs.axes[pair] = find_separating_axis(world.posed_shape(body_a), world.posed_shape(body_b),
+                                          pairs.axes[pair], margin);
 }
 
 void find_axes(WorldState& world, Real h) {
   for_pairs(world, [&](std::size_t pair) { find_axis(world, pair, h); });
 }
 
-void rebuild_manifold(WorldState& world, Contact& contact, const SeparatingAxis& axis,
-                      Real margin) {
+/// The manifold of a full query.
+void rebuild_manifold(WorldState& world, std::size_t pair, Real h) {
+  const SeparatingAxis& axis = world.pairs.axes[pair];
+  if (axis.feature == AxisFeature::None)
+    return clear_manifold(world, pair);  // the bounds are apart
+  const auto [body_a, body_b, points, depth] = world.pairs.summaries[pair];
+  const Real margin = contact_margin(world, body_a, body_b, h);
   if (axis.separation > margin) {
-    contact.manifold.points.clear();
-    return;
+    clear_manifold(world, pair);
+  } else {
+    replace_manifold(
+        world, pair, axis.separation,
+        build_manifold(world.posed_shape(body_a), world.posed_shape(body_b), axis, margin));
   }
-  replace_manifold(world, contact, axis.separation,
-                   build_manifold(world.posed_shape(contact.body_a),
-                                  world.posed_shape(contact.body_b), axis, margin));
+  if (world.settings.temporal_coherence) remember_answer(world, pair, margin);
 }
 
+/// That of a retested pair is there already.
 void update_manifold(WorldState& world, std::size_t pair, Real h) {
-  PairList& pairs = world.pairs;
-  if (pairs.answers[pair] == PairAnswer::Kept) return move_manifold(world, pair);
-  if (pairs.answers[pair] == PairAnswer::Retested) return;
-  Contact& contact = pairs.contacts[pair];
-  if (pairs.axes[pair].feature == AxisFeature::None) {  // the swept bounds are apart
-    contact.manifold.points.clear();
-    return;
-  }
-  const Real margin = contact_margin(world, contact.body_a, contact.body_b, h);
-  rebuild_manifold(world, contact, pairs.axes[pair], margin);
-  if (world.settings.temporal_coherence) remember_answer(world, pair, margin);
+  const PairAnswer answer = world.pairs.answers[pair];
+  if (answer == PairAnswer::Queried) return rebuild_manifold(world, pair, h);
+  if (answer == PairAnswer::Retested || !world.pairs.has_points(pair)) return;
+  move_manifold(world, pair);
+  world.pairs.summarise(pair);
 }
 
 void build_manifolds(WorldState& world, Real h) {
@@ -118,12 +126,10 @@ void count_contacts(WorldState& world) {
   };
   stats.kept = pairs_with(PairAnswer::Kept);
   stats.retested = pairs_with(PairAnswer::Retested);
-  for (const Contact& contact : world.pairs.contacts) {
-    if (!contact.manifold.points.empty()) ++stats.contacts;
-    stats.points += contact.manifold.points.size();
-    for (const ContactPoint& point : contact.manifold.points) {
-      stats.deepest_separation = std::min(stats.deepest_separation, point.separation);
-    }
+  for (const PairSummary& summary : world.pairs.summaries) {
+    if (summary.points > 0) ++stats.contacts;
+    stats.points += summary.points;
+    stats.deepest_separation = std::min(stats.deepest_separation, -summary.depth);
   }
 }
 

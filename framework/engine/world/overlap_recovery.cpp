@@ -28,24 +28,14 @@ bool is_dynamic(const WorldState& world, Index body) {
   return world.bodies[body].kind == BodyKind::Dynamic;
 }
 
-Real depth(const Manifold& manifold) {
-  Real deepest = 0;
-  for (const ContactPoint& point : manifold.points) {
-    deepest = std::max(deepest, -point.separation);
-  }
-  return deepest;
-}
-
 /// Bodies that move towards each other are in contact, at a positive separation, before they can
 /// overlap. A misplaced pair remains one until it is free, however fast it parts.
 bool is_misplaced(const WorldState& world, std::size_t pair, Real h) {
   const PairList& pairs = world.pairs;
   if (pairs.touching[pair] && !pairs.misplaced[pair]) return false;
-  const Contact& contact = pairs.contacts[pair];
-  const Real deepest = depth(contact.manifold);
+  const auto& [body_a, body_b, points, deepest] = pairs.summaries[pair];
   if (deepest <= spare_margin(world)) return false;  // the margin of this step is at least that
-  return pairs.misplaced[pair] ||
-         deepest > contact_margin(world, contact.body_a, contact.body_b, h);
+  return pairs.misplaced[pair] || deepest > contact_margin(world, body_a, body_b, h);
 }
 
 /// A body that touches a recovering one recovers too: their impulses must stay equal and opposite.
@@ -53,11 +43,11 @@ bool is_misplaced(const WorldState& world, std::size_t pair, Real h) {
 bool spread(WorldState& world) {
   std::vector<char>& recovers = world.recovery.recovers;
   bool any = false;
-  for (const Contact& contact : world.pairs.contacts) {
-    char& a = recovers[contact.body_a];
-    char& b = recovers[contact.body_b];
-    if (contact.manifold.points.empty() || a == b) continue;
-    if (!is_dynamic(world, contact.body_a) || !is_dynamic(world, contact.body_b)) continue;
+  for (const PairSummary& pair : world.pairs.summaries) {
+    char& a = recovers[pair.body_a];
+    char& b = recovers[pair.body_b];
+    if (pair.points == 0 || a == b) continue;
+    if (!is_dynamic(world, pair.body_a) || !is_dynamic(world, pair.body_b)) continue;
     a = b = 1;
     any = true;
   }
@@ -91,7 +81,7 @@ void find_misplaced_bodies(WorldState& world, Real h) {
     pairs.misplaced[i] = is_misplaced(world, i, h);
     if (!pairs.misplaced[i]) continue;
     world.recovery.any = true;
-    for (const Index body : {pairs.contacts[i].body_a, pairs.contacts[i].body_b}) {
+    for (const Index body : {pairs.summaries[i].body_a, pairs.summaries[i].body_b}) {
       world.recovery.recovers[body] = is_dynamic(world, body);
     }
   }

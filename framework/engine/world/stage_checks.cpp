@@ -148,11 +148,13 @@ void check_kept_answers(WorldState& world, Real h) {
 }
 
 void check_manifolds(WorldState& world) {
-  for (Contact& contact : world.pairs.contacts) {
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    Contact& contact = world.pairs.contacts[i];
     const char* promise = broken_promise(contact.manifold);
     if (promise == nullptr) continue;
     report(world, Stage::Manifolds, 5, contact.body_a, promise);
     contact.manifold.points.clear();
+    world.pairs.summarise(i);
   }
 }
 

@@ -23,9 +23,11 @@ void begin_step(WorldState& world) {
 }
 
 void refresh_velocities(WorldState& world) {
-  for (RigidBody& body : world.bodies) {
-    if (body.kind != BodyKind::Static && !body.asleep) refresh_velocity(body);
-  }
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    for (RigidBody& body : std::span(world.bodies).subspan(first, last - first)) {
+      if (body.kind != BodyKind::Static && !body.asleep) refresh_velocity(body);
+    }
+  });
 }
 
 void apply_gravity(WorldState& world) {
@@ -46,7 +48,10 @@ void clear_forces(WorldState& world) {
 }
 
 void drop_contacts(WorldState& world) {
-  for (Contact& contact : world.pairs.contacts) contact.manifold.points.clear();
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    world.pairs.contacts[i].manifold.points.clear();
+    world.pairs.summarise(i);
+  }
   world.constraints.clear();
   // The rest of the step must not look for the constraints.
   SolveOrder& order = world.solve_order;
