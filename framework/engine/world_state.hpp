@@ -137,14 +137,14 @@ struct LinkState {
   Index waits_for = 0;  ///< links that must come before and have no group yet
   Index height = 0;     ///< links in the longest chain that waits for this one
   std::array<Index, 2> followers = {no_index, no_index};  ///< the next link of each body
+  Index below = no_index;  ///< the next link of a stack of ready ones
 };
 
-/// A link that waits for no other. The largest one comes next: the highest, of equal heights the first.
-struct ReadyLink {
-  Index height = 0;
-  Index negated_link = 0;
-
-  auto operator<=>(const ReadyLink&) const = default;
+/// The links that wait for no other, in a stack for each height.
+struct ReadyLinks {
+  std::vector<Index> tops;  ///< of each height, the link on top
+  Index height = 0;         ///< of the highest; the stacks above it are empty
+  std::size_t count = 0;
 };
 
 /// The index of the constraint of each contact point, with the points of all contacts counted in
@@ -165,8 +165,8 @@ struct SolveOrder {
   std::vector<ContactLink> links;    ///< working storage: those of the present contacts
   std::vector<ContactLink> grouped;  ///< those for which the groups were made
   std::vector<LinkState> states;
-  std::vector<Index> next_of_body;                                ///< the next link of each body
-  std::array<std::vector<ReadyLink>, max_manifold_points> ready;  ///< heaps, by number of points
+  std::vector<Index> next_of_body;                    ///< the next link of each body
+  std::array<ReadyLinks, max_manifold_points> ready;  ///< by number of points
 };
 
 /// How far a body has turned, in terms of what a turn changes about its contacts.

@@ -31,8 +31,16 @@ class Schedule {
   }
 
   void run() {
-    for (Index i = link_count() - 1; i >= 0; --i) tie_to_followers(i);
-    for (Index i = 0; i < link_count(); ++i) {
+    Index highest = 0;
+    for (Index i = link_count() - 1; i >= 0; --i) {
+      tie_to_followers(i);
+      highest = std::max(highest, state(i).height);
+    }
+    for (ReadyLinks& links : order_.ready) {
+      links.tops.assign(static_cast<std::size_t>(highest) + 1, no_index);
+      links.height = 0;
+    }
+    for (Index i = link_count() - 1; i >= 0; --i) {
       if (state(i).waits_for == 0) make_ready(i);
     }
     while (const std::size_t points = longest_of_next_group()) form_group(points);
@@ -41,7 +49,7 @@ class Schedule {
  private:
   Index link_count() const { return static_cast<Index>(order_.links.size()); }
   LinkState& state(Index link) { return order_.states[link]; }
-  std::vector<ReadyLink>& ready(std::size_t points) { return order_.ready[points - 1]; }
+  ReadyLinks& ready(std::size_t points) { return order_.ready[points - 1]; }
 
   /// @pre done for all links after this one
   void tie_to_followers(Index i) {
@@ -57,16 +65,23 @@ class Schedule {
   }
 
   void make_ready(Index link) {
-    std::vector<ReadyLink>& queue = ready(static_cast<std::size_t>(order_.links[link].points));
-    queue.push_back({state(link).height, -link});
-    std::push_heap(queue.begin(), queue.end());
+    ReadyLinks& links = ready(static_cast<std::size_t>(order_.links[link].points));
+    const Index height = state(link).height;
+    state(link).below = std::exchange(links.tops[height], link);
+    links.height = std::max(links.height, height);
+    ++links.count;
   }
 
-  Index take_from(std::vector<ReadyLink>& queue) {
-    std::pop_heap(queue.begin(), queue.end());
-    const Index link = -queue.back().negated_link;
-    queue.pop_back();
-    return link;
+  /// @pre there is a link
+  Index height_of(ReadyLinks& links) {
+    while (links.tops[links.height] == no_index) --links.height;
+    return links.height;
+  }
+
+  Index take_highest(ReadyLinks& links) {
+    Index& top = links.tops[height_of(links)];
+    --links.count;
+    return std::exchange(top, state(top).below);
   }
 
   /// The number of points of the highest link that is ready, if possible among as many as fill a group:
@@ -75,8 +90,8 @@ class Schedule {
     for (const std::size_t enough : {lane_count, std::size_t(1)}) {
       std::size_t best = 0;
       for (std::size_t points = max_manifold_points; points > 0; --points) {
-        if (ready(points).size() < enough) continue;
-        if (best == 0 || ready(points)[0].height > ready(best)[0].height) best = points;
+        if (ready(points).count < enough) continue;
+        if (best == 0 || height_of(ready(points)) > height_of(ready(best))) best = points;
       }
       if (best > 0) return best;
     }
@@ -87,7 +102,7 @@ class Schedule {
   void form_group(std::size_t points) {
     StaticVector<Index, lane_count> taken;
     for (; points > 0; --points) {
-      while (!taken.full() && !ready(points).empty()) taken.push_back(take_from(ready(points)));
+      while (!taken.full() && ready(points).count > 0) taken.push_back(take_highest(ready(points)));
     }
     ContactGroup& group = order_.groups.emplace_back();
     for (const Index link : taken) {
@@ -141,7 +156,7 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
                          const Vec3& gravity, SolveOrder& order) {
   make_room(pairs.size(), order.contacts, order.neighbours, order.links, order.grouped,
             order.states);
-  for (auto& queue : order.ready) make_room(pairs.size(), queue);
+  for (ReadyLinks& links : order.ready) make_room(pairs.size(), links.tops);
   number_points(pairs, order);
   list_contacts(pairs, gravity, order);
   list_links(pairs, bodies, order);
@@ -151,11 +166,8 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
   order.place_of_point.resize(order.first_point.back());
   const auto points_of = [&](Index i) { return pairs.summaries[i].points; };
   Index place = 0;
-  for (ContactGroup& group : order.groups) {
-    // Longest first: the contacts that have points left are then always the first ones.
-    std::sort(group.begin(), group.end(), [&](Index i, Index k) {
-      return points_of(i) != points_of(k) ? points_of(i) > points_of(k) : i < k;
-    });
+  // The longest contacts of a group come first, so those that have points left are always the first ones.
+  for (const ContactGroup& group : order.groups) {
     for (Index point = 0; point < points_of(group[0]); ++point) {
       for (const Index contact : group) {
         if (point >= points_of(contact)) break;
