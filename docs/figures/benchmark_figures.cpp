@@ -66,7 +66,9 @@ Plot plot_steps(const json& report) {
     std::vector<Vec2> values;
     for (const json& cost : family.at("costs"))
       values.push_back(point(cost.at("n"), cost.at("seconds"), millisecond));
-    add_curve(plot, family.at("name"), values);
+    std::string name = family.at("name");
+    std::replace(name.begin(), name.end(), '_', ' ');
+    add_curve(plot, name, values);
   }
   return plot;
 }

@@ -72,6 +72,8 @@ struct PairList {
   void clear();
   /// Makes room for that many pairs, or for twice as many if there is not enough.
   void make_room(std::size_t count);
+  /// Appends a pair that has not been queried yet.
+  void append(const Contact& contact);
   /// Appends pairs of another list, from `first` to before `last`.
   void append(const PairList& other, std::size_t first, std::size_t last);
   void append(const PairList& other, std::size_t i) { append(other, i, i + 1); }

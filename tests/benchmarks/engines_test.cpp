@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "benchmarks/runs/runs.hpp"
 
 namespace cs550::bench {
@@ -68,6 +70,18 @@ TEST(Scenes, HaveTheirBodies) {
 TEST(Scenes, AreRecognisedAsBoxes) {
   EXPECT_TRUE(has_only_boxes(lone_cubes(1)));
   EXPECT_FALSE(has_only_boxes(pile_of_hulls(1, 1, 8)));
+}
+
+TEST(Scenes, ShareShapesInTurn) {
+  const BenchScene own = pile_of_hulls(3, 1, 8);
+  const BenchScene shared = pile_of_shared_hulls(3, 1, 8, 4);
+  std::set<ShapePtr> shapes;
+  ASSERT_EQ(shared.bodies.size(), own.bodies.size());
+  for (std::size_t i = 0; i < own.bodies.size(); ++i) {
+    EXPECT_TRUE(shared.bodies[i].pose.position == own.bodies[i].pose.position);
+    if (shared.bodies[i].kind == BodyKind::Dynamic) shapes.insert(shared.bodies[i].shape);
+  }
+  EXPECT_EQ(shapes.size(), 4U);
 }
 
 TEST(Memory, IsCounted) {

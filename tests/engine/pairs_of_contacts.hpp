@@ -10,11 +10,7 @@ namespace cs550::test {
 
 inline PairList pairs_of(std::span<const Contact> contacts) {
   PairList pairs;
-  for (const Contact& contact : contacts) {
-    pairs.contacts.push_back(contact);
-    pairs.summaries.push_back({contact.body_a, contact.body_b});
-    pairs.summarise(pairs.size() - 1);
-  }
+  for (const Contact& contact : contacts) pairs.append(contact);
   return pairs;
 }
 

@@ -292,10 +292,8 @@ TEST(TemporalCoherence, ABodyThatIsMovedAwayLosesItsContact) {
 
 TEST(TemporalCoherence, ChecksReportAnAnswerThatNoLongerHolds) {
   WorldState state;
-  state.pairs.contacts.push_back({0, 1, {}, 0, 0});
-  state.pairs.axes.emplace_back();
-  state.pairs.memories.emplace_back();
-  state.pairs.answers.push_back(PairAnswer::Kept);
+  state.pairs.append(Contact{0, 1, {}, 0, 0});
+  state.pairs.answers[0] = PairAnswer::Kept;
   for (int i = 0; i < 2; ++i) {
     state.bodies.emplace_back();
     state.slots.emplace_back();

@@ -124,14 +124,7 @@ void append_new_pair(const WorldState& world, std::uint64_t key, PairList& pairs
   const BodyDef& b = world.definitions[contact.body_b];
   contact.friction = std::sqrt(a.friction * b.friction);
   contact.restitution = std::max(a.restitution, b.restitution);
-  pairs.contacts.push_back(contact);
-  pairs.summaries.push_back({contact.body_a, contact.body_b});
-  pairs.axes.emplace_back();
-  pairs.memories.emplace_back();
-  pairs.answers.push_back(PairAnswer::Queried);
-  pairs.touching.push_back(0);
-  pairs.impulse_energy.push_back(0);
-  pairs.misplaced.push_back(0);
+  pairs.append(contact);
 }
 
 void note_end(WorldState& world, std::size_t pair, std::vector<ContactEvent>& events) {
@@ -196,6 +189,18 @@ void PairList::make_room(std::size_t count) {
   if (count <= contacts.capacity()) return;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(2 * count), ...); };
   reserve(contacts, summaries, axes, memories, answers, touching, impulse_energy, misplaced);
+}
+
+void PairList::append(const Contact& contact) {
+  contacts.push_back(contact);
+  summaries.push_back({contact.body_a, contact.body_b});
+  axes.emplace_back();
+  memories.emplace_back();
+  answers.push_back(PairAnswer::Queried);
+  touching.push_back(0);
+  impulse_energy.push_back(0);
+  misplaced.push_back(0);
+  summarise(size() - 1);
 }
 
 void PairList::append(const PairList& other, std::size_t first, std::size_t last) {

@@ -188,6 +188,18 @@ BenchScene pile_of_hulls(int across, int layers, int vertices) {
   return scene;
 }
 
+BenchScene pile_of_shared_hulls(int across, int layers, int vertices, std::size_t shapes) {
+  BenchScene scene = pile_of_hulls(across, layers, vertices);
+  std::vector<ShapePtr> shared;
+  std::size_t turn = 0;
+  for (BodyDef& body : scene.bodies) {
+    if (body.kind != BodyKind::Dynamic) continue;
+    if (shared.size() < shapes) shared.push_back(body.shape);
+    body.shape = shared[turn++ % shapes];
+  }
+  return scene;
+}
+
 BenchScene lone_cubes(int across) {
   BenchScene scene;
   scene.half_width = 2 * static_cast<Real>(across);

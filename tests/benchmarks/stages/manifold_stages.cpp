@@ -34,15 +34,14 @@ WorldState world_of(const HullPairs& hulls) {
     world.slots.emplace_back().radius = posed.shape->radius;
     return static_cast<Index>(world.bodies.size() - 1);
   };
-  world.pairs.memories.resize(hulls.pairs.size());
   for (const HullPair& pair : hulls.pairs) {
     Contact contact;
     contact.body_a = add_body(pair.a);
     contact.body_b = add_body(pair.b);
     contact.manifold = build_manifold(pair.a, pair.b, pair.hint, HullPairs::margin);
-    world.pairs.contacts.push_back(contact);
-    world.pairs.axes.push_back(pair.hint);
-    remember_answer(world, world.pairs.contacts.size() - 1, HullPairs::margin);
+    world.pairs.append(contact);
+    world.pairs.axes.back() = pair.hint;
+    remember_answer(world, world.pairs.size() - 1, HullPairs::margin);
   }
   return world;
 }
