@@ -35,7 +35,8 @@ class FaceBounds {
   Index largest() const { return largest_; }
   Real of(Index face) const { return block_of(face).smallest[lane_of(face)]; }
 
-  /// Notes for every face which witnesses are less than `limit` outside it.
+  /// Notes for every face which witnesses are less than `limit` outside it. Lanes past the last face get bits that
+  /// nobody asks for.
   void compare_with(const HalfEdgeMesh& a, Real limit) {
     const Four wide_limit = four_times(limit);
     std::uint8_t* below = below_.data();
@@ -123,7 +124,7 @@ class FaceBounds {
       if (any(equal)) return face + first_lane(equal);
       face += 4;
     }
-    return no_index;
+    return 0;  // the pose is not a number
   }
 
   std::span<FourFaces> blocks_of(const HalfEdgeMesh& a) {

@@ -141,17 +141,16 @@ class EdgeSearch {
   EdgeQuery best_beyond_faces(const EdgeQuery& hinted, FaceBounds& bounds, Real to_beat,
                               Real margin) {
     best_ = hinted;
+    const auto floor = [&] { return best_ ? std::max(to_beat, best_.separation) : to_beat; };
     // Where s ≤ 0, s/|n| ≤ s, since |n(t)| ≤ 1.
-    const Real limit = std::min(best_ ? std::max(to_beat, best_.separation) : to_beat, Real(0));
-    bounds.compare_with(pair_.a, limit);
+    bounds.compare_with(pair_.a, std::min(floor(), Real(0)));
     for (Index e = 0; e < pair_.a.edge_count(); e += 2) {
       const Index left = pair_.a.edge(e).face;
       const Index right = pair_.a.edge(e ^ 1).face;
       if (bounds.any_below(left, right)) continue;
 
-      const Real floor = best_ ? std::max(to_beat, best_.separation) : to_beat;
       const Arc arc = arc_of(e);
-      if (arc.may_beat(floor, pair_.b.vertex(support(left, arc.from)),
+      if (arc.may_beat(floor(), pair_.b.vertex(support(left, arc.from)),
                        pair_.b.vertex(support(right, arc.to)))) {
         walk(e, arc);
         if (best_ && best_.separation > margin) break;

@@ -2,6 +2,7 @@
 /// @file support_search.hpp
 /// Lab 3 for the engine: the same support vertex, or one equally far, without path and count.
 
+#include <algorithm>
 #include <array>
 
 #include "cs550/half_edge_mesh.hpp"
@@ -34,7 +35,7 @@ inline Index lowest_of_all(const HalfEdgeMesh& mesh, const Vec3& direction) {
     const FourMask equal = heights[four++] == lowest;
     if (first == no_index && any(equal)) first = v + first_lane(equal);
   });
-  return first;
+  return std::max(first, Index(0));  // none if the direction is not a number
 }
 
 /// The vertex with the smallest dot(vertex, direction); `start` if there is no smaller one. A box is
