@@ -277,6 +277,15 @@ void for_body_blocks(const WorldState& world, const Work& work) {
   for_blocks(world.team, world.slot_count(), few_bodies, work);
 }
 
+/// Calls `work(bodies, solver_bodies)` for the same blocks of both arrays.
+template <class Work>
+void for_solver_body_blocks(WorldState& world, const Work& work) {
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    work(std::span(world.bodies).subspan(first, last - first),
+         std::span(world.solver_bodies).subspan(first, last - first));
+  });
+}
+
 /// Visits the dynamic bodies that are awake.
 template <class State, class Visit>
 void for_moving_bodies(State& world, const Visit& visit) {

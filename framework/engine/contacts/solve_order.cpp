@@ -72,7 +72,7 @@ class Schedule {
     ++links.count;
   }
 
-  /// @pre there is a link
+  /// Passes over the stacks that have become empty. @pre there is a link
   Index height_of(ReadyLinks& links) {
     while (links.tops[links.height] == no_index) --links.height;
     return links.height;

@@ -15,16 +15,14 @@ void gather(const RigidBody& body, SolverBody& solver_body) {
 }
 
 void gather_solver_bodies(WorldState& world) {
-  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) gather(world.bodies[i], world.solver_bodies[i]);
-  });
+  for_solver_body_blocks(
+      world, [](std::span<const RigidBody> bodies, std::span<SolverBody> solver_bodies) {
+        for (std::size_t i = 0; i < bodies.size(); ++i) gather(bodies[i], solver_bodies[i]);
+      });
 }
 
 void write_back_solver_bodies(WorldState& world) {
-  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
-    add_momentum_changes(std::span(world.bodies).subspan(first, last - first),
-                         std::span(world.solver_bodies).subspan(first, last - first));
-  });
+  for_solver_body_blocks(world, add_momentum_changes);
 }
 
 }  // namespace cs550

@@ -33,9 +33,11 @@ bool is_dynamic(const WorldState& world, Index body) {
 bool is_misplaced(const WorldState& world, std::size_t pair, Real h) {
   const PairList& pairs = world.pairs;
   if (pairs.touching[pair] && !pairs.misplaced[pair]) return false;
-  const auto& [body_a, body_b, points, deepest] = pairs.summaries[pair];
-  if (deepest <= spare_margin(world)) return false;  // the margin of this step is at least that
-  return pairs.misplaced[pair] || deepest > contact_margin(world, body_a, body_b, h);
+  const PairSummary& summary = pairs.summaries[pair];
+  if (summary.depth <= spare_margin(world))
+    return false;  // the margin of this step is at least that
+  return pairs.misplaced[pair] ||
+         summary.depth > contact_margin(world, summary.body_a, summary.body_b, h);
 }
 
 /// A body that touches a recovering one recovers too: their impulses must stay equal and opposite.

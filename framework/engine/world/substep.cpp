@@ -159,17 +159,15 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
 }
 
 void apply_forces(WorldState& world, const ContactStep& step) {
-  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
-    integrate_momenta(std::span(world.bodies).subspan(first, last - first), step.h);
-  });
+  for_solver_body_blocks(
+      world, [&](std::span<RigidBody> bodies, auto) { integrate_momenta(bodies, step.h); });
 }
 
 void move_bodies(WorldState& world, const ContactStep& step) {
-  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
-    integrate_poses(std::span(world.bodies).subspan(first, last - first),
-                    std::span(world.solver_bodies).subspan(first, last - first), step.h,
-                    world.settings.rotation);
-  });
+  for_solver_body_blocks(world,
+                         [&](std::span<RigidBody> bodies, std::span<SolverBody> solver_bodies) {
+                           integrate_poses(bodies, solver_bodies, step.h, world.settings.rotation);
+                         });
 }
 
 /// Runs a part of the substep that changes bodies, and checks them after it if the settings ask for
