@@ -115,7 +115,7 @@ Frontier trace_frontier(const NamedScene& scene, std::span<const Engine> engines
 std::vector<ScaledScene> scaled_scenes() {
   return {{"cubes", {4, 7, 10, 14, 20, 28}, columns_of_cubes},
           {"hulls", {4, 8, 12, 16, 22}, [](int across) { return pile_of_hulls(across, 8, 32); }},
-          {"shared_hulls", {4, 8, 12, 16, 22}, [](int across) {
+          {"hulls_of_64_shapes", {4, 8, 12, 16, 22}, [](int across) {
              return pile_of_shared_hulls(across, 8, 32, 64);
            }}};
 }

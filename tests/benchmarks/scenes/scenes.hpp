@@ -31,7 +31,7 @@ std::span<const NamedScene> compared_scenes();
 BenchScene columns_of_cubes(int across);
 /// across² × layers random hulls of a diameter of 1 m, which fall into a room.
 BenchScene pile_of_hulls(int across, int layers, int vertices);
-/// The same pile of so many different hulls, each of which several bodies share.
+/// The same pile with only `shapes` different hulls, which the bodies use in turn.
 BenchScene pile_of_shared_hulls(int across, int layers, int vertices, std::size_t shapes);
 /// across² cubes that never touch.
 BenchScene lone_cubes(int across);
