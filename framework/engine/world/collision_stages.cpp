@@ -90,8 +90,8 @@ void find_axes(WorldState& world, Real h) {
 /// The manifold of a full query.
 void rebuild_manifold(WorldState& world, std::size_t pair, Real h) {
   const SeparatingAxis& axis = world.pairs.axes[pair];
-  if (axis.feature == AxisFeature::None)
-    return clear_manifold(world, pair);  // the bounds are apart
+  const bool bounds_are_apart = axis.feature == AxisFeature::None;
+  if (bounds_are_apart) return clear_manifold(world, pair);
   const auto [body_a, body_b, points, depth] = world.pairs.summaries[pair];
   const Real margin = contact_margin(world, body_a, body_b, h);
   if (axis.separation > margin) {

@@ -34,8 +34,8 @@ bool is_misplaced(const WorldState& world, std::size_t pair, Real h) {
   const PairList& pairs = world.pairs;
   if (pairs.touching[pair] && !pairs.misplaced[pair]) return false;
   const PairSummary& summary = pairs.summaries[pair];
-  if (summary.depth <= spare_margin(world))
-    return false;  // the margin of this step is at least that
+  // The margin of this step is at least the spare one.
+  if (summary.depth <= spare_margin(world)) return false;
   return pairs.misplaced[pair] ||
          summary.depth > contact_margin(world, summary.body_a, summary.body_b, h);
 }
