@@ -41,7 +41,7 @@ struct PairMemory {
 enum class PairAnswer : std::uint8_t {
   Queried,   ///< by a full query
   Kept,      ///< the last answer still holds, see answer_holds()
-  Retested,  ///< from the last reference face alone, see retest_reference_face()
+  Retested,  ///< from the last features alone, see retest_features()
 };
 
 /// What the loops over all pairs need of a contact. Most pairs are only near, and all contacts together do not fit

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "engine/pairs/reference_retest.hpp"
+#include "engine/pairs/temporal_coherence.hpp"
 #include "engine/test_bodies.hpp"
 #include "engine/world/stages.hpp"
 #include "helpers/exact_separation.hpp"
@@ -23,7 +23,7 @@ struct Trajectory {
   Real place;  ///< distance from the world's origin (m)
   int steps;
   Real least_kept;     ///< fraction of the steps in which a contact is kept
-  int least_retested;  ///< steps in which the reference face was retested
+  int least_retested;  ///< steps in which the last features were retested
 };
 
 constexpr Trajectory trajectories[] = {
@@ -162,11 +162,9 @@ struct Answers {
 Answers follow(MovingPair& pair, int steps) {
   // Half the stated error of 1e-3 of the diameter each: for the bodies, and for the points.
   const double half_of_stated = 1e-3 * pair.radius();
-  const double of_retest = double{retest_error} * pair.radius();
   const double rounding = 1e-5;  // of float at these sizes, in a margin and in a separation (m)
   const double tie = double{tie_tolerance} * pair.radius();
   Answers answers;
-  double error_of_query = 0;
   double deepest_of_query = 0;
   for (int step = 0; step < steps; ++step) {
     pair.step(step);
@@ -181,17 +179,15 @@ Answers follow(MovingPair& pair, int steps) {
     const double separation_of_query = double{pair.world().axes()[0].separation};
     if (stats.kept == 0) {
       deepest_of_query = deepest(contact->manifold);
-      error_of_query = stats.retested == 0 ? tie : of_retest;
       answers.retested += stats.retested;
       if (stats.retested == 0) continue;
       EXPECT_LE(separation_of_query, truth + rounding) << "step " << step;
-      EXPECT_GE(separation_of_query, truth - of_retest - rounding) << "step " << step;
+      EXPECT_GE(separation_of_query, truth - tie - rounding) << "step " << step;
       continue;
     }
     ++answers.kept;
     if (truth < 0) {
-      EXPECT_NEAR(truth, separation_of_query, half_of_stated + error_of_query + rounding)
-          << "step " << step;
+      EXPECT_NEAR(truth, separation_of_query, half_of_stated + tie + rounding) << "step " << step;
     }
     EXPECT_NEAR(deepest(contact->manifold), deepest_of_query, half_of_stated + rounding)
         << "step " << step;

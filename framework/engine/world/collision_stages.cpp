@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "cs550/clipping.hpp"
+#include "engine/pairs/feature_retest.hpp"
 #include "engine/pairs/pair_list.hpp"
-#include "engine/pairs/reference_retest.hpp"
 #include "engine/pairs/temporal_coherence.hpp"
 #include "engine/world/stages.hpp"
 
@@ -72,10 +72,10 @@ void find_axis(WorldState& world, std::size_t pair, Real h) {
       pairs.answers[pair] = PairAnswer::Kept;
       return;
     }
-    if (const auto face = retest_reference_face(world, pair, margin)) {
+    if (const auto now = retest_features(world, pair, margin)) {
       pairs.answers[pair] = PairAnswer::Retested;
-      pairs.axes[pair] = face->axis;
-      replace_manifold(world, pair, face->axis.separation, face->manifold);
+      pairs.axes[pair] = now->axis;
+      replace_manifold(world, pair, now->axis.separation, now->manifold);
       return remember_answer(world, pair, margin);
     }
   }

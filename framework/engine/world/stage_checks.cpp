@@ -3,7 +3,7 @@
 
 #include "cs550/clipping.hpp"
 #include "engine/pairs/pair_list.hpp"
-#include "engine/pairs/reference_retest.hpp"
+#include "engine/pairs/temporal_coherence.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -94,8 +94,7 @@ const char* broken_promise(const WorldState& world, std::size_t pair, Real margi
   const Real radius = std::min(a.shape->radius, b.shape->radius);
   const Real size = a.shape->radius + b.shape->radius;
   const Real tolerance =
-      (kept_motion + retest_error + 2 * tie_tolerance + 2 * parallel_sine) * radius +
-      query_rounding * size;
+      (kept_motion + 3 * tie_tolerance + 2 * parallel_sine) * radius + query_rounding * size;
   if (std::abs(change) <= tolerance) return nullptr;
   return contact.manifold.points.empty() ? "bodies that overlap were kept apart"
                                          : "a contact was kept although the bodies moved";

@@ -147,11 +147,11 @@ struct StepStats {
   std::array<double, stage_count> seconds{};  ///< per stage
   int pairs = 0;                              ///< from the broad phase
   int kept = 0;                               ///< pairs whose last answer still holds
-  int retested = 0;             ///< pairs whose last reference face proved to be right
-  int contacts = 0;             ///< pairs with a non-empty manifold
-  int points = 0;               ///< of all manifolds
-  int asleep = 0;               ///< bodies; their pairs are not counted
-  Real deepest_separation = 0;  ///< most negative separation, 0 if none (m)
+  int retested = 0;                           ///< pairs whose last features proved to be right
+  int contacts = 0;                           ///< pairs with a non-empty manifold
+  int points = 0;                             ///< of all manifolds
+  int asleep = 0;                             ///< bodies; their pairs are not counted
+  Real deepest_separation = 0;                ///< most negative separation, 0 if none (m)
 };
 
 /// Two bodies that began or ceased to touch.

@@ -4,7 +4,7 @@
 #include "benchmarks/stages/hull_pairs.hpp"
 #include "benchmarks/stages/stage.hpp"
 #include "cs550/clipping.hpp"
-#include "engine/pairs/reference_retest.hpp"
+#include "engine/pairs/feature_retest.hpp"
 
 namespace cs550::bench {
 namespace {
@@ -70,8 +70,8 @@ void retest_manifolds(benchmark::State& state, int vertices) {
   std::size_t next = 0;
   for ([[maybe_unused]] auto _ : state) {
     const std::size_t i = next++ % hulls.pairs.size();
-    if (const auto face = retest_reference_face(world, i, HullPairs::margin)) {
-      benchmark::DoNotOptimize(face->manifold);
+    if (const auto now = retest_features(world, i, HullPairs::margin)) {
+      benchmark::DoNotOptimize(now->manifold);
       continue;
     }
     const HullPair& pair = hulls.pairs[i];
