@@ -53,6 +53,19 @@ struct PairSummary {
   Real depth = 0;    ///< of the deepest point; 0 if none is below the surface (m)
 };
 
+/// Pairs that stay neighbours while a list is edited: those from `first` to before `last` go to `to`.
+struct PairStretch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::size_t to = 0;
+};
+
+/// A pair that an edit inserts.
+struct InsertedPair {
+  std::size_t to = 0;
+  Contact contact;
+};
+
 /// The pairs of bodies that are near each other, sorted by (body_a, body_b), with what is kept of
 /// each from step to step.
 struct PairList {
@@ -65,6 +78,10 @@ struct PairList {
   std::vector<double> impulse_energy;  ///< of the impulses that the contact points keep (J)
   std::vector<char> misplaced;         ///< overlaps more deeply than the bodies can have moved
 
+  // Working storage of PairListEdit.
+  std::vector<PairStretch> stretches;
+  std::vector<InsertedPair> inserted;
+
   std::size_t size() const { return contacts.size(); }
   bool has_points(std::size_t pair) const { return summaries[pair].points > 0; }
   /// Brings a pair's summary up to date. Call it after each change of its contact points.
@@ -72,11 +89,8 @@ struct PairList {
   void clear();
   /// Makes room for that many pairs, or for twice as many if there is not enough.
   void make_room(std::size_t count);
-  /// Appends a pair that has not been queried yet.
-  void append(const Contact& contact);
-  /// Appends pairs of another list, from `first` to before `last`.
-  void append(const PairList& other, std::size_t first, std::size_t last);
-  void append(const PairList& other, std::size_t i) { append(other, i, i + 1); }
+  /// Appends a pair of another list.
+  void append(const PairList& other, std::size_t i);
 };
 
 /// What decides whether a body is at rest. A window of time begins with each larger displacement.
@@ -257,6 +271,8 @@ struct WorldState {
   std::vector<char> outgrown;   ///< of each body, whether it has left its leaf's box
   std::vector<Index> moved;     ///< bodies whose leaves have moved since the last search for pairs
   std::vector<char> has_moved;  ///< of each body, whether it is one of these
+  std::vector<Bounds>
+      searched_bounds;  ///< of each body's leaf at the last search; empty before the first
   std::vector<Index> found;
   std::vector<std::uint64_t> new_keys;
   std::vector<RigidBody> bodies_before;

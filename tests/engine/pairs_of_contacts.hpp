@@ -4,13 +4,15 @@
 
 #include <span>
 
-#include "engine/world_state.hpp"
+#include "engine/pairs/pair_list.hpp"
 
 namespace cs550::test {
 
 inline PairList pairs_of(std::span<const Contact> contacts) {
   PairList pairs;
-  for (const Contact& contact : contacts) pairs.append(contact);
+  PairListEdit edit(pairs);
+  for (const Contact& contact : contacts) edit.insert(0, contact);
+  edit.apply();
   return pairs;
 }
 

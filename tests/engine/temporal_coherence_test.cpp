@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "engine/pairs/temporal_coherence.hpp"
+#include "engine/pairs_of_contacts.hpp"
 #include "engine/test_bodies.hpp"
 #include "engine/world/stages.hpp"
 #include "helpers/exact_separation.hpp"
@@ -318,7 +320,7 @@ TEST(TemporalCoherence, ABodyThatIsMovedAwayLosesItsContact) {
 
 TEST(TemporalCoherence, ChecksReportAnAnswerThatNoLongerHolds) {
   WorldState state;
-  state.pairs.append(Contact{0, 1, {}, 0, 0});
+  state.pairs = pairs_of(std::vector{Contact{0, 1, {}, 0, 0}});
   state.pairs.answers[0] = PairAnswer::Kept;
   for (int i = 0; i < 2; ++i) {
     state.bodies.emplace_back();

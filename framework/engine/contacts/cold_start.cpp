@@ -90,9 +90,11 @@ void predict_velocities(WorldState& world, Real h) {
     if (is_cold[i]) bodies[i].v += h * body.inverse_mass * body.force;
   }
   for (const ContactConstraint& constraint : world.constraints) {
-    if (is_cold[constraint.body_a] || is_cold[constraint.body_b]) {
-      push_apart(bodies, constraint, constraint.normal_impulse);
-    }
+    const auto [a, b] = std::pair(constraint.body_a, constraint.body_b);
+    if (!is_cold[a] && !is_cold[b]) continue;
+    const Vec3 impulse = constraint.normal_impulse * constraint.n;
+    if (is_cold[a]) bodies[a].apply(-impulse, constraint.r_a);
+    if (is_cold[b]) bodies[b].apply(impulse, constraint.r_b);
   }
 }
 

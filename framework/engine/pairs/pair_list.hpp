@@ -1,30 +1,39 @@
 #pragma once
 /// @file pair_list.hpp
-/// Keeps the tree and the list of near pairs up to date with the bodies.
+/// Changes of a list of pairs, which stays sorted.
 
 #include "engine/world_state.hpp"
 
 namespace cs550 {
 
-/// The margin within which two surfaces get contact points during a step of length h (m): the
-/// distance that they may close at their current speeds and in free fall, and a few slops.
-/// @pre update_pairs() has measured the speeds of this step
-Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h);
+/// Sorts like (a, b) with a < b.
+std::uint64_t pair_key(Index a, Index b);
+std::uint64_t pair_key(const PairSummary& pair);
 
-/// The part of the margin that no motion of this step explains (m).
-Real spare_margin(const WorldState& world);
+/// Drops pairs of a list and inserts others, all at once. Of thousands of pairs a step changes a few dozen.
+/// The others move by a few places or none, within their arrays.
+/// @pre the changes are given in the order of the list
+class PairListEdit {
+ public:
+  explicit PairListEdit(PairList& pairs);
+  /// Drops the pair at index `i` of the list as it is before the edit.
+  void drop(std::size_t i);
+  /// Inserts a pair that has not been queried yet before the pair that is at index `i` before the edit.
+  void insert(std::size_t i, const Contact& contact);
+  /// Carries out the changes.
+  void apply();
 
-/// Inserts the leaf of a new body into the tree.
-void insert_leaf(WorldState& world, Index body);
-/// Enlarges leaves to their bodies' current bounds, so that queries between steps find them.
-void enclose_bodies(WorldState& world);
-/// Brings the tree and the pairs up to date with poses and speeds. @param h step (s)
-void update_pairs(WorldState& world, Real h);
-/// Moves some pairs from one list to another. Both are sorted, and stay so.
+ private:
+  void end_stretch(std::size_t last);
+
+  PairList& pairs_;
+  std::size_t first_ = 0;  ///< of the present stretch
+  std::size_t to_ = 0;     ///< where its pairs go
+};
+
+/// Moves some pairs from one list to another.
 /// @param moves of each pair of `from`
 /// @param scratch working storage
 void move_pairs(PairList& from, PairList& to, PairList& scratch, const std::vector<char>& moves);
-/// Drops the pairs of a body that is being removed; those that touched go to ended_by_removal.
-void remove_pairs_of(WorldState& world, Index body);
 
 }  // namespace cs550

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/pairs/displacement.hpp"
-#include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/near_pairs.hpp"
 #include "engine/pairs/relative_pose.hpp"
 
 namespace cs550 {

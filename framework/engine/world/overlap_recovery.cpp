@@ -5,7 +5,7 @@
 
 #include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
-#include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/near_pairs.hpp"
 
 /// @file overlap_recovery.cpp
 /// A scene may put bodies into each other. The bias pushes them apart, and the relax passes should

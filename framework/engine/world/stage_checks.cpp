@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cs550/clipping.hpp"
-#include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/near_pairs.hpp"
 #include "engine/pairs/temporal_coherence.hpp"
 #include "engine/world/stages.hpp"
 

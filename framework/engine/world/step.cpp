@@ -3,7 +3,7 @@
 
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/islands/sleeping.hpp"
-#include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/near_pairs.hpp"
 #include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "engine/islands/sleeping.hpp"
-#include "engine/pairs/pair_list.hpp"
+#include "engine/pairs/near_pairs.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {

@@ -12,7 +12,7 @@ namespace cs550 {
 
 /// A binary bounding volume hierarchy that is updated incrementally. A new leaf is inserted where
 /// the total surface area grows least, and rotations keep the tree shallow (Catto, *Dynamic
-/// Bounding Volume Hierarchies*, GDC 2019). Leaves store fat AABBs, so that most steps leave the
+/// Bounding Volume Hierarchies*, GDC 2019). A leaf that moves a little keeps its place. Leaves store fat AABBs, so that most steps leave the
 /// tree unchanged. A plain value: a copy continues identically.
 class AabbTree {
  public:
@@ -69,6 +69,8 @@ class AabbTree {
   void attach(Index leaf);
   void detach(Index leaf);
   void replace_child(Index parent, Index child, Index replacement);
+  void query_below(Index top, const Bounds& bounds, std::vector<Index>& users) const;
+  bool stays_in_place(Index leaf, const Bounds& bounds) const;
   Index best_sibling(const Bounds& bounds) const;
   void refit_upwards(Index index);
   void refit(Index index);

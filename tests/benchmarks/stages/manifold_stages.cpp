@@ -5,6 +5,7 @@
 #include "benchmarks/stages/stage.hpp"
 #include "cs550/clipping.hpp"
 #include "engine/pairs/feature_retest.hpp"
+#include "engine/pairs/pair_list.hpp"
 
 namespace cs550::bench {
 namespace {
@@ -34,14 +35,18 @@ WorldState world_of(const HullPairs& hulls) {
     world.slots.emplace_back().radius = posed.shape->radius;
     return static_cast<Index>(world.bodies.size() - 1);
   };
+  PairListEdit edit(world.pairs);
   for (const HullPair& pair : hulls.pairs) {
     Contact contact;
     contact.body_a = add_body(pair.a);
     contact.body_b = add_body(pair.b);
     contact.manifold = build_manifold(pair.a, pair.b, pair.hint, HullPairs::margin);
-    world.pairs.append(contact);
-    world.pairs.axes.back() = pair.hint;
-    remember_answer(world, world.pairs.size() - 1, HullPairs::margin);
+    edit.insert(0, contact);
+  }
+  edit.apply();
+  for (std::size_t i = 0; i < hulls.pairs.size(); ++i) {
+    world.pairs.axes[i] = hulls.pairs[i].hint;
+    remember_answer(world, i, HullPairs::margin);
   }
   return world;
 }

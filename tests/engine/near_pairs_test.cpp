@@ -1,0 +1,165 @@
+// The list of near pairs against a search through all pairs of boxes, and edits of a list against a plain one.
+#include "engine/pairs/near_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "cs550/primitives.hpp"
+#include "engine/pairs/pair_list.hpp"
+#include "engine/test_bodies.hpp"
+#include "helpers/random.hpp"
+
+namespace cs550::test {
+namespace {
+
+using BodyPair = std::pair<Index, Index>;
+
+std::vector<BodyPair> listed_pairs(const PairList& pairs) {
+  std::vector<BodyPair> listed;
+  for (const PairSummary& pair : pairs.summaries) listed.emplace_back(pair.body_a, pair.body_b);
+  return listed;
+}
+
+/// Bodies that are moved by hand. Every third is immovable.
+struct Crowd {
+  WorldState world;
+  ShapePtr shape = box_shape(Vec3::Ones());
+
+  void add(const Vec3& position) {
+    BodyDef def = body_at(shape, position);
+    if (world.slots.size() % 3 == 2) def.kind = BodyKind::Static;
+    RigidBody body;
+    body.kind = def.kind;
+    body.pose = def.pose;
+    world.bodies.push_back(body);
+    world.definitions.push_back(def);
+    world.slots.emplace_back().alive = true;
+    insert_leaf(world, static_cast<Index>(world.slots.size()) - 1);
+  }
+  void remove(Index body) {
+    remove_pairs_of(world, body);
+    world.tree.remove(world.slots[body].leaf);
+    world.slots[body].alive = false;
+  }
+  bool are_near(Index a, Index b) const {
+    const bool both_immovable =
+        world.bodies[a].kind == BodyKind::Static && world.bodies[b].kind == BodyKind::Static;
+    return world.slots[a].alive && world.slots[b].alive && !both_immovable &&
+           world.tree.bounds(world.slots[a].leaf).overlaps(world.tree.bounds(world.slots[b].leaf));
+  }
+  std::vector<BodyPair> near_pairs() const {
+    std::vector<BodyPair> near;
+    const auto count = static_cast<Index>(world.slots.size());
+    for (Index a = 0; a < count; ++a) {
+      for (Index b = a + 1; b < count; ++b) {
+        if (are_near(a, b)) near.emplace_back(a, b);
+      }
+    }
+    return near;
+  }
+};
+
+TEST(NearPairs, AreThoseWhoseBoxesOverlap) {
+  Random random(1);
+  Crowd crowd;
+  for (int i = 0; i < 60; ++i) crowd.add(random.point_in_box(Vec3::Constant(4)));
+  std::size_t listed = 0;
+  std::size_t changes = 0;
+  std::vector<BodyPair> before;
+  for (int step = 0; step < 300; ++step) {
+    for (RigidBody& body : crowd.world.bodies) {
+      if (random.integer(0, 3) > 0) continue;
+      body.pose.position += random.real(0, Real(0.2)) * random.unit_vector();
+    }
+    if (step % 50 == 20) crowd.remove(static_cast<Index>(step / 10));
+    if (step % 50 == 30) crowd.add(random.point_in_box(Vec3::Constant(4)));
+    update_pairs(crowd.world, step_length);
+    const std::vector<BodyPair> pairs = listed_pairs(crowd.world.pairs);
+    ASSERT_EQ(pairs, crowd.near_pairs()) << "step " << step;
+    listed += pairs.size();
+    if (pairs != before) ++changes;
+    before = pairs;
+    if (step % 2 == 0) enclose_bodies(crowd.world);
+  }
+  EXPECT_GT(listed, 300U * 50U);
+  EXPECT_GT(changes, 200U);
+}
+
+TEST(NearPairs, KeepTheirImpulsesWhileOthersComeAndGo) {
+  Random random(2);
+  Crowd crowd;
+  for (int i = 0; i < 60; ++i) crowd.add(random.point_in_box(Vec3::Constant(4)));
+  update_pairs(crowd.world, step_length);
+  std::map<BodyPair, double> marks;  // energies, which are zero for new pairs
+  for (int step = 1; step < 200; ++step) {
+    PairList& pairs = crowd.world.pairs;
+    marks.clear();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const PairSummary& pair = pairs.summaries[i];
+      pairs.impulse_energy[i] = 1000 * step + static_cast<double>(i);
+      pairs.contacts[i].friction = static_cast<Real>(pairs.impulse_energy[i]);
+      marks[{pair.body_a, pair.body_b}] = pairs.impulse_energy[i];
+    }
+    for (RigidBody& body : crowd.world.bodies) {
+      body.pose.position += random.real(0, Real(0.1)) * random.unit_vector();
+    }
+    update_pairs(crowd.world, step_length);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const PairSummary& pair = pairs.summaries[i];
+      const auto old = marks.find({pair.body_a, pair.body_b});
+      ASSERT_EQ(pairs.impulse_energy[i], old == marks.end() ? 0 : old->second);
+      ASSERT_EQ(pairs.contacts[i].body_a, pair.body_a);
+      ASSERT_EQ(pairs.contacts[i].body_b, pair.body_b);
+      if (old == marks.end()) continue;
+      ASSERT_EQ(pairs.contacts[i].friction, old->second);
+    }
+  }
+}
+
+Contact contact_of(Index body) {
+  Contact contact;
+  contact.body_a = body;
+  contact.body_b = body + 1;
+  return contact;
+}
+
+TEST(PairListEdit, DoesWhatChangesOneByOneDo) {
+  Random random(3);
+  PairList pairs;
+  std::vector<Index> plain;
+  for (int round = 0; round < 500; ++round) {
+    std::vector<Index> changed;
+    PairListEdit edit(pairs);
+    // In some rounds more go than come, in others more come.
+    const int often = random.integer(1, 5);
+    for (std::size_t i = 0; i <= plain.size(); ++i) {
+      while (plain.size() < 200 && random.integer(0, 6) < often) {
+        const Index body = random.integer(0, 1'000'000);
+        edit.insert(i, contact_of(body));
+        changed.push_back(body);
+        if (random.integer(0, 1) == 0) break;
+      }
+      if (i == plain.size()) break;
+      if (random.integer(0, 6) > often) {
+        edit.drop(i);
+      } else {
+        changed.push_back(plain[i]);
+      }
+    }
+    edit.apply();
+    plain = changed;
+    ASSERT_EQ(pairs.size(), plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      ASSERT_EQ(pairs.contacts[i].body_a, plain[i]) << "round " << round;
+      ASSERT_EQ(pairs.summaries[i].body_a, plain[i]);
+    }
+    ASSERT_EQ(pairs.misplaced.size(), plain.size());
+  }
+}
+
+}  // namespace
+}  // namespace cs550::test
