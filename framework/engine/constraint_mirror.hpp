@@ -36,8 +36,10 @@ struct alignas(lane_count * sizeof(Real)) LaneNumbers {
 struct ConstraintMirror {
   bool stale = true;           ///< set it whenever anything but a pass has changed the constraints
   bool stale_impulses = true;  ///< enough if only impulses or marks have changed
+  std::vector<Index> starts;   ///< constraints with which a group has to begin; may be empty
   std::vector<PairGroup> groups;
   std::vector<ConstraintRow> rows;
+  std::vector<Index> last_group;  ///< of each body: the last group that moves it; working storage
   std::vector<LaneNumbers> numbers;  ///< of each row in turn, laid out by the passes
 };
 

@@ -185,6 +185,16 @@ struct SolveOrder {
   std::array<ReadyLinks, max_manifold_points> ready;  ///< by number of points
 };
 
+/// What a body's mass and inertia say about its shape.
+struct BodySize {
+  /// About the ratio of the largest to the smallest radius of gyration, squared: 9 for a cube, 2500 for a
+  /// needle of 1 : 50. A needle that turns by its thinness moves its ends by its own thickness: the lever of a
+  /// contact there about the needle's axis, and with it the effective mass, is another one.
+  Real squared_slenderness = 1;
+  /// A cube of 1 m is 1.4 m long by this measure (m²). Immovable bodies have no limit.
+  Real squared_length = HUGE_VALF;
+};
+
 /// How far a body has turned, in terms of what a turn changes about its contacts.
 enum class TurnSize : char {
   Small,
@@ -200,6 +210,7 @@ struct ColdPair {
 
 /// Working storage of guess_cold_impulses().
 struct ColdStart {
+  std::vector<char> is_fresh;  ///< of each contact, whether it has no impulses yet
   std::vector<ColdPair> pairs;
   std::vector<char> is_cold;       ///< of each body, whether it is movable and of a pair
   std::vector<SolverBody> bodies;  ///< with the velocities that gravity and the impulses give them
@@ -260,9 +271,11 @@ struct WorldState {
   // Working storage of a step, kept so that a steady-state step does not allocate.
   std::vector<SolverBody> solver_bodies;
   std::vector<ContactConstraint> constraints;
-  bool any_bounces = false;  ///< whether a constraint has restitution
+  std::vector<char> touches;  ///< of each pair, see is_touching()
+  bool any_bounces = false;   ///< whether a constraint has restitution
   ConstraintMirror mirror;
   std::vector<TurnSize> turns;  ///< of each body
+  std::vector<BodySize> sizes;  ///< of each body
   SolveOrder solve_order;
   ColdStart cold_start;
   OverlapRecovery recovery;

@@ -51,17 +51,12 @@ ContactConstraint middle_constraint(const WorldState& world, std::span<const Ind
   return middle;
 }
 
-bool is_fresh(const WorldState& world, std::span<const Index> places) {
-  return std::all_of(places.begin(), places.end(),
-                     [&](Index place) { return world.constraints[place].normal_impulse == 0; });
-}
-
 /// The pairs that are new and slow.
 void list_cold_pairs(WorldState& world) {
   world.cold_start.pairs.clear();
   const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
-  for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
-    if (!is_fresh(world, places)) return;
+  for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
+    if (!world.cold_start.is_fresh[contact]) return;
     const ContactConstraint middle = middle_constraint(world, places);
     if (std::abs(approach(world.solver_bodies, middle)) < slow) {
       world.cold_start.pairs.push_back({places, middle});
@@ -127,6 +122,13 @@ void sweep(ColdStart& cold, Real tolerance, Real h) {
 }
 
 }  // namespace
+
+void note_if_fresh(WorldState& world, Index contact) {
+  const std::span<const Index> places = world.solve_order.places_of(contact);
+  world.cold_start.is_fresh[contact] = std::all_of(places.begin(), places.end(), [&](Index place) {
+    return world.constraints[place].normal_impulse == 0;
+  });
+}
 
 void guess_cold_impulses(WorldState& world, Real h) {
   ColdStart& cold = world.cold_start;

@@ -9,23 +9,29 @@ namespace cs550 {
 
 namespace {
 
-/// About the ratio of the largest to the smallest radius of gyration, squared: 9 for a cube, 2500 for
-/// a needle of 1 : 50. A needle that turns by its thinness moves its ends by its own thickness: the
-/// lever of a contact there about the needle's axis, and with it the effective mass, is another one.
-Real squared_slenderness(const RigidBody& body) {
-  if (body.kind != BodyKind::Dynamic) return 1;
-  return body.inertia.trace() * body.inverse_inertia.trace();
+BodySize size_of(const RigidBody& body) {
+  if (body.kind != BodyKind::Dynamic) return {};
+  const Real inertia = body.inertia.trace();
+  return {inertia * body.inverse_inertia.trace(), 4 * body.inverse_mass * inertia};
+}
+
+void measure_bodies(WorldState& world) {
+  world.sizes.resize(world.bodies.size());
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) world.sizes[i] = size_of(world.bodies[i]);
+  });
 }
 
 /// Thicker bodies are not slender: the masses of their contacts change little with the levers.
 constexpr Real slender = 100;
 
 /// How far a body has turned since the step began.
-TurnSize turn_size(const RigidBody& body, const SolverBody& solver_body) {
+TurnSize turn_size(const SolverBody& solver_body, Real squared_slenderness) {
   constexpr Real far = Real(0.02);
   const Real squared_turn = solver_body.delta_rotation.squaredNorm();
-  const Real slenderness = squared_slenderness(body);
-  if (slenderness > slender && squared_turn * slenderness > 1) return TurnSize::PastThinness;
+  if (squared_slenderness > slender && squared_turn * squared_slenderness > 1) {
+    return TurnSize::PastThinness;
+  }
   return squared_turn > far * far ? TurnSize::Far : TurnSize::Small;
 }
 
@@ -46,11 +52,6 @@ TurnSize larger_turn(const WorldState& world, std::span<const Index> places) {
   return std::max(world.turns[first.body_a], world.turns[first.body_b]);
 }
 
-/// Of a body, squared: a cube of 1 m is 1.4 m long by this measure. Immovable bodies have no limit.
-Real squared_length(const RigidBody& body) {
-  return body.kind == BodyKind::Dynamic ? 4 * body.inverse_mass * body.inertia.trace() : HUGE_VALF;
-}
-
 /// From the centres of mass to the points where the impulses of a contact act.
 struct Levers {
   Vec3 r_a, r_b;
@@ -67,14 +68,14 @@ struct Levers {
 /// closed: on the surface of each.
 class ActingPoint {
  public:
-  ActingPoint(const RigidBody& a, const RigidBody& b)
-      : centre_a_(a.pose.position),
-        centre_b_(b.pose.position),
-        squared_reach_(std::min(squared_length(a), squared_length(b))) {
-    const Real slenderness_a = squared_slenderness(a);
-    const Real slenderness_b = squared_slenderness(b);
-    if (std::max(slenderness_a, slenderness_b) <= slender) return;
-    share_of_a_ = slenderness_a > slenderness_b ? Real(1) : Real(0);
+  ActingPoint(const WorldState& world, const Contact& contact)
+      : centre_a_(world.bodies[contact.body_a].pose.position),
+        centre_b_(world.bodies[contact.body_b].pose.position) {
+    const BodySize& a = world.sizes[contact.body_a];
+    const BodySize& b = world.sizes[contact.body_b];
+    squared_reach_ = std::min(a.squared_length, b.squared_length);
+    if (std::max(a.squared_slenderness, b.squared_slenderness) <= slender) return;
+    share_of_a_ = a.squared_slenderness > b.squared_slenderness ? Real(1) : Real(0);
   }
 
   Levers between(const Vec3& on_a, const Vec3& on_b) const {
@@ -90,7 +91,7 @@ class ActingPoint {
   }
 
   Vec3 centre_a_, centre_b_;
-  Real squared_reach_;
+  Real squared_reach_ = 0;
   Real share_of_a_ = Real(0.5);
 };
 
@@ -121,7 +122,7 @@ void move_levers(WorldState& world, const Contact& contact, std::span<const Inde
   const RigidBody& b = world.bodies[contact.body_b];
   const SolverBody& solver_a = world.solver_bodies[contact.body_a];
   const SolverBody& solver_b = world.solver_bodies[contact.body_b];
-  const ActingPoint acting_point(a, b);
+  const ActingPoint acting_point(world, contact);
   auto place = places.begin();
   for (const ContactPoint& point : contact.manifold.points) {
     ContactConstraint& constraint = world.constraints[*place++];
@@ -151,6 +152,7 @@ void ContactConstraint::mark_impact() { impact_handled = impact_handled || norma
 
 void make_constraints(WorldState& world) {
   arrange_constraints(world.pairs, world.bodies, world.settings.gravity, world.solve_order);
+  measure_bodies(world);
   world.constraints.resize(world.solve_order.place_of_point.size());
   world.mirror.stale = true;
   world.any_bounces = false;
@@ -161,7 +163,7 @@ void make_constraints(WorldState& world) {
     const Contact& contact = world.pairs.contacts[i];
     const RigidBody& a = world.bodies[contact.body_a];
     const RigidBody& b = world.bodies[contact.body_b];
-    const ActingPoint acting_point(a, b);
+    const ActingPoint acting_point(world, contact);
     auto place = places.begin();
     for (const ContactPoint& point : contact.manifold.points) {
       world.constraints[*place++] = make_constraint(contact, point, a.pose, b.pose, acting_point);
@@ -171,7 +173,7 @@ void make_constraints(WorldState& world) {
 
 void refresh_masses(WorldState& world, const ContactStep& step) {
   if (!measure_turns(world, [&](std::size_t i) {
-        return turn_size(world.bodies[i], world.solver_bodies[i]);
+        return turn_size(world.solver_bodies[i], world.sizes[i].squared_slenderness);
       })) {
     return;
   }
@@ -187,9 +189,8 @@ void refresh_masses(WorldState& world, const ContactStep& step) {
 
 void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step) {
   const auto turn_of_thin_body = [&](std::size_t i) {
-    const RigidBody& body = world.bodies[i];
-    const Real squared_turn = step.h * step.h * body.angular_velocity.squaredNorm();
-    const bool far = squared_turn * squared_slenderness(body) > Real(0.25);
+    const Real squared_turn = step.h * step.h * world.bodies[i].angular_velocity.squaredNorm();
+    const bool far = squared_turn * world.sizes[i].squared_slenderness > Real(0.25);
     return far ? TurnSize::PastThinness : TurnSize::Small;
   };
   if (!measure_turns(world, turn_of_thin_body)) return;

@@ -9,7 +9,7 @@
 
 namespace cs550 {
 
-/// Makes the constraints of a step, in the order in which they are solved.
+/// Measures the bodies, and makes the constraints of a step, in the order in which they are solved.
 void make_constraints(WorldState& world);
 
 /// Recomputes the masses of constraints whose bodies have turned far since the step began, and turns
@@ -30,9 +30,11 @@ double impulse_energy(const WorldState& world, std::span<const Index> places);
 /// doubled and they would throw the bodies apart faster than overlap may.
 void limit_impulse_energy(WorldState& world, const ContactStep& step, std::span<const Index> places,
                           double before);
-/// Does so for the impulses that all contacts have carried from the last step.
-void limit_carried_impulses(WorldState& world, const ContactStep& step);
+/// Does so for the impulses that a contact has carried from the last step.
+void limit_carried_impulses(WorldState& world, const ContactStep& step, Index contact);
 
+/// Notes whether a contact has no impulses yet. @pre cold_start.is_fresh has an element for each contact
+void note_if_fresh(WorldState& world, Index contact);
 /// Estimates the impulses of resting contacts that have none from the step before.
 /// @param h substep (s)
 void guess_cold_impulses(WorldState& world, Real h);
@@ -41,11 +43,14 @@ void guess_cold_impulses(WorldState& world, Real h);
 /// settings.rolling_resistance specifies.
 void resist_rolling(WorldState& world);
 
-/// Copies the accumulated impulses to the contact points, for the next step's warm start.
+/// Copies the accumulated impulses to the contact points, for the next step's warm start, and notes which
+/// contacts touch.
 void store_impulses(WorldState& world);
 
-/// Reports the pairs that began or ceased to touch in this step.
-void note_touching(WorldState& world);
+/// Whether a contact pushed at any time in this step, or its surfaces met.
+bool is_touching(const WorldState& world, Index contact, std::span<const Index> places);
+/// Reports the pairs that began or ceased to touch in this step. @pre store_impulses()
+void report_touching(WorldState& world);
 
 /// Calls `visit(contact, places)` for every contact with points: its index, and the indices of its
 /// points' constraints, in the order of the points.
@@ -57,7 +62,26 @@ void for_constraints_of_contacts(const WorldState& world, const Visit& visit) {
   }
 }
 
-/// The same by several threads, if there are any. A visit may change only its contact and constraints.
+/// Calls `visit(group, constraints)` for every group of the solve order: its contacts and their constraints,
+/// which are neighbours in the array. Several threads share the groups if there are any. A visit may change
+/// only these contacts and constraints.
+template <class Visit>
+void for_groups_in_blocks(WorldState& world, const Visit& visit) {
+  constexpr std::size_t block = 4;
+  const SolveOrder& order = world.solve_order;
+  for_blocks(world.team, order.groups.size(), block, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const ContactGroup& group = order.groups[i];
+      std::size_t points = 0;
+      for (const Index contact : group) points += order.places_of(contact).size();
+      const auto begin = static_cast<std::size_t>(order.places_of(group[0])[0]);
+      visit(group, std::span(world.constraints).subspan(begin, points));
+    }
+  });
+}
+
+/// The same as for_constraints_of_contacts() by several threads, if there are any. A visit may change only its
+/// contact and constraints.
 template <class Visit>
 void for_constraints_of_contacts_in_blocks(const WorldState& world, const Visit& visit) {
   constexpr std::size_t block = 16;

@@ -4,30 +4,22 @@
 
 namespace cs550 {
 
-namespace {
-
-/// Whether a contact pushed at any time in this step, or its surfaces met.
-bool is_touching(const WorldState& world, const Contact& contact, std::span<const Index> places) {
+bool is_touching(const WorldState& world, Index contact, std::span<const Index> places) {
+  const Manifold& manifold = world.pairs.contacts[contact].manifold;
   return std::any_of(places.begin(), places.end(),
                      [&](Index place) { return world.constraints[place].impact_handled; }) ||
-         std::any_of(contact.manifold.points.begin(), contact.manifold.points.end(),
+         std::any_of(manifold.points.begin(), manifold.points.end(),
                      [](const ContactPoint& point) { return point.separation <= 0; });
 }
 
-}  // namespace
-
-void note_touching(WorldState& world) {
+void report_touching(WorldState& world) {
   PairList& pairs = world.pairs;
-  for (Index i = 0; i < static_cast<Index>(pairs.size()); ++i) {
-    const std::span<const Index> places = world.solve_order.places_of(i);
-    // Most pairs are only near. They are not read: all of them together do not fit the cache.
-    if (places.empty() && !pairs.touching[i]) continue;
-    const Contact& contact = pairs.contacts[i];
-    const bool touching = is_touching(world, contact, places);
-    if (touching == static_cast<bool>(pairs.touching[i])) continue;
-    std::vector<ContactEvent>& events = touching ? world.began : world.ended;
-    events.push_back({world.id_at(contact.body_a), world.id_at(contact.body_b)});
-    pairs.touching[i] = static_cast<char>(touching);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (world.touches[i] == pairs.touching[i]) continue;
+    const PairSummary& pair = pairs.summaries[i];
+    std::vector<ContactEvent>& events = world.touches[i] ? world.began : world.ended;
+    events.push_back({world.id_at(pair.body_a), world.id_at(pair.body_b)});
+    pairs.touching[i] = world.touches[i];
   }
 }
 

@@ -69,10 +69,9 @@ void limit_impulse_energy(WorldState& world, const ContactStep& step, std::span<
   }
 }
 
-void limit_carried_impulses(WorldState& world, const ContactStep& step) {
-  for_constraints_of_contacts_in_blocks(world, [&](Index contact, std::span<const Index> places) {
-    limit_impulse_energy(world, step, places, world.pairs.impulse_energy[contact]);
-  });
+void limit_carried_impulses(WorldState& world, const ContactStep& step, Index contact) {
+  limit_impulse_energy(world, step, world.solve_order.places_of(contact),
+                       world.pairs.impulse_energy[contact]);
 }
 
 }  // namespace cs550

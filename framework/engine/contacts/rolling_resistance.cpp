@@ -37,7 +37,7 @@ void slow_rotation(SolverBody& a, SolverBody& b, Real limit) {
 
 }  // namespace
 
-[[gnu::weak]] void resist_rolling(const SolveOrder& order,
+[[gnu::weak]] void resist_rolling(ConstraintMirror& /*mirror*/, const SolveOrder& order,
                                   std::span<const ContactConstraint> constraints,
                                   std::span<SolverBody> bodies, Real lever) {
   for (const Index contact : order.contacts) {
@@ -49,7 +49,7 @@ void slow_rotation(SolverBody& a, SolverBody& b, Real limit) {
 
 void resist_rolling(WorldState& world) {
   const Real lever = world.settings.rolling_resistance * world.settings.length_unit;
-  resist_rolling(world.solve_order, world.constraints, world.solver_bodies, lever);
+  resist_rolling(world.mirror, world.solve_order, world.constraints, world.solver_bodies, lever);
 }
 
 }  // namespace cs550

@@ -11,9 +11,12 @@ namespace cs550 {
 
 /// Lets one contact after the other oppose the rotation of its bodies relative to each other, by an
 /// angular impulse of at most `lever` times the sum of its normal impulses.
+/// @param mirror of the constraints, up to date and with the groups of the order, see keep_groups(); used by
+///               the fast form only
 /// @param order of the constraints
 /// @param lever m
-void resist_rolling(const SolveOrder& order, std::span<const ContactConstraint> constraints,
-                    std::span<SolverBody> bodies, Real lever);
+void resist_rolling(ConstraintMirror& mirror, const SolveOrder& order,
+                    std::span<const ContactConstraint> constraints, std::span<SolverBody> bodies,
+                    Real lever);
 
 }  // namespace cs550

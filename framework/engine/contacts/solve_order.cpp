@@ -117,10 +117,13 @@ class Schedule {
 };
 
 void number_points(const PairList& pairs, SolveOrder& order) {
-  order.first_point.assign(1, 0);
-  for (const PairSummary& summary : pairs.summaries) {
-    order.first_point.push_back(order.first_point.back() + summary.points);
+  order.first_point.resize(pairs.size() + 1);
+  Index first = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    order.first_point[i] = first;
+    first += pairs.summaries[i].points;
   }
+  order.first_point.back() = first;
 }
 
 /// Contacts that link the neighbours of a row come last: those whose normals are across gravity, within 6° (the
@@ -174,6 +177,13 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
         order.place_of_point[order.first_point[contact] + point] = place++;
       }
     }
+  }
+}
+
+void keep_groups(const SolveOrder& order, ConstraintMirror& mirror) {
+  mirror.starts.clear();
+  for (const ContactGroup& group : order.groups) {
+    mirror.starts.push_back(order.places_of(group[0])[0]);
   }
 }
 

@@ -19,4 +19,7 @@ namespace cs550 {
 void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodies,
                          const Vec3& gravity, SolveOrder& order);
 
+/// Lets the mirror have the groups of the order, so that the points of a contact stay together.
+void keep_groups(const SolveOrder& order, ConstraintMirror& mirror);
+
 }  // namespace cs550

@@ -75,6 +75,7 @@ void carry_impulses(const Manifold& before, Manifold& now) {
 
 void store_impulses(WorldState& world) {
   std::fill(world.pairs.impulse_energy.begin(), world.pairs.impulse_energy.end(), 0.0);
+  world.touches.assign(world.pairs.size(), 0);
   for_constraints_of_contacts_in_blocks(world, [&](Index contact, std::span<const Index> places) {
     auto place = places.begin();
     for (ContactPoint& point : world.pairs.contacts[contact].manifold.points) {
@@ -83,6 +84,7 @@ void store_impulses(WorldState& world) {
       point.tangent_impulse = constraint.tangent_impulse;
     }
     world.pairs.impulse_energy[contact] = impulse_energy(world, places);
+    world.touches[contact] = static_cast<char>(is_touching(world, contact, places));
   });
 }
 

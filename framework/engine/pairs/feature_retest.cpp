@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "cs550/clipping.hpp"
@@ -107,26 +108,24 @@ bool is_proved(const PosedShape& a, const PosedShape& b, const RetestedFeatures&
 
 }  // namespace
 
-std::optional<RetestedFeatures> retest_features(const WorldState& world, std::size_t pair,
-                                                Real margin) {
-  if (!world.pairs.has_points(pair)) return {};
+bool retest_features(const WorldState& world, std::size_t pair, Real margin,
+                     RetestedFeatures& now) {
+  if (!world.pairs.has_points(pair)) return false;
   const PairSummary& summary = world.pairs.summaries[pair];
   const PosedShape a = world.posed_shape(summary.body_a);
   const PosedShape b = world.posed_shape(summary.body_b);
 
   // Across many times their size, float cannot tell where the vertices of one are, seen from the other.
   const Real near = 2 * (a.shape->radius + b.shape->radius);
-  if ((b.pose.position - a.pose.position).squaredNorm() > near * near) return {};
+  if ((b.pose.position - a.pose.position).squaredNorm() > near * near) return false;
 
-  RetestedFeatures now;
   now.axis = query_features_again(a, b, world.pairs.axes[pair]);
   const Real separation = now.axis.separation;
-  if (now.axis.feature == AxisFeature::None || separation > margin) return {};
+  if (now.axis.feature == AxisFeature::None || separation > margin) return false;
   now.manifold = build_manifold(a, b, now.axis, margin);
 
   const Real limit = separation + tie_tolerance * std::min(a.shape->radius, b.shape->radius);
-  if (!is_proved(a, b, now, limit)) return {};
-  return now;
+  return is_proved(a, b, now, limit);
 }
 
 }  // namespace cs550

@@ -4,8 +4,6 @@
 /// labs 3 to 5, and points of the bodies prove that no other axis is better. The proof is in the book's
 /// chapter on performance.
 
-#include <optional>
-
 #include "engine/pairs/temporal_coherence.hpp"
 
 namespace cs550 {
@@ -16,12 +14,13 @@ struct RetestedFeatures {
   Manifold manifold;    ///< without impulses
 };
 
-/// Queries the better face of the pair's last axis again, and its edges if they gave that axis. Nothing is
-/// returned if the pair had no contact points, if the features separate the bodies by more than the margin,
-/// if the edges no longer form a face of the Minkowski difference, or if nothing proves that no axis is
-/// better by more than tie_tolerance: the result is as exact as that of a full query.
+/// Queries the better face of the pair's last axis again, and its edges if they gave that axis.
 /// @param margin of this step, see contact_margin() (m)
-std::optional<RetestedFeatures> retest_features(const WorldState& world, std::size_t pair,
-                                                Real margin);
+/// @param now gets the result. Before the call its members are empty.
+/// @returns whether the result is valid. It is not if the pair had no contact points, if the features separate the
+///          bodies by more than the margin, if the edges no longer form a face of the Minkowski difference, or if
+///          nothing proves that no axis is better by more than tie_tolerance: a valid result is as exact as
+///          that of a full query.
+bool retest_features(const WorldState& world, std::size_t pair, Real margin, RetestedFeatures& now);
 
 }  // namespace cs550

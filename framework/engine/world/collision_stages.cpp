@@ -38,15 +38,14 @@ void drop_points_beside(const ConvexShape& a, const ConvexShape& b, Manifold& ma
   }
 }
 
-void replace_manifold(WorldState& world, std::size_t pair, Real separation,
-                      const Manifold& manifold) {
+/// @param now gets the impulses of the manifold that it replaces
+void replace_manifold(WorldState& world, std::size_t pair, Real separation, Manifold& now) {
   Contact& contact = world.pairs.contacts[pair];
-  const Manifold before = contact.manifold;
-  contact.manifold = manifold;
   const ConvexShape& a = *world.definitions[contact.body_a].shape;
   const ConvexShape& b = *world.definitions[contact.body_b].shape;
-  if (separation > std::min(a.radius, b.radius)) drop_points_beside(a, b, contact.manifold);
-  if (world.settings.warm_starting) carry_impulses(before, contact.manifold);
+  if (separation > std::min(a.radius, b.radius)) drop_points_beside(a, b, now);
+  if (world.settings.warm_starting) carry_impulses(contact.manifold, now);
+  contact.manifold = now;
   world.pairs.summarise(pair);
 }
 
@@ -72,10 +71,11 @@ void find_axis(WorldState& world, std::size_t pair, Real h) {
       pairs.answers[pair] = PairAnswer::Kept;
       return;
     }
-    if (const auto now = retest_features(world, pair, margin)) {
+    RetestedFeatures now;
+    if (retest_features(world, pair, margin, now)) {
       pairs.answers[pair] = PairAnswer::Retested;
-      pairs.axes[pair] = now->axis;
-      replace_manifold(world, pair, now->axis.separation, now->manifold);
+      pairs.axes[pair] = now.axis;
+      replace_manifold(world, pair, now.axis.separation, now.manifold);
       return remember_answer(world, pair, margin);
     }
   }
@@ -97,9 +97,9 @@ void rebuild_manifold(WorldState& world, std::size_t pair, Real h) {
   if (axis.separation > margin) {
     clear_manifold(world, pair);
   } else {
-    replace_manifold(
-        world, pair, axis.separation,
-        build_manifold(world.posed_shape(body_a), world.posed_shape(body_b), axis, margin));
+    Manifold now =
+        build_manifold(world.posed_shape(body_a), world.posed_shape(body_b), axis, margin);
+    replace_manifold(world, pair, axis.separation, now);
   }
   if (world.settings.temporal_coherence) remember_answer(world, pair, margin);
 }

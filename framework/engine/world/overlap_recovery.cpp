@@ -30,13 +30,11 @@ bool is_dynamic(const WorldState& world, Index body) {
 
 /// Bodies that move towards each other are in contact, at a positive separation, before they can
 /// overlap. A misplaced pair remains one until it is free, however fast it parts.
+/// @pre the pair overlaps by more than the spare margin: that of this step is at least as large
 bool is_misplaced(const WorldState& world, std::size_t pair, Real h) {
-  const PairList& pairs = world.pairs;
-  if (pairs.touching[pair] && !pairs.misplaced[pair]) return false;
-  const PairSummary& summary = pairs.summaries[pair];
-  // The margin of this step is at least the spare one.
-  if (summary.depth <= spare_margin(world)) return false;
-  return pairs.misplaced[pair] ||
+  if (world.pairs.misplaced[pair]) return true;
+  const PairSummary& summary = world.pairs.summaries[pair];
+  return !world.pairs.touching[pair] &&
          summary.depth > contact_margin(world, summary.body_a, summary.body_b, h);
 }
 
@@ -79,8 +77,9 @@ void find_misplaced_bodies(WorldState& world, Real h) {
   world.recovery.any = false;
   world.recovery.recovers.assign(world.bodies.size(), 0);
   PairList& pairs = world.pairs;
+  const Real spare = spare_margin(world);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    pairs.misplaced[i] = is_misplaced(world, i, h);
+    pairs.misplaced[i] = pairs.summaries[i].depth > spare && is_misplaced(world, i, h);
     if (!pairs.misplaced[i]) continue;
     world.recovery.any = true;
     for (const Index body : {pairs.summaries[i].body_a, pairs.summaries[i].body_b}) {

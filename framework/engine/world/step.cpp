@@ -86,7 +86,7 @@ void advance(WorldState& world, Real h) {
   end_audit(world, h);
 
   store_impulses(world);
-  note_touching(world);
+  report_touching(world);
   clear_forces(world);
   if (world.settings.check_stages) restore_broken_bodies(world);
   watch_rest(world, h);

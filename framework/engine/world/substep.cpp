@@ -4,6 +4,7 @@
 #include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/contacts/contact_passes.hpp"
+#include "engine/contacts/solve_order.hpp"
 #include "engine/contacts/solver_bodies.hpp"
 #include "engine/world/impact_energy.hpp"
 #include "engine/world/overlap_recovery.hpp"
@@ -201,11 +202,16 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 void prepare(WorldState& world, const ContactStep& step) {
   if (world.settings.solver == SolverKind::Naive || world.constraints.empty()) return;
   gather_solver_bodies(world);  // only to read them
-  for_blocks(world.team, world.constraints.size(), 64, [&](std::size_t first, std::size_t last) {
-    prepare_contacts(std::span(world.constraints).subspan(first, last - first), world.solver_bodies,
-                     step);
-  });
-  limit_carried_impulses(world, step);
+  keep_groups(world.solve_order, world.mirror);
+  world.cold_start.is_fresh.assign(world.pairs.size(), 0);
+  for_groups_in_blocks(world,
+                       [&](const ContactGroup& contacts, std::span<ContactConstraint> constraints) {
+                         prepare_contacts(constraints, world.solver_bodies, step);
+                         for (const Index contact : contacts) {
+                           limit_carried_impulses(world, step, contact);
+                           note_if_fresh(world, contact);
+                         }
+                       });
   if (world.settings.warm_starting) guess_cold_impulses(world, step.h);
 }
 

@@ -7,8 +7,11 @@ namespace {
 /// Forms the groups, one pair of bodies after the other.
 class Grouping {
  public:
-  Grouping(std::span<const ContactConstraint> constraints, std::span<const SolverBody> bodies)
-      : constraints_(constraints), bodies_(bodies) {}
+  Grouping(std::span<const ContactConstraint> constraints, std::span<const SolverBody> bodies,
+           ConstraintMirror& mirror)
+      : constraints_(constraints), bodies_(bodies), mirror_(mirror) {
+    mirror_.last_group.assign(bodies.size(), no_index);
+  }
 
   /// The next group: as many consecutive constraints as possible make its first row.
   PairGroup take() {
@@ -16,8 +19,10 @@ class Grouping {
     group.bodies_a.fill(no_index);
     group.bodies_b.fill(no_index);
     lanes_ = 0;
-    while (!done() && lanes_ < lane_count && !is_taken(group, next().body_a) &&
-           !is_taken(group, next().body_b)) {
+    while (!done() && lanes_ < lane_count && !is_taken(next().body_a) && !is_taken(next().body_b) &&
+           (lanes_ == 0 || !is_start(next_))) {
+      take_body(next().body_a);
+      take_body(next().body_b);
       group.bodies_a[lanes_] = next().body_a;
       group.bodies_b[lanes_] = next().body_b;
       ++lanes_;
@@ -30,7 +35,7 @@ class Grouping {
   /// @returns how many
   Index take_row(const PairGroup& group) {
     std::size_t lane = 0;
-    while (!done() && lane < lanes_ && next().body_a == group.bodies_a[lane] &&
+    while (!done() && lane < lanes_ && !is_start(next_) && next().body_a == group.bodies_a[lane] &&
            next().body_b == group.bodies_b[lane]) {
       ++lane;
       ++next_;
@@ -45,19 +50,25 @@ class Grouping {
  private:
   const ContactConstraint& next() const { return constraints_[next_]; }
 
-  bool is_taken(const PairGroup& group, Index body) const {
-    if (bodies_[body].inverse_mass == 0) return false;
-    bool taken = false;
-    for (std::size_t i = 0; i < lanes_; ++i) {
-      taken |= group.bodies_a[i] == body || group.bodies_b[i] == body;
-    }
-    return taken;
+  /// @pre called with ascending indices
+  bool is_start(std::size_t constraint) {
+    const std::vector<Index>& starts = mirror_.starts;
+    while (start_ < starts.size() && static_cast<std::size_t>(starts[start_]) < constraint)
+      ++start_;
+    return start_ < starts.size() && static_cast<std::size_t>(starts[start_]) == constraint;
+  }
+  Index group() const { return static_cast<Index>(mirror_.groups.size()); }
+  bool is_taken(Index body) const { return mirror_.last_group[body] == group(); }
+  void take_body(Index body) {
+    if (bodies_[body].inverse_mass > 0) mirror_.last_group[body] = group();
   }
 
   std::span<const ContactConstraint> constraints_;
   std::span<const SolverBody> bodies_;
+  ConstraintMirror& mirror_;
   std::size_t next_ = 0;
   std::size_t lanes_ = 0;
+  std::size_t start_ = 0;  ///< the next one of the mirror's
 };
 
 }  // namespace
@@ -66,7 +77,7 @@ void find_groups(std::span<const ContactConstraint> constraints, std::span<const
                  ConstraintMirror& mirror) {
   mirror.groups.clear();
   mirror.rows.clear();
-  Grouping grouping(constraints, bodies);
+  Grouping grouping(constraints, bodies, mirror);
   while (!grouping.done()) {
     ConstraintRow row{grouping.taken(), 0};
     PairGroup group = grouping.take();

@@ -13,8 +13,9 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);
 void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
                       const ContactStep& step);
-void resist_rolling(const SolveOrder& order, std::span<const ContactConstraint> constraints,
-                    std::span<SolverBody> bodies, Real lever);
+void resist_rolling(ConstraintMirror& mirror, const SolveOrder& order,
+                    std::span<const ContactConstraint> constraints, std::span<SolverBody> bodies,
+                    Real lever);
 }  // namespace lanes_of_four
 
 #if CS550_HAS_AVX2_FORMS
@@ -24,8 +25,9 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);
 void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const SolverBody> bodies,
                       const ContactStep& step);
-void resist_rolling(const SolveOrder& order, std::span<const ContactConstraint> constraints,
-                    std::span<SolverBody> bodies, Real lever);
+void resist_rolling(ConstraintMirror& mirror, const SolveOrder& order,
+                    std::span<const ContactConstraint> constraints, std::span<SolverBody> bodies,
+                    Real lever);
 }  // namespace lanes_of_eight
 #endif
 

@@ -25,6 +25,9 @@ class GroupBodies {
   GroupBodies(const GroupBodies&) = delete;
   GroupBodies& operator=(const GroupBodies&) = delete;
 
+  const PerLane<SolverBody>& a() const { return a_; }
+  const PerLane<SolverBody>& b() const { return b_; }
+
   WidePair load() const { return {WideBody(a_), WideBody(b_)}; }
   void store(const WidePair& pair) const {
     pair.a.store_velocities(a_);

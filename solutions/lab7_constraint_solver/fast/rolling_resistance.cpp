@@ -5,12 +5,13 @@
 
 namespace cs550 {
 
-void resist_rolling(const SolveOrder& order, std::span<const ContactConstraint> constraints,
-                    std::span<SolverBody> bodies, Real lever) {
+void resist_rolling(ConstraintMirror& mirror, const SolveOrder& order,
+                    std::span<const ContactConstraint> constraints, std::span<SolverBody> bodies,
+                    Real lever) {
 #if CS550_HAS_AVX2_FORMS
-  if (has_avx2()) return lanes_of_eight::resist_rolling(order, constraints, bodies, lever);
+  if (has_avx2()) return lanes_of_eight::resist_rolling(mirror, order, constraints, bodies, lever);
 #endif
-  lanes_of_four::resist_rolling(order, constraints, bodies, lever);
+  lanes_of_four::resist_rolling(mirror, order, constraints, bodies, lever);
 }
 
 }  // namespace cs550

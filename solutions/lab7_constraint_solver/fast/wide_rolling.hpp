@@ -6,6 +6,7 @@
 #include "engine/contacts/rolling_resistance.hpp"
 #include "engine/wide_structs.hpp"
 #include "kernels.hpp"
+#include "passes.hpp"
 
 namespace cs550::CS550_LANES {
 
@@ -51,30 +52,19 @@ inline void slow_rotation(WideRotation& a, WideRotation& b, WideReal limit) {
   b.w = select(turns, b.w - impulse * response_b, b.w);
 }
 
-/// resist_rolling().
-[[gnu::flatten]] void resist_rolling(const SolveOrder& order,
-                                     std::span<const ContactConstraint> constraints,
+/// resist_rolling(). The loads are those of the mirror: eight impulses of a row are neighbours there.
+[[gnu::flatten]] void resist_rolling(ConstraintMirror& mirror, const SolveOrder& /*order*/,
+                                     std::span<const ContactConstraint> /*constraints*/,
                                      std::span<SolverBody> bodies, Real lever) {
-  SolverBody at_rest;
-  PerLane<SolverBody> bodies_a;
-  PerLane<SolverBody> bodies_b;
-  for (const ContactGroup& group : order.groups) {
+  for (const PairGroup& group : mirror.groups) {
     WideReal load = all_lanes(0);
-    bodies_a.fill(&at_rest);
-    bodies_b.fill(&at_rest);
-    for (Index lane = 0; lane < group.size(); ++lane) {
-      const std::span<const Index> places = order.places_of(group[lane]);
-      Real sum = 0;
-      for (const Index place : places) sum += constraints[place].normal_impulse;
-      load.set(lane, sum);
-      bodies_a[lane] = &bodies[constraints[places[0]].body_a];
-      bodies_b[lane] = &bodies[constraints[places[0]].body_b];
-    }
-    WideRotation a(bodies_a);
-    WideRotation b(bodies_b);
+    for (const WideConstraint& row : rows_of(group, mirror)) load = load + row.normal_impulse;
+    const GroupBodies pair(group, bodies);
+    WideRotation a(pair.a());
+    WideRotation b(pair.b());
     slow_rotation(a, b, all_lanes(lever) * load);
-    a.store(bodies_a);
-    b.store(bodies_b);
+    a.store(pair.a());
+    b.store(pair.b());
   }
 }
 

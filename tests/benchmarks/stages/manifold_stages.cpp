@@ -75,8 +75,9 @@ void retest_manifolds(benchmark::State& state, int vertices) {
   std::size_t next = 0;
   for ([[maybe_unused]] auto _ : state) {
     const std::size_t i = next++ % hulls.pairs.size();
-    if (const auto now = retest_features(world, i, HullPairs::margin)) {
-      benchmark::DoNotOptimize(now->manifold);
+    RetestedFeatures now;
+    if (retest_features(world, i, HullPairs::margin, now)) {
+      benchmark::DoNotOptimize(now.manifold);
       continue;
     }
     const HullPair& pair = hulls.pairs[i];
