@@ -28,6 +28,12 @@ struct BodySlot {
   Real spin_speed = 0;    ///< of its surface by rotation, at most, when the step begins (m/s)
 };
 
+/// The bounds of a body's shape at a pose.
+struct BodyBounds {
+  Pose pose;
+  Bounds bounds;
+};
+
 /// What is kept of a pair's last query. It decides how long the answer holds. In the frame of the
 /// body that owns the manifold's reference feature: B for a face of B, otherwise A.
 struct PairMemory {
@@ -255,6 +261,7 @@ struct WorldState {
   int alive_count = 0;
 
   AabbTree tree;
+  std::vector<BodyBounds> bounds;  ///< of each body, see present_bounds()
   PairList pairs;
   Sleeping sleeping;
 

@@ -51,6 +51,14 @@ struct Crowd {
     return world.slots[a].alive && world.slots[b].alive && !both_immovable &&
            world.tree.bounds(world.slots[a].leaf).overlaps(world.tree.bounds(world.slots[b].leaf));
   }
+  bool boxes_contain_bodies() const {
+    for (Index i = 0; i < static_cast<Index>(world.slots.size()); ++i) {
+      const Bounds bounds = world_bounds(world.posed_shape(i));
+      const BodySlot& slot = world.slots[i];
+      if (slot.alive && !world.tree.bounds(slot.leaf).contains(bounds)) return false;
+    }
+    return true;
+  }
   std::vector<BodyPair> near_pairs() const {
     std::vector<BodyPair> near;
     const auto count = static_cast<Index>(world.slots.size());
@@ -80,6 +88,7 @@ TEST(NearPairs, AreThoseWhoseBoxesOverlap) {
     update_pairs(crowd.world, step_length);
     const std::vector<BodyPair> pairs = listed_pairs(crowd.world.pairs);
     ASSERT_EQ(pairs, crowd.near_pairs()) << "step " << step;
+    ASSERT_TRUE(crowd.boxes_contain_bodies()) << "step " << step;
     listed += pairs.size();
     if (pairs != before) ++changes;
     before = pairs;
@@ -118,6 +127,18 @@ TEST(NearPairs, KeepTheirImpulsesWhileOthersComeAndGo) {
       ASSERT_EQ(pairs.contacts[i].friction, old->second);
     }
   }
+}
+
+TEST(NearPairs, ABodyInThePlaceOfASmallerOneHasItsOwnBounds) {
+  World world;
+  const BodyId small = world.add_body(body_at(box_shape(Vec3::Constant(Real(0.1))), Vec3::Zero()));
+  world.step(step_length);
+  const Vec3 center = world.body(small).pose.position;
+  world.remove_body(small);
+  world.add_body(body_at(box_shape(Vec3::Ones()), center));
+  world.add_body(body_at(box_shape(Vec3::Ones()), center + Vec3(Real(1.9), 0, 0)));
+  world.step(step_length);
+  EXPECT_EQ(world.contacts().size(), 1U);
 }
 
 Contact contact_of(Index body) {

@@ -53,6 +53,18 @@ bool is_awake(const WorldState& world, std::size_t body) {
   return world.slots[body].alive && !world.bodies[body].asleep;
 }
 
+bool are_equal(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+/// The bounds of a body's shape now. A step begins with the poses at which the last one ended, so they are kept.
+const Bounds& present_bounds(WorldState& world, std::size_t body) {
+  BodyBounds& kept = world.bounds[body];
+  const PosedShape posed = world.posed_shape(static_cast<Index>(body));
+  if (!are_equal(kept.pose, posed.pose)) kept = {posed.pose, world_bounds(posed)};
+  return kept.bounds;
+}
+
 /// Updates every body's swept bounds, and finds the leaves that do not suit them.
 void sweep_bounds(WorldState& world, Real h) {
   world.outgrown.assign(world.slot_count(), 0);
@@ -62,8 +74,7 @@ void sweep_bounds(WorldState& world, Real h) {
       BodySlot& slot = world.slots[i];
       slot.radius = world.definitions[i].shape->radius;
       slot.spin_speed = world.bodies[i].angular_velocity.norm() * slot.radius;
-      slot.swept_bounds = world_bounds(world.posed_shape(static_cast<Index>(i)))
-                              .expanded(sweep_margin(world, i, h));
+      slot.swept_bounds = present_bounds(world, i).expanded(sweep_margin(world, i, h));
       world.outgrown[i] =
           leaf_is_stale(world.tree.bounds(slot.leaf), slot.swept_bounds, swept_room(world, i, h));
     }
@@ -187,7 +198,10 @@ void update_pairs(WorldState& world, Real h) {
 }
 
 void insert_leaf(WorldState& world, Index body) {
-  const Bounds bounds = world_bounds(world.posed_shape(body));
+  const PosedShape posed = world.posed_shape(body);
+  world.bounds.resize(world.slot_count());
+  world.bounds[body] = {posed.pose, world_bounds(posed)};
+  const Bounds& bounds = world.bounds[body].bounds;
   world.slots[body].leaf = world.tree.insert(bounds.expanded(leaf_room(world)), body);
   world.moved.push_back(body);
   world.searched_bounds.resize(world.slot_count());
@@ -195,19 +209,17 @@ void insert_leaf(WorldState& world, Index body) {
 }
 
 void enclose_bodies(WorldState& world) {
-  const auto bounds_of = [&](std::size_t body) {
-    return world_bounds(world.posed_shape(static_cast<Index>(body)));
-  };
   world.outgrown.assign(world.slot_count(), 0);
   for_body_blocks(world, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (!is_awake(world, i) || world.bodies[i].kind == BodyKind::Static) continue;
-      world.outgrown[i] = !world.tree.bounds(world.slots[i].leaf).contains(bounds_of(i));
+      const Bounds& stored = world.tree.bounds(world.slots[i].leaf);
+      world.outgrown[i] = !stored.contains(present_bounds(world, i));
     }
   });
   for (std::size_t i = 0; i < world.slot_count(); ++i) {
     if (!world.outgrown[i]) continue;
-    move_leaf(world, static_cast<Index>(i), bounds_of(i).expanded(leaf_room(world)));
+    move_leaf(world, static_cast<Index>(i), present_bounds(world, i).expanded(leaf_room(world)));
   }
 }
 
