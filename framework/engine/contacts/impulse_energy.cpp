@@ -61,7 +61,7 @@ double impulse_energy(const WorldState& world, std::span<const Index> places) {
 void limit_impulse_energy(WorldState& world, const ContactStep& step, std::span<const Index> places,
                           double before) {
   const double now = impulse_energy(world, places);
-  if (now <= std::max(allowed_growth * before, push_energy(world, step, places))) return;
+  if (now <= allowed_growth * before || now <= push_energy(world, step, places)) return;
   const auto scale = static_cast<Real>(std::sqrt(before / now));
   for (const Index place : places) {
     world.constraints[place].normal_impulse *= scale;
