@@ -12,8 +12,9 @@ namespace cs550 {
 
 /// A binary bounding volume hierarchy that is updated incrementally. A new leaf is inserted where
 /// the total surface area grows least, and rotations keep the tree shallow (Catto, *Dynamic
-/// Bounding Volume Hierarchies*, GDC 2019). A leaf that moves a little keeps its place. Leaves store fat AABBs, so that most steps leave the
-/// tree unchanged. A plain value: a copy continues identically.
+/// Bounding Volume Hierarchies*, GDC 2019). A leaf that moves a little keeps its place.
+/// Leaves store fat AABBs, so that most steps leave the tree unchanged. A plain value: a copy
+/// continues identically.
 class AabbTree {
  public:
   /// Adds a leaf.
