@@ -183,6 +183,21 @@ TEST(AabbTree, StaysAsGoodAsANewOneWhileItsBoxesFlyAbout) {
   EXPECT_EQ(query_sorted(both.tree, region), both.search(region));
 }
 
+// Boxes of twice the size each, side by side, make a tree of one long branch.
+TEST(AabbTree, QueriesATreeThatIsHigherThanTheirStack) {
+  for (const bool from_the_largest : {false, true}) {
+    ListAndTree both;
+    for (int i = 0; i <= 120; ++i) {
+      const int power = from_the_largest ? 60 - i : i - 60;
+      const Real size = std::ldexp(Real(1), power);
+      both.insert({Vec3::Constant(size), Vec3::Constant(Real(1.5) * size)});
+    }
+    EXPECT_GT(both.tree.height(), 64);
+    const Bounds everything{Vec3::Zero(), Vec3::Constant(std::ldexp(Real(1), 62))};
+    EXPECT_EQ(query_sorted(both.tree, everything).size(), 121U);
+  }
+}
+
 TEST(AabbTree, ShrinksToNothingAndGrowsAgain) {
   ListAndTree both;
   Random random(5);

@@ -123,8 +123,8 @@ void AabbTree::ray_cast(const Vec3& origin, const Vec3& direction, Real length,
   walk(nodes_, root_, enter, nearer);
 }
 
-/// @pre the boxes overlap. A stack is faster than walk(), which returns to each node from below; a tree that
-/// is too high for one takes several.
+/// @pre the boxes overlap. A stack is faster than walk(), which returns to each node from below. If the stack
+/// is full, another call continues with a stack of its own.
 void AabbTree::query_below(Index top, const Bounds& bounds, std::vector<Index>& users) const {
   StaticVector<Index, 64> open;
   open.push_back(top);
@@ -146,9 +146,9 @@ void AabbTree::query_below(Index top, const Bounds& bounds, std::vector<Index>& 
   }
 }
 
-/// Whether a leaf may keep its place. To insert it anew takes several times as long, but a tree whose leaves never
-/// change place degrades: among 2,000 bodies that fly about, queries then take twelve times as long. If the new
-/// box is within that of the third node above the leaf, the tree stays as good as a new one.
+/// Whether a leaf may keep its place. Reinserting it takes three times as long, but a tree degrades if its leaves
+/// never change place: with 2,000 bodies that fly about, queries become twelve times slower. The tree stays as
+/// good as a new one if the new box is inside that of the third node above the leaf.
 bool AabbTree::stays_in_place(Index leaf, const Bounds& bounds) const {
   constexpr int levels = 3;
   Index above = leaf;

@@ -16,7 +16,7 @@ struct RetestedFeatures {
 
 /// Queries the better face of the pair's last axis again, and its edges if they gave that axis.
 /// @param margin of this step, see contact_margin() (m)
-/// @param now gets the result. Before the call its members are empty.
+/// @param now receives the result; pass an empty one
 /// @returns whether the result is valid. It is not if the pair had no contact points, if the features separate the
 ///          bodies by more than the margin, if the edges no longer form a face of the Minkowski difference, or if
 ///          nothing proves that no axis is better by more than tie_tolerance: a valid result is as exact as
