@@ -27,7 +27,7 @@ endif()
 set(CS550_LABS "")
 set(lab_folder "${PROJECT_BINARY_DIR}/labs")
 set(lab_exports "${lab_folder}/exports.map")
-file(CONFIGURE OUTPUT "${lab_exports}" CONTENT "{ global: _ZN5cs550*; local: *; };\n")
+file(CONFIGURE OUTPUT "${lab_exports}" CONTENT "{ global: _ZN5cs550*; _ZNK5cs550*; local: *; };\n")
 
 set(lab_headers <cs550/math.hpp> <vector>
                 "${PROJECT_SOURCE_DIR}/framework/autograder/common_expressions.hpp")
@@ -117,7 +117,7 @@ function(cs550_add_lab_code number variant)
   if(CS550_ISOLATE_LABS)
     add_library(${target} SHARED EXCLUDE_FROM_ALL ${ARGN})
     target_link_options(${target} PRIVATE -Wl,-Bsymbolic "-Wl,--version-script=${lab_exports}")
-    set_target_properties(${target} PROPERTIES OUTPUT_NAME lab${number}_${variant}
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME lab${number}_${variant} LINK_DEPENDS "${lab_exports}"
                           LIBRARY_OUTPUT_DIRECTORY "${lab_folder}")
   else()
     add_library(${target} OBJECT EXCLUDE_FROM_ALL ${ARGN})

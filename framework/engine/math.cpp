@@ -2,18 +2,6 @@
 
 namespace cs550 {
 
-Real Plane::distance(const Vec3& point) const { return normal.dot(point) - offset; }
-
-Mat3 Pose::rotation() const { return orientation.toRotationMatrix(); }
-
-Vec3 Pose::to_world(const Vec3& point) const { return orientation * point + position; }
-
-Vec3 Pose::to_body(const Vec3& point) const { return orientation.conjugate() * (point - position); }
-
-Vec3 Pose::rotate(const Vec3& direction) const { return orientation * direction; }
-
-Vec3 Pose::unrotate(const Vec3& direction) const { return orientation.conjugate() * direction; }
-
 void Bounds::include(const Vec3& point) {
   lower = lower.cwiseMin(point);
   upper = upper.cwiseMax(point);

@@ -15,8 +15,6 @@ using lab5::smaller_radius;
 
 namespace {
 
-using Kind = FeatureId::Kind;
-
 /// A face as a polygon, its corners named by the half-edges of its loop.
 ClipPolygon face_polygon(const HalfEdgeMesh& mesh, Index face, const Pose& pose) {
   ClipPolygon polygon;
@@ -38,25 +36,6 @@ Plane side_plane(const HalfEdgeMesh& mesh, Index edge, const Vec3& face_normal, 
 bool is_inside(const ClipPolygon& polygon, const Plane& plane) {
   return std::all_of(polygon.begin(), polygon.end(),
                      [&](const ClipVertex& corner) { return plane.distance(corner.point) <= 0; });
-}
-
-/// Names a corner by the two edges that meet in it.
-FeatureId corner_feature(const ClipVertex& corner, const ReferenceFace& reference,
-                         Index incident_face) {
-  const bool in_is_incident = corner.in.source == ClipEdge::Source::Incident;
-  const bool out_is_incident = corner.out.source == ClipEdge::Source::Incident;
-  if (in_is_incident && out_is_incident) {
-    return reference.feature(Kind::VertexOnFaceA, reference.face,
-                             reference.incident.mesh().edge(corner.in.edge).vertex);
-  }
-  if (!in_is_incident && !out_is_incident) {
-    // The polygon runs clockwise about the reference face: it comes in along the later side.
-    return reference.feature(Kind::CornerOfFaceA, reference.body.mesh().origin(corner.in.edge),
-                             incident_face);
-  }
-  const ClipEdge& side = in_is_incident ? corner.out : corner.in;
-  const ClipEdge& clipped = in_is_incident ? corner.in : corner.out;
-  return reference.feature(Kind::CrossingOnA, side.edge / 2, clipped.edge / 2);
 }
 
 }  // namespace
@@ -128,7 +107,7 @@ Manifold face_manifold(const PosedShape& a, const PosedShape& b, const Separatin
   for (const ClipVertex& corner : polygon) {
     if (plane.distance(corner.point) > margin) continue;
     points.push_back(
-        reference.contact(corner.point, corner_feature(corner, reference, incident_face)));
+        reference.contact(corner.point, reference.corner_feature(corner, incident_face)));
   }
   Manifold manifold = reference.empty_manifold();
   manifold.points = reduce_manifold({points.data(), static_cast<std::size_t>(points.size())},

@@ -37,6 +37,21 @@ FeatureId ReferenceFace::feature(Kind kind_on_a, Index of_reference, Index of_in
   return {called_on_b(kind_on_a), of_incident, of_reference};
 }
 
+FeatureId ReferenceFace::corner_feature(const ClipVertex& corner, Index incident_face) const {
+  const bool in_is_incident = corner.in.source == ClipEdge::Source::Incident;
+  const bool out_is_incident = corner.out.source == ClipEdge::Source::Incident;
+  if (in_is_incident && out_is_incident) {
+    return feature(Kind::VertexOnFaceA, face, incident.mesh().edge(corner.in.edge).vertex);
+  }
+  if (!in_is_incident && !out_is_incident) {
+    // The polygon runs clockwise about the reference face: it comes in along the later side.
+    return feature(Kind::CornerOfFaceA, body.mesh().origin(corner.in.edge), incident_face);
+  }
+  const ClipEdge& side = in_is_incident ? corner.out : corner.in;
+  const ClipEdge& clipped = in_is_incident ? corner.in : corner.out;
+  return feature(Kind::CrossingOnA, side.edge / 2, clipped.edge / 2);
+}
+
 ContactPoint ReferenceFace::contact(const Vec3& point, FeatureId id) const {
   const Real separation = plane().distance(point);
   const Vec3 projection = point - separation * plane().normal;

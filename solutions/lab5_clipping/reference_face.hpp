@@ -30,6 +30,9 @@ struct ReferenceFace {
   /// @param kind_on_a as it is called when A owns the reference face
   FeatureId feature(FeatureId::Kind kind_on_a, Index of_reference, Index of_incident) const;
 
+  /// Names a corner of the clipped incident face by the two edges that meet in it.
+  FeatureId corner_feature(const ClipVertex& corner, Index incident_face) const;
+
   /// The contact of a point on the incident body and its projection onto the plane.
   ContactPoint contact(const Vec3& point, FeatureId id) const;
 

@@ -20,10 +20,10 @@ using namespace test;
 /// The proof that begins with a face of A, seen from the vertex of B deepest behind it.
 bool proves(const PosedShape& a, const PosedShape& b, const FaceQuery& query, Real radius) {
   MinkowskiDifference difference(b, query.vertex, a, 0);
+  const Vec3 deepest = difference.from_other(b.mesh().vertex(query.vertex));
   std::vector<Vec3> base;
   for (const Index edge : face_edges(a.mesh(), query.face)) {
-    base.push_back(
-        difference.at(b.mesh().vertex(query.vertex), a.mesh().vertex(a.mesh().edge(edge).vertex)));
+    base.push_back(deepest - a.mesh().vertex(a.mesh().edge(edge).vertex));
   }
   return difference.limits_separation(-radius, base, a.mesh().face(query.face).plane.normal);
 }

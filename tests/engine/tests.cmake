@@ -1,22 +1,27 @@
-# A world that runs on the fast forms of labs 1 and 7 must be in the same state, bit by bit, as one that
+# A world that runs on the fast forms of labs 1, 5 and 7 must be in the same state, bit by bit, as one that
 # runs on the teaching forms. The fast form of lab 4 may choose another one of several equal axes.
-if(TARGET lab7_fast_code AND TARGET lab7_reference_code)
+function(cs550_compare_forms program name shows)
   foreach(form fast teaching)
-    add_executable(scene_hashes_${form} tests/engine/fast_forms/scene_hashes.cpp)
-    target_link_libraries(scene_hashes_${form} PRIVATE cs550_scenes cs550_warnings)
+    add_executable(${program}_${form} tests/engine/fast_forms/${program}.cpp)
+    target_link_libraries(${program}_${form} PRIVATE cs550_test_support cs550_scenes cs550_warnings)
   endforeach()
-  cs550_link_labs(scene_hashes_fast fast reference stub)
+  cs550_link_labs(${program}_fast fast reference stub)
   foreach(number IN LISTS CS550_LABS)
     set(variants fast reference)
-    if(number MATCHES "^(1|7)$")
+    if(number MATCHES "^(1|5|7)$")
       set(variants reference)
     endif()
-    cs550_link_lab(scene_hashes_teaching ${number} ${variants})
+    cs550_link_lab(${program}_teaching ${number} ${variants})
   endforeach()
-  add_test(NAME engine.FastFormsLeaveTheBitsOfTheTeachingForms
-           COMMAND "${CMAKE_COMMAND}" "-DFAST=$<TARGET_FILE:scene_hashes_fast>"
-                   "-DTEACHING=$<TARGET_FILE:scene_hashes_teaching>"
-                   -P "${CMAKE_CURRENT_LIST_DIR}/fast_forms/compare.cmake")
-  set_tests_properties(engine.FastFormsLeaveTheBitsOfTheTeachingForms PROPERTIES
-                       LABELS long TIMEOUT 600)
+  add_test(NAME engine.${name}
+           COMMAND "${CMAKE_COMMAND}" "-DFAST=$<TARGET_FILE:${program}_fast>"
+                   "-DTEACHING=$<TARGET_FILE:${program}_teaching>" "-DSHOWS=${shows}"
+                   -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fast_forms/compare.cmake")
+  set_tests_properties(engine.${name} PROPERTIES LABELS long TIMEOUT 600)
+endfunction()
+
+if(TARGET lab7_fast_code AND TARGET lab7_reference_code)
+  cs550_compare_forms(scene_hashes FastFormsLeaveTheBitsOfTheTeachingForms "wall, game: [0-9a-f]+")
+  cs550_compare_forms(manifold_hashes FastManifoldsHaveTheBitsOfTheTeachingForm
+                      "corners in planes: [0-9a-f]+, [1-9][0-9]+ points")
 endif()

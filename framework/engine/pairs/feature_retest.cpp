@@ -70,9 +70,10 @@ bool face_proves(const PosedShape& body, const PosedShape& other, const FaceQuer
   const HalfEdgeMesh& mesh = body.mesh();
   const Face& face = mesh.face(query.face);
   MinkowskiDifference difference(other, query.vertex, body, mesh.edge(face.edge).vertex);
+  const Vec3 point = difference.from_other(point_of_other);
   StaticVector<Vec3, max_face_vertices> base;
   for (const Index edge : face_edges(mesh, query.face)) {
-    base.push_back(difference.at(point_of_other, mesh.vertex(mesh.edge(edge).vertex)));
+    base.push_back(point - mesh.vertex(mesh.edge(edge).vertex));
   }
   return difference.limits_separation(limit, {base.begin(), base.end()}, face.plane.normal);
 }
@@ -85,9 +86,10 @@ bool edges_prove(const PosedShape& a, const PosedShape& b, const EdgeQuery& edge
   const auto [from_a, to_a] = ends(a.mesh(), edges.edge_a);
   const auto [from_b, to_b] = ends(b.mesh(), edges.edge_b);
   MinkowskiDifference difference(b, from_b, a, from_a);
-  std::array<Vec3, 4> base = {
-      difference.of_vertices(from_b, from_a), difference.of_vertices(to_b, from_a),
-      difference.of_vertices(to_b, to_a), difference.of_vertices(from_b, to_a)};
+  const auto on_b = [&](Index vertex) { return difference.from_other(b.mesh().vertex(vertex)); };
+  const auto on_a = [&](Index vertex) { return a.mesh().vertex(vertex); };
+  std::array<Vec3, 4> base = {on_b(from_b) - on_a(from_a), on_b(to_b) - on_a(from_a),
+                              on_b(to_b) - on_a(to_a), on_b(from_b) - on_a(to_a)};
   const Vec3 normal = a.pose.unrotate(edges.axis);
   const bool clockwise = (base[1] - base[0]).cross(base[2] - base[1]).dot(normal) < 0;
   if (clockwise) std::swap(base[1], base[3]);

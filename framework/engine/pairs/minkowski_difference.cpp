@@ -71,7 +71,7 @@ bool MinkowskiDifference::is_beyond_ball(const Vec3& p, const Vec3& q, const Vec
 Vec3 MinkowskiDifference::farthest(const Vec3& direction) {
   of_other_ = hill_climb(other_, other_in_body_.unrotate(direction), of_other_).vertex;
   of_body_ = hill_climb(body_, -direction, of_body_).vertex;
-  return of_vertices(of_other_, of_body_);
+  return from_other(other_.vertex(of_other_)) - body_.vertex(of_body_);
 }
 
 }  // namespace cs550

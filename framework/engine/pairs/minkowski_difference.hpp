@@ -17,13 +17,8 @@ class MinkowskiDifference {
   MinkowskiDifference(const PosedShape& other, Index of_other, const PosedShape& body,
                       Index of_body);
 
-  /// The difference of two points, each in the frame of its own body.
-  Vec3 at(const Vec3& of_other, const Vec3& of_body) const {
-    return other_in_body_.to_world(of_other) - of_body;
-  }
-  Vec3 of_vertices(Index of_other, Index of_body) const {
-    return at(other_.vertex(of_other), body_.vertex(of_body));
-  }
+  /// A point of the other body in the frame of the second, from which points of that are subtracted.
+  Vec3 from_other(const Vec3& point) const { return other_in_body_.to_world(point); }
 
   /// Whether points of the difference prove that no axis separates the bodies by more than the limit.
   ///

@@ -49,7 +49,7 @@ struct Plane {
   Real offset = 0;          ///< distance from the origin along the normal (m)
 
   /// The signed distance of a point (m), positive on the side that the normal points to.
-  Real distance(const Vec3& point) const;
+  Real distance(const Vec3& point) const { return normal.dot(point) - offset; }
 };
 
 /// Position and orientation of a body: `x_world = R(orientation)·x_body + position`.
@@ -58,17 +58,17 @@ struct Pose {
   Quat orientation = {1, 0, 0, 0};  ///< unit, body → world; constructed from w, x, y, z
 
   /// The rotation matrix R, body → world.
-  Mat3 rotation() const;
+  Mat3 rotation() const { return orientation.toRotationMatrix(); }
   /// Transforms a point between the body frame and the world frame (m).
   /// @{
-  Vec3 to_world(const Vec3& point) const;
-  Vec3 to_body(const Vec3& point) const;
+  Vec3 to_world(const Vec3& point) const { return orientation * point + position; }
+  Vec3 to_body(const Vec3& point) const { return orientation.conjugate() * (point - position); }
   /// @}
 
   /// Rotates a direction from the body frame to the world frame. The position has no influence.
-  Vec3 rotate(const Vec3& direction) const;
+  Vec3 rotate(const Vec3& direction) const { return orientation * direction; }
   /// Rotates a direction from the world frame to the body frame.
-  Vec3 unrotate(const Vec3& direction) const;
+  Vec3 unrotate(const Vec3& direction) const { return orientation.conjugate() * direction; }
 };
 
 /// An axis-aligned box. Empty when constructed.

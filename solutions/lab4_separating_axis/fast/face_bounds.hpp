@@ -8,7 +8,7 @@
 #include <span>
 
 #include "cs550/convex_shape.hpp"
-#include "wide_mesh.hpp"
+#include "engine/wide_mesh.hpp"
 
 namespace cs550 {
 

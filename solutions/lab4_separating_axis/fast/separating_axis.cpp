@@ -209,20 +209,18 @@ EdgeQuery query_edge_directions(const PosedShape& a, const PosedShape& b) {
 
 SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
                                     const SeparatingAxis& hint, Real margin) {
-  const Pair ab(a, b);
-  const Pair ba(b, a);
   SeparatingAxis result;
 
-  // Last step's feature first: a pair that stays apart needs nothing else.
+  // Last step's feature first: a pair that stays apart needs nothing else, nor both poses.
   EdgeQuery hinted_edges;
   if (hint.feature == AxisFeature::FaceA) {
-    result.face_a = query_again(ab, hint.face_a);
+    result.face_a = query_again(Pair(a, b), hint.face_a);
     if (result.face_a.separation > margin) return with_feature(AxisFeature::FaceA, result, a, b);
   } else if (hint.feature == AxisFeature::FaceB) {
-    result.face_b = query_again(ba, hint.face_b);
+    result.face_b = query_again(Pair(b, a), hint.face_b);
     if (result.face_b.separation > margin) return with_feature(AxisFeature::FaceB, result, a, b);
   } else if (hint.feature == AxisFeature::Edges) {
-    hinted_edges = query_edge_pair(ab, hint.edges.edge_a, hint.edges.edge_b);
+    hinted_edges = query_edge_pair(Pair(a, b), hint.edges.edge_a, hint.edges.edge_b);
     if (hinted_edges && hinted_edges.separation > margin) {
       result.edges = hinted_edges;
       result.edges.axis = a.pose.rotate(result.edges.axis);
@@ -230,6 +228,8 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
     }
   }
 
+  const Pair ab(a, b);
+  const Pair ba(b, a);
   const FaceQuery tried_a = result.face_a;
   const FaceQuery tried_b = result.face_b;
   FaceBounds bounds;

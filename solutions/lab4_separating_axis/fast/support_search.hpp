@@ -6,7 +6,7 @@
 #include <array>
 
 #include "cs550/half_edge_mesh.hpp"
-#include "wide_mesh.hpp"
+#include "engine/wide_mesh.hpp"
 
 namespace cs550 {
 
