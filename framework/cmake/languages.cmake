@@ -20,8 +20,8 @@ if(CS550_LTO)
   include(CheckIPOSupported)
   check_ipo_supported(LANGUAGES CXX)
   set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
-  # By default g++ calls functions of more than 30 instructions, and most of them once inlining has let the program
-  # grow by two fifths. Rotations are longer, and a call passes their vectors through memory.
+  # By default g++ does not inline functions of more than 30 instructions, nor most others once the program has
+  # grown by two fifths. Rotations are longer, and a call passes their vectors through memory.
   set(inline_more $<$<CXX_COMPILER_ID:GNU>:--param=max-inline-insns-auto=120>
                   $<$<CXX_COMPILER_ID:GNU>:--param=inline-unit-growth=300>)
   add_compile_options(${inline_more})

@@ -17,7 +17,8 @@ class MinkowskiDifference {
   MinkowskiDifference(const PosedShape& other, Index of_other, const PosedShape& body,
                       Index of_body);
 
-  /// A point of the other body in the frame of the second, from which points of that are subtracted.
+  /// A point of the other body, in the frame of the second. Minus a point of the second it is a point of the
+  /// difference.
   Vec3 from_other(const Vec3& point) const { return other_in_body_.to_world(point); }
 
   /// Whether points of the difference prove that no axis separates the bodies by more than the limit.

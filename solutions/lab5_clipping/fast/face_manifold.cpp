@@ -25,11 +25,11 @@ struct Clipping {
   PackedPlane plane;
   PackedPose incident_frame;
 
-  Clipping(const ReferenceFace& reference_face, const Plane& face_plane)
+  explicit Clipping(const ReferenceFace& reference_face)
       : reference(reference_face),
-        incident_face(
-            find_incident_face(reference.incident, reference.body.pose.rotate(face_plane.normal))),
-        plane{packed(face_plane.normal), face_plane.offset},
+        incident_face(find_incident_face(reference.incident,
+                                         reference.body.pose.rotate(reference.plane().normal))),
+        plane{packed(reference.plane().normal), reference.plane().offset},
         incident_frame(reference.incident_frame) {}
 
   void start(Outline& outline) const {
@@ -61,7 +61,7 @@ using lab5::Outline;
 Manifold face_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
                        Real margin) {
   const lab5::ReferenceFace reference(a, b, axis);
-  const lab5::Clipping clipping(reference, reference.plane());
+  const lab5::Clipping clipping(reference);
 
   Outline outlines[2];
   Outline* outline = &outlines[0];

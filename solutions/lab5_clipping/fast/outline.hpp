@@ -39,9 +39,9 @@ class Outline {
     ++size_;
   }
 
-  /// Becomes another outline, clipped by a plane. Where a corner is, inside or outside, is hard to predict. No branch
-  /// depends on it: every corner and every intersection is written, and stays if the size then counts it.
-  /// @returns false, without a change, if the other one has no corner outside
+  /// Becomes another outline, clipped by a plane. Whether a corner is inside is hard to predict, so no branch depends on
+  /// it: every corner and every intersection is written, and the next one overwrites those that the size does not count.
+  /// @returns false, without a change, if all corners of the other one are inside
   bool clip(const Outline& whole, const PackedPlane& plane, EdgeName plane_edge) {
     std::array<Real, capacity> distances;
     if (!measure(whole, plane, distances)) return false;
@@ -76,13 +76,13 @@ class Outline {
   /// One more than stay.
   static constexpr std::size_t capacity = static_cast<std::size_t>(ClipPolygon::capacity()) + 1;
 
-  /// @returns whether a corner is outside
+  /// @returns whether a corner is outside. One that is not a number counts as outside, as in the teaching form.
   static bool measure(const Outline& whole, const PackedPlane& plane,
                       std::array<Real, capacity>& distances) {
     bool any_outside = false;
     for (std::size_t i = 0; i < whole.size_; ++i) {
       distances[i] = plane.distance(whole.points_[i]);
-      any_outside |= distances[i] > 0;
+      any_outside |= !(distances[i] <= 0);
     }
     return any_outside;
   }

@@ -44,17 +44,21 @@ class Hash {
 
 class Manifolds {
  public:
-  /// The manifolds of both of the best faces, with margins that drop points and that keep all.
+  /// Those of both of the best faces.
   void add(const PosedShape& a, const PosedShape& b) {
-    constexpr Real all = std::numeric_limits<Real>::max();
     SeparatingAxis axis = find_separating_axis(a, b, {}, all);
     for (const AxisFeature face : {AxisFeature::FaceA, AxisFeature::FaceB}) {
       axis.feature = face;
-      for (const Real margin : {Real(0), Real(0.01) * a.shape->radius, all}) {
-        const Manifold manifold = face_manifold(a, b, axis, margin);
-        hash_.add(manifold);
-        points_ += manifold.points.size();
-      }
+      add(a, b, axis);
+    }
+  }
+
+  /// With margins that drop points, and with one that keeps all.
+  void add(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis) {
+    for (const Real margin : {Real(0), Real(0.01) * a.shape->radius, all}) {
+      const Manifold manifold = face_manifold(a, b, axis, margin);
+      hash_.add(manifold);
+      points_ += manifold.points.size();
     }
   }
 
@@ -63,6 +67,8 @@ class Manifolds {
   }
 
  private:
+  static constexpr Real all = std::numeric_limits<Real>::max();
+
   Hash hash_;
   int points_ = 0;
 };
@@ -119,6 +125,19 @@ void print_corners_in_planes(const ShapePtr& large, const ShapePtr& small) {
   manifolds.print("corners in planes");
 }
 
+/// The teaching form drops corners whose distance is not a number.
+void print_poses_that_are_not_numbers(const ShapePtr& box) {
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  SeparatingAxis axis;
+  axis.feature = AxisFeature::FaceA;
+  axis.face_a.face = 0;
+  const PosedShape a{box.get(), {}};
+  Manifolds manifolds;
+  manifolds.add(a, {box.get(), {Vec3(nan, 0, 0), {1, 0, 0, 0}}}, axis);
+  manifolds.add(a, {box.get(), {Vec3(0, 0, 1), {nan, 0, 0, 0}}}, axis);
+  manifolds.print("poses that are not numbers");
+}
+
 }  // namespace
 
 int main() {
@@ -133,5 +152,6 @@ int main() {
   print_random_pairs("plates", shape_of(box_soup(Vec3(1, Real(0.01), 1))), hull);
   print_random_pairs("grains on blocks", shape_of(box_soup(Vec3::Constant(50))),
                      shape_of(box_soup(Vec3::Constant(Real(0.01)))));
+  print_poses_that_are_not_numbers(box);
   print_corners_in_planes(box, shape_of(box_soup(Vec3::Constant(Real(0.3)))));
 }
