@@ -18,7 +18,7 @@ endfunction()
 
 # Without Qhull::qhullcpp, whose qh_fprintf() would replace that of qhull_r and end the process instead of
 # printing a message.
-set(engine_folders contacts islands pairs shapes threads world)
+set(engine_folders contacts islands pairs parts shapes threads world)
 list(TRANSFORM engine_folders PREPEND engine/)
 cs550_given_library(cs550_engine "engine;${engine_folders}" Qhull::qhull_r TBB::tbb Threads::Threads)
 target_compile_definitions(cs550_engine PRIVATE CS550_HAS_TBB=1)  # the browser's engine has one thread
@@ -35,9 +35,9 @@ foreach(library IN LISTS engine_libraries)
 endforeach()
 list(TRANSFORM engine_libraries REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE engine_objects)
 # Object files of their own: a lab's fast kernels, or a judge of the grader, may replace them.
-set_source_files_properties("${PROJECT_SOURCE_DIR}/framework/engine/body_sweeps.cpp"
-                            "${PROJECT_SOURCE_DIR}/framework/engine/world/substeps.cpp" PROPERTIES
-                            SKIP_UNITY_BUILD_INCLUSION ON)
+set(replaced body_sweeps contacts/contact_passes contacts/rolling_resistance world/substeps)
+list(TRANSFORM replaced REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/framework/engine/\\1.cpp")
+set_source_files_properties(${replaced} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 # Headers of given code are included as "engine/world/stages.hpp", "drawing/palette.hpp".
 target_include_directories(cs550_engine PUBLIC "${PROJECT_SOURCE_DIR}/framework")
 cs550_given_library(cs550_files files)

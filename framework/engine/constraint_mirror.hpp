@@ -19,6 +19,7 @@ struct PairGroup {
   std::array<Index, lane_count> bodies_b;
   Index first_row = 0;
   Index row_count = 0;
+  bool has_immovable = false;  ///< whether a body of the group is immovable
 };
 
 /// Where the constraints of a row are in the array.
@@ -41,6 +42,19 @@ struct ConstraintMirror {
   std::vector<ConstraintRow> rows;
   std::vector<Index> last_group;  ///< of each body: the last group that moves it; working storage
   std::vector<LaneNumbers> numbers;  ///< of each row in turn, laid out by the passes
+};
+
+/// The mirrors of the units of a solve order.
+struct ConstraintMirrors {
+  std::vector<ConstraintMirror> of_units;
+
+  /// See ConstraintMirror::stale.
+  void set_stale() {
+    for (ConstraintMirror& mirror : of_units) mirror.stale = true;
+  }
+  void set_stale_impulses() {
+    for (ConstraintMirror& mirror : of_units) mirror.stale_impulses = true;
+  }
 };
 
 }  // namespace cs550

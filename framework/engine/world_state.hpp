@@ -72,6 +72,12 @@ struct InsertedPair {
   Contact contact;
 };
 
+/// Working storage of a search for new pairs.
+struct PairSearch {
+  std::vector<Index> found;
+  std::vector<std::uint64_t> keys;  ///< of the new pairs
+};
+
 /// The pairs of bodies that are near each other, sorted by (body_a, body_b), with what is kept of
 /// each from step to step.
 struct PairList {
@@ -141,6 +147,23 @@ class UnwrittenStages {
   std::bitset<stage_count> stages_;
 };
 
+inline constexpr Index most_parts = 8;
+
+/// The parts of the world, see divide_bodies(); and the numbers of the bodies, see PartNumbering.
+struct BodyParts {
+  Index count = 1;
+  std::vector<Index> of_body;  ///< the part of each body
+
+  bool renumbered = false;                    ///< whether the bodies are numbered part by part now
+  std::vector<Index> numbers;                 ///< of each body
+  std::vector<Index> bodies_by_number;        ///< of each number
+  std::array<Index, most_parts + 1> first{};  ///< number of each part, and the number of bodies
+  std::vector<RigidBody> other_bodies;        ///< working storage: the world's in the other order
+
+  /// Where the arrays of a substep have a body.
+  Index number_of(Index body) const { return renumbered ? numbers[body] : body; }
+};
+
 /// Contacts that are solved side by side, by their index in the list.
 using ContactGroup = StaticVector<Index, lane_count>;
 
@@ -150,6 +173,7 @@ struct ContactLink {
   Index body_a = no_index;  ///< no_index if the body is immovable
   Index body_b = no_index;  ///< no_index if the body is immovable
   Index points = 0;
+  Index unit = 0;  ///< of the solve order
 
   bool operator==(const ContactLink&) const = default;
 };
@@ -169,6 +193,21 @@ struct ReadyLinks {
   std::size_t count = 0;
 };
 
+/// Contacts that one thread solves in turn: those of a part, or those between parts.
+struct SolveUnit {
+  Index first_contact = 0;  ///< in the list of contacts with points
+  Index end_contact = 0;
+  Index first_place = 0;  ///< of the constraints
+  Index end_place = 0;
+  std::vector<ContactGroup> groups;
+  std::array<ReadyLinks, max_manifold_points> ready;  ///< working storage, by number of points
+};
+
+/// Units of a phase share no movable body. A phase waits for the one before it.
+inline constexpr std::size_t phase_count = 4;
+/// Inside parts, between neighbours in two phases, and between parts that are not neighbours.
+inline constexpr std::size_t most_units = most_parts + (most_parts - 1) + 1;
+
 /// The index of the constraint of each contact point, with the points of all contacts counted in
 /// turn; and the working storage of arrange_constraints().
 struct SolveOrder {
@@ -182,13 +221,14 @@ struct SolveOrder {
         .subspan(first_point[contact], first_point[contact + 1] - first_point[contact]);
   }
 
-  std::vector<ContactGroup> groups;
-  std::vector<Index> neighbours;     ///< working storage: contacts across gravity
-  std::vector<ContactLink> links;    ///< working storage: those of the present contacts
-  std::vector<ContactLink> grouped;  ///< those for which the groups were made
+  std::vector<SolveUnit> units;
+  std::array<std::size_t, phase_count + 1> phases{};  ///< first unit of each, and number of units
+  std::vector<ContactLink> unsorted;  ///< working storage: links in the order of the pairs
+  std::vector<Index> ranks;           ///< working storage: what the order sorts these by
+  std::vector<ContactLink> links;     ///< working storage: those of the present contacts
+  std::vector<ContactLink> grouped;   ///< those for which the groups were made
   std::vector<LinkState> states;
-  std::vector<Index> next_of_body;                    ///< the next link of each body
-  std::array<ReadyLinks, max_manifold_points> ready;  ///< by number of points
+  std::vector<Index> next_of_body;  ///< the next link of each body
 };
 
 /// What a body's mass and inertia say about its shape.
@@ -280,9 +320,10 @@ struct WorldState {
   std::vector<ContactConstraint> constraints;
   std::vector<char> touches;  ///< of each pair, see is_touching()
   bool any_bounces = false;   ///< whether a constraint has restitution
-  ConstraintMirror mirror;
+  ConstraintMirrors mirrors;
   std::vector<TurnSize> turns;  ///< of each body
   std::vector<BodySize> sizes;  ///< of each body
+  BodyParts parts;
   SolveOrder solve_order;
   ColdStart cold_start;
   OverlapRecovery recovery;
@@ -293,7 +334,7 @@ struct WorldState {
   std::vector<char> has_moved;  ///< of each body, whether it is one of these
   std::vector<Bounds>
       searched_bounds;  ///< of each body's leaf at the last search; empty before the first
-  std::vector<Index> found;
+  std::vector<PairSearch> searches;  ///< of some bodies each
   std::vector<std::uint64_t> new_keys;
   std::vector<RigidBody> bodies_before;
 
@@ -306,9 +347,17 @@ struct WorldState {
 };
 
 /// Calls `work(first, last)` for blocks of bodies, by several threads if there are any. `work` may change only
-/// its own bodies and what belongs to them.
+/// its own bodies and what belongs to them. If the bodies are numbered part by part, the blocks are the parts.
 template <class Work>
 void for_body_blocks(const WorldState& world, const Work& work) {
+  if (const BodyParts& parts = world.parts; parts.renumbered) {
+    const auto count = static_cast<std::size_t>(parts.count);
+    for_blocks(world.team, count, 1, [&](std::size_t first, std::size_t last) {
+      work(static_cast<std::size_t>(parts.first[first]),
+           static_cast<std::size_t>(parts.first[last]));
+    });
+    return;
+  }
   constexpr std::size_t few_bodies = 32;
   for_blocks(world.team, world.slot_count(), few_bodies, work);
 }

@@ -169,7 +169,8 @@ TEST(SolveOrder, ContactsThatCarryWeightComeBeforeThoseOfNeighbours) {
   SolveOrder weightless;
   arrange_constraints(pairs_of(contacts), bodies, Vec3::Zero(), weightless);
   EXPECT_TRUE(std::is_sorted(weightless.contacts.begin(), weightless.contacts.end()));
-  EXPECT_LT(order.groups.size(), weightless.groups.size()) << "the rows are no longer one chain";
+  EXPECT_LT(order.units[0].groups.size(), weightless.units[0].groups.size())
+      << "the rows are no longer one chain";
 }
 
 TEST(SolveOrder, TowersFillTheirGroups) {
@@ -184,7 +185,7 @@ TEST(SolveOrder, TowersFillTheirGroups) {
   SolveOrder order;
   arrange_constraints(pairs_of(contacts), bodies_of_kinds(floor, 1), Vec3::Zero(), order);
   // All towers at once need a group for each eight contacts, if none is left to be finished alone.
-  EXPECT_EQ(order.groups.size(), (contacts.size() + lane_count - 1) / lane_count);
+  EXPECT_EQ(order.units[0].groups.size(), (contacts.size() + lane_count - 1) / lane_count);
 }
 
 TEST(SolveOrder, AnOrderThatIsUsedAgainIsThatOfTheseContacts) {
@@ -211,10 +212,10 @@ TEST(SolveOrder, AnOrderThatIsUsedAgainIsThatOfTheseContacts) {
     EXPECT_EQ(used.place_of_point, fresh.place_of_point);
     EXPECT_EQ(used.first_point, fresh.first_point);
     EXPECT_EQ(used.contacts, fresh.contacts);
-    ASSERT_EQ(used.groups.size(), fresh.groups.size());
-    for (std::size_t i = 0; i < fresh.groups.size(); ++i) {
-      EXPECT_TRUE(std::equal(used.groups[i].begin(), used.groups[i].end(), fresh.groups[i].begin(),
-                             fresh.groups[i].end()));
+    ASSERT_EQ(used.units[0].groups.size(), fresh.units[0].groups.size());
+    for (std::size_t i = 0; i < fresh.units[0].groups.size(); ++i) {
+      EXPECT_TRUE(std::equal(used.units[0].groups[i].begin(), used.units[0].groups[i].end(),
+                             fresh.units[0].groups[i].begin(), fresh.units[0].groups[i].end()));
     }
   };
   for (const auto& contacts :

@@ -25,4 +25,5 @@ if(TARGET lab7_fast_code AND TARGET lab7_reference_code)
                       "wall, game: [0-9a-f]+")
   cs550_compare_forms(manifold_hashes FastManifoldsHaveTheBitsOfTheTeachingForm engine
                       "corners in planes: [0-9a-f]+, [1-9][0-9]+ points")
+  cs550_compare_forms(thread_hashes ThreadsLeaveTheBitsOfOne engine "bouncing: [0-9a-f]+")
 endif()

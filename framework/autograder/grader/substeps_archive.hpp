@@ -20,6 +20,12 @@ void serialize(Archive& archive, BodySize& size) {
   archive(size.squared_slenderness, size.squared_length);
 }
 
+/// Without the working storage of its schedule.
+template <class Archive>
+void serialize(Archive& archive, SolveUnit& unit) {
+  archive(unit.first_place, unit.end_place, unit.groups);
+}
+
 namespace grader {
 
 template <class Archive, class World>
@@ -27,8 +33,8 @@ void archive_substeps_input(Archive& archive, World& world) {
   archive(world.settings, world.bodies, world.sizes, world.solver_bodies, world.constraints,
           world.any_bounces, world.pairs.contacts, world.pairs.impulse_energy,
           world.solve_order.place_of_point, world.solve_order.first_point,
-          world.solve_order.contacts, world.solve_order.groups, world.recovery.any,
-          world.recovery.recovers, world.step_count);
+          world.solve_order.contacts, world.solve_order.units, world.solve_order.phases,
+          world.recovery.any, world.recovery.recovers, world.step_count);
 }
 
 /// Of the bodies only the state: all else that a substep changes derives from it. Static bodies

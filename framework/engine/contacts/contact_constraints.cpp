@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "engine/contacts/contact_passes.hpp"
 #include "engine/contacts/solve_order.hpp"
+#include "engine/parts/body_parts.hpp"
 
 namespace cs550 {
 
@@ -57,6 +60,11 @@ struct Levers {
   Vec3 r_a, r_b;
 };
 
+/// The bodies of a contact, as the arrays of a substep number them.
+std::pair<Index, Index> bodies_of(const WorldState& world, const Contact& contact) {
+  return {world.parts.number_of(contact.body_a), world.parts.number_of(contact.body_b)};
+}
+
 /// Where the impulses of a contact act. On both bodies at the same point, so that they have one line of
 /// action and friction conserves angular momentum too.
 ///
@@ -68,11 +76,12 @@ struct Levers {
 /// closed: on the surface of each.
 class ActingPoint {
  public:
-  ActingPoint(const WorldState& world, const Contact& contact)
-      : centre_a_(world.bodies[contact.body_a].pose.position),
-        centre_b_(world.bodies[contact.body_b].pose.position) {
-    const BodySize& a = world.sizes[contact.body_a];
-    const BodySize& b = world.sizes[contact.body_b];
+  /// @param body_a, body_b as the constraints number them
+  ActingPoint(const WorldState& world, Index body_a, Index body_b)
+      : centre_a_(world.bodies[body_a].pose.position),
+        centre_b_(world.bodies[body_b].pose.position) {
+    const BodySize& a = world.sizes[body_a];
+    const BodySize& b = world.sizes[body_b];
     squared_reach_ = std::min(a.squared_length, b.squared_length);
     if (std::max(a.squared_slenderness, b.squared_slenderness) <= slender) return;
     share_of_a_ = a.squared_slenderness > b.squared_slenderness ? Real(1) : Real(0);
@@ -95,14 +104,11 @@ class ActingPoint {
   Real share_of_a_ = Real(0.5);
 };
 
-ContactConstraint make_constraint(const Contact& contact, const ContactPoint& point, const Pose& a,
-                                  const Pose& b, const ActingPoint& acting_point) {
+/// All but the bodies.
+ContactConstraint make_constraint(const Contact& contact, const ContactPoint& point,
+                                  const Levers& levers) {
   const Manifold& manifold = contact.manifold;
-  const Levers levers =
-      acting_point.between(a.to_world(point.anchor_a), b.to_world(point.anchor_b));
   ContactConstraint constraint;
-  constraint.body_a = contact.body_a;
-  constraint.body_b = contact.body_b;
   constraint.n = manifold.normal;
   constraint.u = manifold.tangent;
   constraint.r_a = levers.r_a;
@@ -118,11 +124,12 @@ ContactConstraint make_constraint(const Contact& contact, const ContactPoint& po
 /// Turns the levers with the bodies. The separation is such that, with what the bodies have moved, it
 /// is the distance of the two anchors now.
 void move_levers(WorldState& world, const Contact& contact, std::span<const Index> places) {
-  const RigidBody& a = world.bodies[contact.body_a];
-  const RigidBody& b = world.bodies[contact.body_b];
-  const SolverBody& solver_a = world.solver_bodies[contact.body_a];
-  const SolverBody& solver_b = world.solver_bodies[contact.body_b];
-  const ActingPoint acting_point(world, contact);
+  const auto [body_a, body_b] = bodies_of(world, contact);
+  const RigidBody& a = world.bodies[body_a];
+  const RigidBody& b = world.bodies[body_b];
+  const SolverBody& solver_a = world.solver_bodies[body_a];
+  const SolverBody& solver_b = world.solver_bodies[body_b];
+  const ActingPoint acting_point(world, body_a, body_b);
   auto place = places.begin();
   for (const ContactPoint& point : contact.manifold.points) {
     ContactConstraint& constraint = world.constraints[*place++];
@@ -141,7 +148,7 @@ void prepare_again(WorldState& world, const ContactStep& step, std::span<const I
   for (const Index place : places) {
     prepare_contacts({&world.constraints[place], 1}, world.solver_bodies, step);
   }
-  world.mirror.stale = true;
+  world.mirrors.set_stale();
 }
 
 }  // namespace
@@ -150,23 +157,39 @@ Vec3 ContactConstraint::v() const { return n.cross(u); }
 
 void ContactConstraint::mark_impact() { impact_handled = impact_handled || normal_impulse > 0; }
 
+void arrange_contacts(WorldState& world) {
+  BodyParts& parts = world.parts;
+  const Vec3& gravity = world.settings.gravity;
+  if (world.step_count % steps_between_divisions == 0) {
+    divide_bodies(world.pairs, world.bodies, gravity, parts);
+  }
+  parts.of_body.resize(world.bodies.size(), 0);
+  ThreadTeam* const team = passes_spare_immovable_bodies() ? world.team : nullptr;
+  arrange_constraints(world.pairs, world.bodies, gravity, world.solve_order, parts, team);
+  const std::vector<Index>& contacts = world.solve_order.contacts;
+  world.any_bounces = std::any_of(contacts.begin(), contacts.end(), [&](Index contact) {
+    return world.pairs.contacts[contact].restitution > 0;
+  });
+}
+
 void make_constraints(WorldState& world) {
-  arrange_constraints(world.pairs, world.bodies, world.settings.gravity, world.solve_order);
   measure_bodies(world);
   world.constraints.resize(world.solve_order.place_of_point.size());
-  world.mirror.stale = true;
-  world.any_bounces = false;
-  for (const Index contact : world.solve_order.contacts) {
-    world.any_bounces = world.any_bounces || world.pairs.contacts[contact].restitution > 0;
-  }
+  world.mirrors.set_stale();
   for_constraints_of_contacts_in_blocks(world, [&](Index i, std::span<const Index> places) {
     const Contact& contact = world.pairs.contacts[i];
-    const RigidBody& a = world.bodies[contact.body_a];
-    const RigidBody& b = world.bodies[contact.body_b];
-    const ActingPoint acting_point(world, contact);
+    const auto [body_a, body_b] = bodies_of(world, contact);
+    const Pose& a = world.bodies[body_a].pose;
+    const Pose& b = world.bodies[body_b].pose;
+    const ActingPoint acting_point(world, body_a, body_b);
     auto place = places.begin();
     for (const ContactPoint& point : contact.manifold.points) {
-      world.constraints[*place++] = make_constraint(contact, point, a.pose, b.pose, acting_point);
+      const Levers levers =
+          acting_point.between(a.to_world(point.anchor_a), b.to_world(point.anchor_b));
+      ContactConstraint& constraint = world.constraints[*place++];
+      constraint = make_constraint(contact, point, levers);
+      constraint.body_a = body_a;
+      constraint.body_b = body_b;
     }
   });
 }

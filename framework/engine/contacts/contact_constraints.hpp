@@ -5,11 +5,14 @@
 
 #include <span>
 
+#include "engine/contacts/solve_order.hpp"
 #include "engine/world_state.hpp"
 
 namespace cs550 {
 
-/// Measures the bodies, and makes the constraints of a step, in the order in which they are solved.
+/// Finds the solve order of a step's contacts, and from time to time the parts of the bodies.
+void arrange_contacts(WorldState& world);
+/// Measures the bodies, and makes the constraints of a step. @pre arrange_contacts()
 void make_constraints(WorldState& world);
 
 /// Recomputes the masses of constraints whose bodies have turned far since the step began, and turns
@@ -39,10 +42,6 @@ void note_if_fresh(WorldState& world, Index contact);
 /// @param h substep (s)
 void guess_cold_impulses(WorldState& world, Real h);
 
-/// Lets every contact resist the rotation of its bodies relative to each other, as
-/// settings.rolling_resistance specifies.
-void resist_rolling(WorldState& world);
-
 /// Copies the accumulated impulses to the contact points, for the next step's warm start, and notes which
 /// contacts touch.
 void store_impulses(WorldState& world);
@@ -67,16 +66,24 @@ void for_constraints_of_contacts(const WorldState& world, const Visit& visit) {
 /// only these contacts and constraints.
 template <class Visit>
 void for_groups_in_blocks(WorldState& world, const Visit& visit) {
-  constexpr std::size_t block = 4;
   const SolveOrder& order = world.solve_order;
-  for_blocks(world.team, order.groups.size(), block, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const ContactGroup& group = order.groups[i];
+  const auto visit_groups = [&](std::span<const ContactGroup> groups) {
+    for (const ContactGroup& group : groups) {
       std::size_t points = 0;
       for (const Index contact : group) points += order.places_of(contact).size();
       const auto begin = static_cast<std::size_t>(order.places_of(group[0])[0]);
       visit(group, std::span(world.constraints).subspan(begin, points));
     }
+  };
+  if (order.units.size() > 1) {
+    for_units(world.team, order, false,
+              [&](std::size_t unit) { visit_groups(order.units[unit].groups); });
+    return;
+  }
+  constexpr std::size_t block = 4;
+  const std::span<const ContactGroup> groups = order.units[0].groups;
+  for_blocks(world.team, groups.size(), block, [&](std::size_t first, std::size_t last) {
+    visit_groups(groups.subspan(first, last - first));
   });
 }
 

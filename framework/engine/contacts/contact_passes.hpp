@@ -19,9 +19,19 @@ struct Passes {
   bool alternate = true;   ///< whether each pass goes the other way than the one before
   bool mark_impacts =
       false;  ///< whether constraints are marked at the end: ContactConstraint::mark_impact()
+  bool store = true;  ///< whether the constraints get the impulses at the end, not only the mirror
 
   /// The direction of a pass, counted from 0.
   bool goes_backwards(int pass) const { return backwards != (alternate && pass % 2 == 1); }
+
+  /// One of them. The last one marks impacts and stores impulses.
+  Passes one(int pass) const {
+    const bool last = pass + 1 == count;
+    return {.count = 1,
+            .backwards = goes_backwards(pass),
+            .mark_impacts = mark_impacts && last,
+            .store = store && last};
+  }
 };
 
 /// warm_start() for every constraint, if asked for, then solve_contacts() for each pass, then mark_impact() for
@@ -29,5 +39,9 @@ struct Passes {
 /// @param mirror of the constraints; used by the fast form only
 void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);
+
+/// Whether run_passes() and resist_rolling() write only bodies that can move, so that several threads may run
+/// them for constraints that share no movable body.
+bool passes_spare_immovable_bodies();
 
 }  // namespace cs550

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 
-#include "engine/contacts/contact_constraints.hpp"
-
 namespace cs550 {
 
 namespace {
@@ -45,11 +43,6 @@ void slow_rotation(SolverBody& a, SolverBody& b, Real limit) {
     const ContactConstraint& first = constraints[places[0]];
     slow_rotation(bodies[first.body_a], bodies[first.body_b], lever * load(constraints, places));
   }
-}
-
-void resist_rolling(WorldState& world) {
-  const Real lever = world.settings.rolling_resistance * world.settings.length_unit;
-  resist_rolling(world.mirror, world.solve_order, world.constraints, world.solver_bodies, lever);
 }
 
 }  // namespace cs550

@@ -1,7 +1,9 @@
 #include "engine/contacts/solve_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace cs550 {
@@ -18,46 +20,44 @@ void make_room(std::size_t count, Arrays&... arrays) {
   (reserve(arrays), ...);
 }
 
-/// Puts links into groups of those that wait for no other (list scheduling). Links that share a movable body
-/// wait for each other. Those that hold up the longest chains come first: what is left at the end then fills
-/// whole groups, rather than being a chain.
+/// Puts the links of a unit into groups of those that wait for no other (list scheduling). Links that share a
+/// movable body wait for each other. Those that hold up the longest chains come first: what is left at the end
+/// then fills whole groups, rather than being a chain.
 class Schedule {
  public:
-  Schedule(SolveOrder& order, std::size_t bodies) : order_(order) {
-    order_.groups.clear();
-    order_.states.clear();
-    order_.states.resize(order_.links.size());
-    order_.next_of_body.assign(bodies, no_index);
+  /// @pre order.states and order.next_of_body have room; several threads may schedule units of one phase
+  Schedule(SolveOrder& order, SolveUnit& unit) : order_(order), unit_(unit) {
+    unit_.groups.clear();
   }
 
   void run() {
     Index highest = 0;
-    for (Index i = link_count() - 1; i >= 0; --i) {
+    for (Index i = unit_.end_contact - 1; i >= unit_.first_contact; --i) {
+      state(i) = {};
       tie_to_followers(i);
       highest = std::max(highest, state(i).height);
     }
-    for (ReadyLinks& links : order_.ready) {
+    for (ReadyLinks& links : unit_.ready) {
       links.tops.assign(static_cast<std::size_t>(highest) + 1, no_index);
       links.height = 0;
     }
-    for (Index i = link_count() - 1; i >= 0; --i) {
+    for (Index i = unit_.end_contact - 1; i >= unit_.first_contact; --i) {
       if (state(i).waits_for == 0) make_ready(i);
     }
     while (const std::size_t points = longest_of_next_group()) form_group(points);
   }
 
  private:
-  Index link_count() const { return static_cast<Index>(order_.links.size()); }
   LinkState& state(Index link) { return order_.states[link]; }
-  ReadyLinks& ready(std::size_t points) { return order_.ready[points - 1]; }
+  ReadyLinks& ready(std::size_t points) { return unit_.ready[points - 1]; }
 
-  /// @pre done for all links after this one
+  /// @pre done for all links of the unit after this one
   void tie_to_followers(Index i) {
     auto follower = state(i).followers.begin();
     for (const Index body : {order_.links[i].body_a, order_.links[i].body_b}) {
       if (body == no_index) continue;
       const Index next = std::exchange(order_.next_of_body[body], i);
-      if (next == no_index) continue;
+      if (next < i) continue;  // none, or one of a unit before this one
       *follower++ = next;
       ++state(next).waits_for;
       state(i).height = std::max(state(i).height, state(next).height + 1);
@@ -104,7 +104,7 @@ class Schedule {
     for (; points > 0; --points) {
       while (!taken.full() && ready(points).count > 0) taken.push_back(take_highest(ready(points)));
     }
-    ContactGroup& group = order_.groups.emplace_back();
+    ContactGroup& group = unit_.groups.emplace_back();
     for (const Index link : taken) {
       group.push_back(order_.links[link].contact);
       for (const Index follower : state(link).followers) {
@@ -114,6 +114,7 @@ class Schedule {
   }
 
   SolveOrder& order_;
+  SolveUnit& unit_;
 };
 
 void number_points(const PairList& pairs, SolveOrder& order) {
@@ -126,51 +127,84 @@ void number_points(const PairList& pairs, SolveOrder& order) {
   order.first_point.back() = first;
 }
 
-/// Contacts that link the neighbours of a row come last: those whose normals are across gravity, within 6° (the
-/// cosine is 0.1). If each were visited between the contacts of its bodies with the next row, the rows would
-/// become one chain of contacts that wait for each other.
-void list_contacts(const PairList& pairs, const Vec3& gravity, SolveOrder& order) {
-  const Real across = Real(0.1) * gravity.norm();
-  order.contacts.clear();
-  order.neighbours.clear();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (!pairs.has_points(i)) continue;
-    const Vec3& normal = pairs.contacts[i].manifold.normal;
-    const bool links_neighbours = std::abs(normal.dot(gravity)) < across;
-    (links_neighbours ? order.neighbours : order.contacts).push_back(static_cast<Index>(i));
-  }
-  order.contacts.insert(order.contacts.end(), order.neighbours.begin(), order.neighbours.end());
+/// The unit of a contact between bodies of these parts.
+Index unit_between(Index part_a, Index part_b, Index parts) {
+  if (part_a == part_b) return part_a;
+  if (std::abs(part_a - part_b) > 1) return 2 * parts - 1;
+  const Index lower = std::min(part_a, part_b);
+  return parts + lower / 2 + (lower % 2 == 1 ? parts / 2 : 0);
 }
 
-void list_links(const PairList& pairs, std::span<const RigidBody> bodies, SolveOrder& order) {
+/// The links in the order of the pairs, and their ranks. Within a unit, contacts that link the neighbours of a
+/// row come last: those whose normals are across gravity, within 6° (the cosine is 0.1). If each were visited
+/// between the contacts of its bodies with the next row, the rows would become one chain of contacts that wait
+/// for each other.
+void list_links(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
+                const BodyParts& parts, SolveOrder& order) {
+  const Real across = Real(0.1) * gravity.norm();
   const auto movable = [&](Index body) {
     return bodies[body].kind == BodyKind::Dynamic ? body : no_index;
   };
-  order.links.clear();
-  for (const Index i : order.contacts) {
+  const auto part_of = [&](Index body, Index other) {
+    return parts.count == 1 ? 0 : parts.of_body[body != no_index ? body : other];
+  };
+  order.unsorted.clear();
+  order.ranks.clear();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!pairs.has_points(i)) continue;
     const PairSummary& pair = pairs.summaries[i];
-    order.links.push_back({i, movable(pair.body_a), movable(pair.body_b), pair.points});
+    const Index a = movable(pair.body_a);
+    const Index b = movable(pair.body_b);
+    const Index unit = unit_between(part_of(a, b), part_of(b, a), parts.count);
+    const Vec3& normal = pairs.contacts[i].manifold.normal;
+    const bool links_neighbours = std::abs(normal.dot(gravity)) < across;
+    order.unsorted.push_back({static_cast<Index>(i), a, b, pair.points, unit});
+    order.ranks.push_back(2 * unit + (links_neighbours ? 1 : 0));
   }
 }
 
-}  // namespace
+/// Sorts the links by rank, and notes where the units begin.
+void sort_links(SolveOrder& order) {
+  std::array<Index, 2 * most_units + 1> next{};
+  for (const Index rank : order.ranks) ++next[rank + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (std::size_t i = 0; i < order.units.size(); ++i) {
+    order.units[i].first_contact = next[2 * i];
+    order.units[i].end_contact = next[2 * i + 2];
+  }
+  order.links.resize(order.unsorted.size());
+  order.contacts.resize(order.unsorted.size());
+  for (std::size_t i = 0; i < order.unsorted.size(); ++i) {
+    const Index to = next[order.ranks[i]]++;
+    order.links[to] = order.unsorted[i];
+    order.contacts[to] = order.unsorted[i].contact;
+  }
+}
 
-void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodies,
-                         const Vec3& gravity, SolveOrder& order) {
-  make_room(pairs.size(), order.contacts, order.neighbours, order.links, order.grouped,
-            order.states);
-  for (ReadyLinks& links : order.ready) make_room(pairs.size(), links.tops);
-  number_points(pairs, order);
-  list_contacts(pairs, gravity, order);
-  list_links(pairs, bodies, order);
-  if (order.links == order.grouped) return;  // most steps of a scene at rest
-  Schedule(order, bodies.size()).run();
-  std::swap(order.grouped, order.links);
-  order.place_of_point.resize(order.first_point.back());
+/// The units of several threads.
+void make_units(Index parts, SolveOrder& order) {
+  const Index in_phase[] = {parts, parts / 2, (parts - 1) / 2, parts > 1 ? 1 : 0};
+  for (std::size_t i = 0; i < phase_count; ++i) {
+    order.phases[i + 1] = order.phases[i] + static_cast<std::size_t>(in_phase[i]);
+  }
+  order.units.resize(order.phases.back());
+}
+
+/// One thread takes all contacts as a unit: their order is the same, and more of them are side by side.
+void unite(SolveOrder& order) {
+  order.phases.fill(1);
+  order.phases[0] = 0;
+  order.units.resize(1);
+  order.units[0].first_contact = 0;
+  order.units[0].end_contact = static_cast<Index>(order.links.size());
+  for (ContactLink& link : order.links) link.unit = 0;
+}
+
+/// The longest contacts of a group come first, so those that have points left are always the first ones.
+void place_points(const PairList& pairs, SolveOrder& order, SolveUnit& unit) {
   const auto points_of = [&](Index i) { return pairs.summaries[i].points; };
-  Index place = 0;
-  // The longest contacts of a group come first, so those that have points left are always the first ones.
-  for (const ContactGroup& group : order.groups) {
+  Index place = unit.first_place;
+  for (const ContactGroup& group : unit.groups) {
     for (Index point = 0; point < points_of(group[0]); ++point) {
       for (const Index contact : group) {
         if (point >= points_of(contact)) break;
@@ -180,11 +214,48 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
   }
 }
 
-void keep_groups(const SolveOrder& order, ConstraintMirror& mirror) {
-  mirror.starts.clear();
-  for (const ContactGroup& group : order.groups) {
-    mirror.starts.push_back(order.places_of(group[0])[0]);
+void place_units(SolveOrder& order) {
+  Index place = 0;
+  for (SolveUnit& unit : order.units) {
+    unit.first_place = place;
+    for (Index i = unit.first_contact; i < unit.end_contact; ++i) place += order.links[i].points;
+    unit.end_place = place;
   }
+  order.place_of_point.resize(order.first_point.back());
+}
+
+}  // namespace
+
+void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodies,
+                         const Vec3& gravity, SolveOrder& order, const BodyParts& parts,
+                         ThreadTeam* team) {
+  make_room(pairs.size(), order.contacts, order.unsorted, order.ranks, order.links, order.grouped,
+            order.states);
+  number_points(pairs, order);
+  make_units(parts.count, order);
+  list_links(pairs, bodies, gravity, parts, order);
+  sort_links(order);
+  if (team == nullptr) unite(order);
+  if (order.links == order.grouped) return;  // most steps of a scene at rest
+  order.states.resize(order.links.size());
+  order.next_of_body.assign(bodies.size(), no_index);
+  for_units(team, order, false, [&](std::size_t i) { Schedule(order, order.units[i]).run(); });
+  place_units(order);
+  for_units(team, order, false, [&](std::size_t i) { place_points(pairs, order, order.units[i]); });
+  std::swap(order.grouped, order.links);
+}
+
+void keep_groups(const SolveOrder& order, ConstraintMirrors& mirrors, ThreadTeam* team) {
+  mirrors.of_units.resize(order.units.size());
+  for_units(team, order, false, [&](std::size_t i) {
+    const SolveUnit& unit = order.units[i];
+    std::vector<Index>& starts = mirrors.of_units[i].starts;
+    starts.clear();
+    for (const ContactGroup& group : unit.groups) {
+      starts.push_back(order.places_of(group[0])[0] - unit.first_place);
+    }
+  });
+  mirrors.set_stale();
 }
 
 }  // namespace cs550

@@ -100,19 +100,36 @@ bool was_found(const WorldState& world, Index a, Index b) {
   return world.searched_bounds[a].overlaps(world.searched_bounds[b]);
 }
 
-/// Keys of the pairs of a body that has moved whose boxes began to overlap.
-void find_new_keys_of(WorldState& world, Index body) {
+/// Adds the keys of the pairs of a body that has moved whose boxes began to overlap.
+void find_new_keys_of(const WorldState& world, Index body, PairSearch& search) {
   // Two bodies that have both moved find each other twice: only the smaller index counts.
   const auto counts = [&](Index other) {
     return other > body || (other < body && !world.has_moved[other]);
   };
-  world.found.clear();
-  world.tree.query(world.tree.bounds(world.slots[body].leaf), world.found);
-  for (const Index other : world.found) {
+  search.found.clear();
+  world.tree.query(world.tree.bounds(world.slots[body].leaf), search.found);
+  for (const Index other : search.found) {
     if (counts(other) && !was_found(world, body, other) && may_touch(world, body, other)) {
-      world.new_keys.push_back(pair_key(body, other));
+      search.keys.push_back(pair_key(body, other));
     }
   }
+}
+
+/// Searches for the pairs of all bodies that have moved, by several threads if there are any.
+void search_for_pairs(WorldState& world) {
+  constexpr std::size_t few_bodies = 32;
+  const std::span<const Index> moved = world.moved;
+  world.searches.resize(std::max(world.searches.size(), moved.size() / few_bodies + 1));
+  for_blocks(world.team, world.searches.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      PairSearch& search = world.searches[i];
+      search.keys.clear();
+      const std::size_t begin = std::min(i * few_bodies, moved.size());
+      for (const Index body : moved.subspan(begin, std::min(few_bodies, moved.size() - begin))) {
+        if (world.slots[body].alive) find_new_keys_of(world, body, search);
+      }
+    }
+  });
 }
 
 /// Sorted, each once. A few old ones may be among them: the boxes of a pair may part and meet again while its
@@ -120,8 +137,9 @@ void find_new_keys_of(WorldState& world, Index body) {
 void find_new_keys(WorldState& world) {
   std::vector<std::uint64_t>& keys = world.new_keys;
   keys.clear();
-  for (const Index body : world.moved) {
-    if (world.slots[body].alive) find_new_keys_of(world, body);
+  search_for_pairs(world);
+  for (const PairSearch& search : world.searches) {
+    keys.insert(keys.end(), search.keys.begin(), search.keys.end());
   }
   for (const Index body : world.moved) {
     if (!world.slots[body].alive) continue;

@@ -9,15 +9,11 @@
 
 namespace cs550 {
 
+/// The pause instruction of x86 would be kinder to a thread on the same core. But with it the next loop begins
+/// 0.7 µs later on a virtual machine.
 void ActiveWait::pause() {
-  constexpr int patience = 4000;
-  if (++pauses_ > patience) {
-    std::this_thread::yield();
-    return;
-  }
-#if defined(__x86_64__) && defined(__GNUC__)
-  __builtin_ia32_pause();
-#endif
+  constexpr int patience = 20'000;
+  if (++pauses_ > patience) std::this_thread::yield();
 }
 
 void ThreadTeam::Loop::call_block(std::size_t first, std::size_t last) {

@@ -20,7 +20,7 @@ inline constexpr int most_threads = 16;
 /// Data that different threads write must not share a cache line.
 inline constexpr std::size_t cache_line = 64;
 
-/// Waits for another thread a moment longer with each call, and lets others run after many.
+/// A wait for another thread, which lets others run after many calls.
 class ActiveWait {
  public:
   void pause();

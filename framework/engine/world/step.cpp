@@ -4,6 +4,7 @@
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/islands/sleeping.hpp"
 #include "engine/pairs/near_pairs.hpp"
+#include "engine/parts/part_numbering.hpp"
 #include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
 
@@ -80,12 +81,15 @@ void advance(WorldState& world, Real h) {
   const int substeps = substep_count(world.settings);
   const ContactStep step = contact_step(world.settings, h / static_cast<Real>(substeps));
   apply_gravity(world);
-  run_stage(world, Stage::Prepare, make_constraints);
-  begin_audit(world);
-  run_substeps(world, step, substeps);
-  end_audit(world, h);
-
-  store_impulses(world);
+  run_stage(world, Stage::Prepare, arrange_contacts);
+  {
+    const PartNumbering numbering(world);
+    run_stage(world, Stage::Prepare, make_constraints);
+    begin_audit(world);
+    run_substeps(world, step, substeps);
+    end_audit(world, h);
+    store_impulses(world);
+  }
   report_touching(world);
   clear_forces(world);
   if (world.settings.check_stages) restore_broken_bodies(world);

@@ -4,6 +4,7 @@
 #include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/contacts/contact_passes.hpp"
+#include "engine/contacts/rolling_resistance.hpp"
 #include "engine/contacts/solve_order.hpp"
 #include "engine/contacts/solver_bodies.hpp"
 #include "engine/world/impact_energy.hpp"
@@ -31,7 +32,7 @@ void measure_approach(WorldState& world) {
     constraint.approach_velocity =
         normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n);
   }
-  world.mirror.stale = true;
+  world.mirrors.set_stale();
 }
 
 /// The naive solver starts from nothing, and so does the other one if the settings ask for it.
@@ -40,7 +41,7 @@ void forget_impulses(WorldState& world) {
     constraint.normal_impulse = 0;
     constraint.tangent_impulse.setZero();
   }
-  world.mirror.stale_impulses = true;
+  world.mirrors.set_stale_impulses();
 }
 
 /// The naive solver reflects the velocities that it finds, and these contain what gravity has added in this
@@ -66,17 +67,48 @@ Passes passes_after(const WorldState& world, int done, int count) {
   return passes;
 }
 
+/// The passes over the units of the solve order: the same as over all constraints in turn.
+void run_passes_by_unit(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step,
+                        const Passes& passes) {
+  const SolveOrder& order = world.solve_order;
+  const auto run = [&](const Passes& some) {
+    for_units(world.team, order, some.backwards, [&](std::size_t i) {
+      const SolveUnit& unit = order.units[i];
+      const std::span constraints =
+          std::span(world.constraints).subspan(unit.first_place, unit.end_place - unit.first_place);
+      run_passes(world.mirrors.of_units[i], constraints, bodies, step, some);
+    });
+  };
+  if (order.units.size() == 1) {
+    run(passes);
+    return;
+  }
+  if (passes.count == 0) run(passes);
+  if (passes.count > 0 && passes.warm_start) run({.warm_start = true, .store = false});
+  for (int i = 0; i < passes.count; ++i) run(passes.one(i));
+}
+
 /// Passes of the chosen solver.
 void solve(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step,
            const Passes& passes) {
   if (world.settings.solver == SolverKind::Constraint) {
-    run_passes(world.mirror, world.constraints, bodies, step, passes);
+    run_passes_by_unit(world, bodies, step, passes);
     return;
   }
   if (world.any_bounces) bounce_without_forces(world.constraints, bodies);
   for (int pass = 0; pass < passes.count; ++pass) {
     resolve_contacts_naive(world.constraints, bodies);
   }
+}
+
+/// Lets every contact resist the rotation of its bodies relative to each other, as
+/// settings.rolling_resistance specifies.
+void resist_rolling(WorldState& world) {
+  const Real lever = world.settings.rolling_resistance * world.settings.length_unit;
+  for_units(world.team, world.solve_order, false, [&](std::size_t unit) {
+    resist_rolling(world.mirrors.of_units[unit], world.solve_order, world.constraints,
+                   world.solver_bodies, lever);
+  });
 }
 
 /// Whether a contact is about to bounce.
@@ -146,7 +178,7 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
       if (!world.any_bounces) return;
       apply_restitution(world.constraints, bodies, step);
       if (world.impacts.any) limit_impact_energy(world, bodies);
-      world.mirror.stale_impulses = true;
+      world.mirrors.set_stale_impulses();
     });
   } else {
     if (world.settings.solver == SolverKind::Constraint) return_friction(world);
@@ -155,7 +187,7 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
       constraint.mark_impact();
       if (constraint.impact_handled) constraint.approach_velocity = 0;
     }
-    world.mirror.stale_impulses = true;
+    world.mirrors.set_stale_impulses();
   }
 }
 
@@ -202,7 +234,7 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 void prepare(WorldState& world, const ContactStep& step) {
   if (world.settings.solver == SolverKind::Naive || world.constraints.empty()) return;
   gather_solver_bodies(world);  // only to read them
-  keep_groups(world.solve_order, world.mirror);
+  keep_groups(world.solve_order, world.mirrors, world.team);
   world.cold_start.is_fresh.assign(world.pairs.size(), 0);
   for_groups_in_blocks(world,
                        [&](const ContactGroup& contacts, std::span<ContactConstraint> constraints) {

@@ -25,6 +25,8 @@ class Grouping {
       take_body(next().body_b);
       group.bodies_a[lanes_] = next().body_a;
       group.bodies_b[lanes_] = next().body_b;
+      group.has_immovable =
+          group.has_immovable || is_immovable(next().body_a) || is_immovable(next().body_b);
       ++lanes_;
       ++next_;
     }
@@ -59,6 +61,7 @@ class Grouping {
   }
   Index group() const { return static_cast<Index>(mirror_.groups.size()); }
   bool is_taken(Index body) const { return mirror_.last_group[body] == group(); }
+  bool is_immovable(Index body) const { return bodies_[body].inverse_mass == 0; }
   void take_body(Index body) {
     if (bodies_[body].inverse_mass > 0) mirror_.last_group[body] = group();
   }

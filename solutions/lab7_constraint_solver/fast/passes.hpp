@@ -15,7 +15,8 @@ namespace cs550::CS550_LANES {
 /// The bodies of a group. An unused lane holds a body of its own, at rest.
 class GroupBodies {
  public:
-  GroupBodies(const PairGroup& group, std::span<SolverBody> bodies) {
+  GroupBodies(const PairGroup& group, std::span<SolverBody> bodies)
+      : has_immovable_(group.has_immovable) {
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       const bool used = group.bodies_a[lane] != no_index;
       a_[lane] = used ? &bodies[group.bodies_a[lane]] : &at_rest_;
@@ -25,16 +26,27 @@ class GroupBodies {
   GroupBodies(const GroupBodies&) = delete;
   GroupBodies& operator=(const GroupBodies&) = delete;
 
+  /// Lets the lanes of immovable bodies be stored elsewhere: other threads may read these bodies.
+  void spare_immovable() {
+    if (!has_immovable_) return;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      if (a_[lane]->inverse_mass == 0) a_[lane] = &at_rest_;
+      if (b_[lane]->inverse_mass == 0) b_[lane] = &at_rest_;
+    }
+  }
+
   const PerLane<SolverBody>& a() const { return a_; }
   const PerLane<SolverBody>& b() const { return b_; }
 
   WidePair load() const { return {WideBody(a_), WideBody(b_)}; }
-  void store(const WidePair& pair) const {
+  void store(const WidePair& pair) {
+    spare_immovable();
     pair.a.store_velocities(a_);
     pair.b.store_velocities(b_);
   }
 
  private:
+  bool has_immovable_ = false;
   PerLane<SolverBody> a_;
   PerLane<SolverBody> b_;
   SolverBody at_rest_;
@@ -56,7 +68,7 @@ void for_rows(std::span<ContactConstraint> constraints, ConstraintMirror& mirror
 
 inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodies) {
   for (const PairGroup& group : mirror.groups) {
-    const GroupBodies group_bodies(group, bodies);
+    GroupBodies group_bodies(group, bodies);
     WidePair pair = group_bodies.load();
     for (const WideConstraint& constraint : rows_of(group, mirror)) warm_start(constraint, pair);
     group_bodies.store(pair);
@@ -67,7 +79,7 @@ inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodie
 [[gnu::flatten]] inline void solve_forwards(ConstraintMirror& mirror, std::span<SolverBody> bodies,
                                             const ContactStep& step) {
   for (const PairGroup& group : mirror.groups) {
-    const GroupBodies group_bodies(group, bodies);
+    GroupBodies group_bodies(group, bodies);
     WidePair pair = group_bodies.load();
     for (WideConstraint& constraint : rows_of(group, mirror)) {
       solve_normal(constraint, pair, step);
@@ -81,7 +93,7 @@ inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodie
 [[gnu::flatten]] inline void solve_backwards(ConstraintMirror& mirror, std::span<SolverBody> bodies,
                                              const ContactStep& step) {
   for (auto group = mirror.groups.rbegin(); group != mirror.groups.rend(); ++group) {
-    const GroupBodies group_bodies(*group, bodies);
+    GroupBodies group_bodies(*group, bodies);
     WidePair pair = group_bodies.load();
     const std::span<WideConstraint> rows = rows_of(*group, mirror);
     for (auto constraint = rows.rbegin(); constraint != rows.rend(); ++constraint) {
@@ -116,7 +128,7 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
       solve_forwards(mirror, bodies, step);
     }
   }
-  if (passes.count == 0 && !passes.mark_impacts) return;
+  if (!passes.store || (passes.count == 0 && !passes.mark_impacts)) return;
   for_rows(constraints, mirror, [&](WideConstraint& row, const auto& lanes) {
     if (passes.mark_impacts) mark_impacts(row);
     store_impulses(row, lanes);

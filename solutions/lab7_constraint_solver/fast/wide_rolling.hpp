@@ -59,10 +59,11 @@ inline void slow_rotation(WideRotation& a, WideRotation& b, WideReal limit) {
   for (const PairGroup& group : mirror.groups) {
     WideReal load = all_lanes(0);
     for (const WideConstraint& row : rows_of(group, mirror)) load = load + row.normal_impulse;
-    const GroupBodies pair(group, bodies);
+    GroupBodies pair(group, bodies);
     WideRotation a(pair.a());
     WideRotation b(pair.b());
     slow_rotation(a, b, all_lanes(lever) * load);
+    pair.spare_immovable();
     a.store(pair.a());
     b.store(pair.b());
   }

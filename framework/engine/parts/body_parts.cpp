@@ -1,0 +1,151 @@
+#include "engine/parts/body_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace cs550 {
+
+namespace {
+
+/// With fewer contacts, threads would wait for each other longer than they save.
+constexpr Index fewest_contacts = 128;
+/// From here on, more than two threads have enough to do.
+constexpr Index contacts_in_part = 2048;
+
+Index part_count(Index contacts) {
+  if (contacts < fewest_contacts) return 1;
+  return std::clamp<Index>(contacts / contacts_in_part, 2, most_parts);
+}
+
+bool is_movable(const RigidBody& body) { return body.kind == BodyKind::Dynamic; }
+
+/// Calls `visit(a, b)` for every contact with points: its bodies, where an immovable one is replaced by the
+/// other.
+template <class Visit>
+void for_contacts(const PairList& pairs, std::span<const RigidBody> bodies, const Visit& visit) {
+  for (const PairSummary& pair : pairs.summaries) {
+    if (pair.points == 0) continue;
+    const RigidBody& a = bodies[pair.body_a];
+    const RigidBody& b = bodies[pair.body_b];
+    visit(is_movable(a) ? a : b, is_movable(b) ? b : a);
+  }
+}
+
+/// Slices of equal width across an axis. They reach from the first to the last body that has contacts.
+struct Slices {
+  static constexpr int count = 128;
+
+  int axis = 0;
+  Real start = 0;
+  Real per_length = 0;
+
+  /// Bodies outside are in the first or the last one.
+  int of(const RigidBody& body) const {
+    const Real slice = (body.pose.position[axis] - start) * per_length;
+    if (!(slice > 0)) return 0;  // or not a number
+    return static_cast<int>(std::min(slice, static_cast<Real>(count - 1)));
+  }
+};
+
+/// Of each slice.
+struct Census {
+  std::array<Index, Slices::count> up_to{};  ///< contacts in it and in those before it
+  std::array<Index, Slices::count> cut{};    ///< contacts of it, or one before it, with a later one
+};
+
+Census count_contacts(const PairList& pairs, std::span<const RigidBody> bodies,
+                      const Slices& slices) {
+  Census census;
+  for_contacts(pairs, bodies, [&](const RigidBody& a, const RigidBody& b) {
+    const auto [first, last] = std::minmax({slices.of(a), slices.of(b)});
+    ++census.up_to[last];
+    ++census.cut[first];
+    --census.cut[last];
+  });
+  for (int i = 1; i < Slices::count; ++i) {
+    census.up_to[i] += census.up_to[i - 1];
+    census.cut[i] += census.cut[i - 1];
+  }
+  return census;
+}
+
+/// The slices with which the parts end.
+struct Cuts {
+  Slices slices;
+  std::array<int, most_parts> last_slice{};
+  Index cost = 0;  ///< see cost_of_cut()
+
+  Index part_of(const RigidBody& body, Index parts) const {
+    const int slice = slices.of(body);
+    Index part = 0;
+    while (part + 1 < parts && slice > last_slice[part]) ++part;
+    return part;
+  }
+};
+
+/// The contacts that a thread waits for if a part ends with a slice: those by which the parts before and after
+/// it are too unequal, and those between them. The latter count twice, since their bodies have to be fetched
+/// from another core.
+Index cost_of_cut(const Census& census, int slice, Index wanted) {
+  const Index cut = census.cut[slice];
+  return std::abs(census.up_to[slice] + cut / 2 - wanted) + 2 * cut;
+}
+
+Cuts cuts_across(const Slices& slices, const PairList& pairs, std::span<const RigidBody> bodies,
+                 Index parts) {
+  Cuts cuts{slices};
+  const Census census = count_contacts(pairs, bodies, slices);
+  for (Index part = 0; part + 1 < parts; ++part) {
+    const Index wanted = census.up_to.back() * (part + 1) / parts;
+    const auto cost = [&](int slice) { return cost_of_cut(census, slice, wanted); };
+    int best = 0;
+    for (int slice = 1; slice < Slices::count; ++slice) {
+      if (cost(slice) < cost(best)) best = slice;
+    }
+    cuts.last_slice[part] = best;
+    cuts.cost += cost(best);
+  }
+  return cuts;
+}
+
+/// The cheapest cuts across an axis, other than the one nearest to gravity: bodies stay with what they rest on.
+Cuts best_cuts(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
+               Index parts) {
+  Vec3 lowest = Vec3::Constant(HUGE_VALF);
+  Vec3 highest = -lowest;
+  for_contacts(pairs, bodies, [&](const RigidBody& a, const RigidBody& b) {
+    lowest = lowest.cwiseMin(a.pose.position).cwiseMin(b.pose.position);
+    highest = highest.cwiseMax(a.pose.position).cwiseMax(b.pose.position);
+  });
+  int down = 0;
+  const bool weighs = gravity.cwiseAbs().maxCoeff(&down) > 0;
+  Cuts best;
+  best.cost = std::numeric_limits<Index>::max();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real extent = highest[axis] - lowest[axis];
+    if ((weighs && axis == down) || !(extent > 0)) continue;
+    const Slices slices{axis, lowest[axis], static_cast<Real>(Slices::count) / extent};
+    const Cuts cuts = cuts_across(slices, pairs, bodies, parts);
+    if (cuts.cost < best.cost) best = cuts;
+  }
+  return best;
+}
+
+}  // namespace
+
+void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
+                   BodyParts& parts) {
+  const auto contacts = std::count_if(pairs.summaries.begin(), pairs.summaries.end(),
+                                      [](const PairSummary& pair) { return pair.points > 0; });
+  parts.count = part_count(static_cast<Index>(contacts));
+  parts.of_body.assign(bodies.size(), 0);
+  if (parts.count == 1) return;
+  const Cuts cuts = best_cuts(pairs, bodies, gravity, parts.count);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    parts.of_body[i] = cuts.part_of(bodies[i], parts.count);
+  }
+}
+
+}  // namespace cs550

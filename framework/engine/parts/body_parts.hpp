@@ -1,0 +1,24 @@
+#pragma once
+/// @file body_parts.hpp
+/// The parts of a world that several threads solve at the same time.
+///
+/// A contact is inside a part or between two. Threads first solve what is inside, each in its own parts, and
+/// then what is between. The order of the contacts follows from that (solve_order.hpp), so a world has its
+/// parts with one thread, too.
+
+#include <span>
+
+#include "engine/world_state.hpp"
+
+namespace cs550 {
+
+/// How many steps the bodies keep their parts. Bodies that are added meanwhile are in the first part.
+inline constexpr std::int64_t steps_between_divisions = 16;
+
+/// Divides the bodies into parts that lie side by side across gravity and have about as many contacts each.
+/// Cuts are where few contacts cross them. A world with few contacts is one part.
+/// @param gravity in the world frame
+void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
+                   BodyParts& parts);
+
+}  // namespace cs550

@@ -1,0 +1,108 @@
+// Prints the state hash of piles after some steps, and fails if it depends on the number of threads. The piles
+// have so many contacts that they are solved in parts.
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include "engine/test_bodies.hpp"
+
+namespace {
+
+using cs550::World;
+
+constexpr int steps = 50;
+constexpr int enough_contacts = 128;  // for two parts, see divide_bodies()
+
+/// A pile, and what happens to it before each step.
+struct Case {
+  std::string name;
+  World world;
+  std::function<void(World&, int step)> before_step = [](World&, int) {};
+};
+
+std::uint64_t hash_after(const Case& pile, int threads) {
+  World world = pile.world;
+  world.settings().threads = threads;
+  for (int step = 0; step < steps; ++step) {
+    pile.before_step(world, step);
+    world.step(cs550::test::step_length);
+  }
+  if (world.stats().contacts < enough_contacts) {
+    std::printf("%s: only %d contacts\n", pile.name.c_str(), world.stats().contacts);
+  }
+  return world.state_hash();
+}
+
+/// @returns whether any number of threads leaves the same state
+bool compare(const Case& pile) {
+  const std::uint64_t alone = hash_after(pile, 1);
+  std::printf("%s: %016llx\n", pile.name.c_str(), static_cast<unsigned long long>(alone));
+  bool same = true;
+  for (int threads = 2; threads <= 4; ++threads) {
+    if (hash_after(pile, threads) == alone) continue;
+    std::printf("%s: another state with %d threads\n", pile.name.c_str(), threads);
+    same = false;
+  }
+  return same;
+}
+
+/// Layers of cubes, a little apart and turned, on a floor.
+World cubes(cs550::Quality quality, cs550::Real restitution) {
+  cs550::test::Random random(9);
+  World world;
+  cs550::set_quality(world.settings(), quality);
+  world.add_body(cs550::test::floor_body());
+  const cs550::ShapePtr cube = cs550::test::box_shape(cs550::Vec3::Constant(cs550::Real(0.5)));
+  for (int i = 0; i < 7 * 7 * 4; ++i) {
+    cs550::BodyDef def = cs550::test::body_at(
+        cube, cs550::Vec3(cs550::Real(i % 7), cs550::Real(i / 7 % 7),
+                          cs550::Real(i / 49) * cs550::Real(1.01) + cs550::Real(0.5)));
+    def.pose.orientation = cs550::Quat(
+        Eigen::AngleAxis<cs550::Real>(random.real(0, cs550::Real(0.02)), random.unit_vector()));
+    def.restitution = restitution;
+    world.add_body(def);
+  }
+  return world;
+}
+
+/// A plate that moves through the pile.
+void add_plate(World& world) {
+  cs550::BodyDef plate = cs550::test::body_at(cs550::test::box_shape({cs550::Real(0.1), 8, 1}),
+                                              {-2, 3, 1}, cs550::BodyKind::Kinematic);
+  plate.linear_velocity = {2, 0, 0};
+  world.add_body(plate);
+}
+
+/// Removes a body in every fifth step and adds another one.
+void exchange_bodies(World& world, int step) {
+  if (step % 5 != 0) return;
+  world.remove_body(world.id_at(1 + step));
+  world.add_body(
+      cs550::test::body_at(cs550::test::box_shape(cs550::Vec3::Constant(cs550::Real(0.3))),
+                           {cs550::Real(step % 7), 3, 6}));
+}
+
+}  // namespace
+
+int main() {
+  using cs550::Quality;
+  World pushed = cubes(Quality::Game, 0);
+  add_plate(pushed);
+  World sleeping = cubes(Quality::Game, 0);
+  sleeping.settings().sleeping = true;
+  World checked = cubes(Quality::Game, 0);
+  checked.settings().check_stages = true;
+  bool same = true;
+  for (const Case& pile : {
+           Case{"accurate", cubes(Quality::Accurate, 0)},
+           Case{"game", cubes(Quality::Game, 0)},
+           Case{"bouncing", cubes(Quality::Game, cs550::Real(0.4))},
+           Case{"pushed by a plate", pushed},
+           Case{"falling asleep", sleeping},
+           Case{"with checks", checked},
+           Case{"with new bodies", cubes(Quality::Game, 0), exchange_bodies},
+       }) {
+    same = compare(pile) && same;
+  }
+  return same ? 0 : 1;
+}
