@@ -1,6 +1,7 @@
 // Several threads leave the bits of one.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <stdexcept>
 #include <string>
@@ -37,6 +38,25 @@ TEST(ThreadTeam, FinishesWithoutWorkers) {
     for (std::size_t i = first; i < last; ++i) sum += static_cast<int>(i);
   });
   EXPECT_EQ(sum, 99 * 100 / 2);
+}
+
+// Eight threads are more than most machines have processors: some wait for one, and come back when other loops
+// have begun.
+TEST(ThreadTeam, KeepsLoopsApartIfWorkersAreLate) {
+  constexpr std::size_t most = 32;
+  for (const int threads : {2, 3, 8}) {
+    ThreadTeam team(threads);
+    team.run([&] {
+      for (std::size_t loop = 0; loop < 20'000; ++loop) {
+        const std::size_t count = 2 + loop % (most - 1);
+        std::array<std::atomic<int>, most> visits{};
+        team.for_blocks(count, 1 + loop % 3, [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) ++visits[i];
+        });
+        for (std::size_t i = 0; i < most; ++i) ASSERT_EQ(visits[i], i < count ? 1 : 0);
+      }
+    });
+  }
 }
 
 TEST(ThreadTeam, ReportsTheFailureOfTheFirstBlock) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #if CS550_HAS_TBB
 #include <tbb/task_group.h>
@@ -16,53 +17,96 @@ void ActiveWait::pause() {
   if (++pauses_ > patience) std::this_thread::yield();
 }
 
-void ThreadTeam::Loop::call_block(std::size_t first, std::size_t last) {
-  try {
-    call(work, first, last);
-  } catch (...) {
-    const std::lock_guard lock(mutex);
-    if (failure && failed_block < first) return;
-    failed_block = first;
-    failure = std::current_exception();
-  }
+/// Whoever reads a new value of one member then finds that the number is not the former one.
+void ThreadTeam::Notice::publish(const Loop& loop) {
+  number_.store(0, std::memory_order_relaxed);
+  call_.store(loop.call, std::memory_order_release);
+  work_.store(loop.work, std::memory_order_release);
+  count_.store(loop.count, std::memory_order_release);
+  block_.store(loop.block, std::memory_order_release);
+  number_.store(loop.number, std::memory_order_release);
 }
 
-void ThreadTeam::do_blocks(Loop& loop, int member) const {
-  for (int i = 0; i < size_; ++i) {
-    Share& share = loop.shares[static_cast<std::size_t>((member + i) % size_)];
-    while (share.next.load(std::memory_order_relaxed) < share.end) {
-      const std::size_t first = share.next.fetch_add(loop.block, std::memory_order_relaxed);
-      if (first < share.end) loop.call_block(first, std::min(first + loop.block, share.end));
-    }
-  }
+bool ThreadTeam::Notice::read(std::uint32_t number, Loop& loop) const {
+  loop = {number, call_.load(std::memory_order_acquire), work_.load(std::memory_order_acquire),
+          count_.load(std::memory_order_acquire), block_.load(std::memory_order_acquire)};
+  return number_.load(std::memory_order_relaxed) == number;
 }
 
-void ThreadTeam::run(Loop& loop, std::size_t count) {
+bool ThreadTeam::Share::take(std::uint32_t loop, std::uint32_t count, std::uint32_t& block) {
+  constexpr int half = 32;
+  std::uint64_t taken = taken_.load(std::memory_order_relaxed);
+  std::uint64_t next = 0;
+  do {
+    const auto last_loop = static_cast<std::uint32_t>(taken >> half);
+    block = last_loop == loop ? static_cast<std::uint32_t>(taken) : 0;
+    if (last_loop > loop || block >= count) return false;
+    next = static_cast<std::uint64_t>(loop) << half | (block + 1);
+  } while (!taken_.compare_exchange_weak(taken, next, std::memory_order_relaxed));
+  return true;
+}
+
+ThreadTeam::Range ThreadTeam::share_of(const Loop& loop, int member) const {
   const auto size = static_cast<std::size_t>(size_);
-  for (std::size_t i = 0; i < size; ++i) {
-    loop.shares[i].next.store(count * i / size, std::memory_order_relaxed);
-    loop.shares[i].end = count * (i + 1) / size;
-  }
-  loop_.store(&loop);
-  do_blocks(loop, 0);
-  // A worker counts itself before it reads the loop, so a worker that is not counted now finds none.
-  loop_.store(nullptr);
-  ActiveWait wait;
-  while (inside_.load() > 0) wait.pause();
-  if (loop.failure) std::rethrow_exception(loop.failure);
+  const auto i = static_cast<std::size_t>(member);
+  const std::size_t first = loop.count * i / size;
+  const std::size_t last = loop.count * (i + 1) / size;
+  return {first, last, static_cast<std::uint32_t>((last - first + loop.block - 1) / loop.block)};
 }
 
+void ThreadTeam::call_block(const Loop& loop, std::size_t first, std::size_t last) {
+  try {
+    loop.call(loop.work, first, last);
+  } catch (...) {
+    const std::lock_guard lock(failure_.mutex);
+    if (failure_.exception && failure_.block < first) return;
+    failure_.block = first;
+    failure_.exception = std::current_exception();
+  }
+}
+
+void ThreadTeam::do_share(const Loop& loop, int member) {
+  const Range range = share_of(loop, member);
+  Share& share = shares_[static_cast<std::size_t>(member)];
+  std::uint32_t block = 0;
+  std::uint32_t done = 0;
+  for (; share.take(loop.number, range.blocks, block); ++done) {
+    const std::size_t first = range.first + block * loop.block;
+    call_block(loop, first, std::min(first + loop.block, range.last));
+  }
+  if (done > 0) share.finish(done);
+}
+
+void ThreadTeam::run(const Loop& loop) {
+  notice_.publish(loop);
+  for (int member = 0; member < size_; ++member) do_share(loop, member);
+  for (int member = 0; member < size_; ++member) {
+    const auto i = static_cast<std::size_t>(member);
+    begun_[i] += share_of(loop, member).blocks;
+    ActiveWait wait;
+    while (shares_[i].finished() != begun_[i]) wait.pause();
+  }
+  if (failure_.exception) std::rethrow_exception(std::exchange(failure_.exception, nullptr));
+}
+
+/// A worker leaves the only block of another thread to that thread, which has begun with it. To look at its share
+/// would take the cache line from it.
 void ThreadTeam::run_worker(int member) {
+  std::uint32_t last_loop = 0;
   ActiveWait wait;
-  while (!over_.load(std::memory_order_acquire)) {
-    if (loop_.load(std::memory_order_relaxed) == nullptr) {
+  while (!notice_.step_has_ended()) {
+    const std::uint32_t number = notice_.number();
+    Loop loop;
+    if (number == last_loop || number == 0 || !notice_.read(number, loop)) {
       wait.pause();
       continue;
     }
-    ++inside_;
-    Loop* const loop = loop_.load();
-    if (loop != nullptr) do_blocks(*loop, member);
-    --inside_;
+    last_loop = number;
+    do_share(loop, member);
+    for (int i = 1; i < size_; ++i) {
+      const int other = (member + i) % size_;
+      if (share_of(loop, other).blocks > 1) do_share(loop, other);
+    }
     wait = {};
   }
 }
@@ -73,7 +117,7 @@ void ThreadTeam::run(const std::function<void()>& step) {
   tbb::task_group workers;
   struct EndOfStep {
     ~EndOfStep() {
-      team.over_.store(true, std::memory_order_release);
+      team.notice_.end_step();
       workers.wait();  // workers that start only now return at once
     }
     ThreadTeam& team;

@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -45,41 +46,87 @@ class ThreadTeam {
   /// the others. If calls throw, the exception of the first block leaves this function once all are done.
   template <class Work>
   void for_blocks(std::size_t count, std::size_t block, const Work& work) {
-    Loop loop;
-    loop.call = [](const void* object, std::size_t first, std::size_t last) {
+    const Call call = [](const void* object, std::size_t first, std::size_t last) {
       (*static_cast<const Work*>(object))(first, last);
     };
-    loop.work = &work;
-    loop.block = block;
-    run(loop, count);
+    run({++loops_, call, &work, count, block});
   }
 
  private:
-  struct alignas(cache_line) Share {
-    std::atomic<std::size_t> next = 0;
-    std::size_t end = 0;
-  };
+  using Call = void (*)(const void* work, std::size_t first, std::size_t last);
 
   struct Loop {
-    void (*call)(const void* work, std::size_t first, std::size_t last) = nullptr;
+    std::uint32_t number = 0;  ///< from 1
+    Call call = nullptr;
     const void* work = nullptr;
+    std::size_t count = 0;
     std::size_t block = 0;
-    std::array<Share, most_threads> shares;
-    std::mutex mutex;
-    std::size_t failed_block = 0;
-    std::exception_ptr failure;
-
-    void call_block(std::size_t first, std::size_t last);
   };
 
-  void run(Loop& loop, std::size_t count);
-  void do_blocks(Loop& loop, int member) const;
+  /// The present loop. The main thread writes it, and a worker fetches one cache line to read it.
+  class alignas(cache_line) Notice {
+   public:
+    void publish(const Loop& loop);
+    void end_step() { over_.store(true, std::memory_order_release); }
+
+    bool step_has_ended() const { return over_.load(std::memory_order_relaxed); }
+    /// Of the present loop, or 0.
+    std::uint32_t number() const { return number_.load(std::memory_order_acquire); }
+    /// @returns false if that loop is no longer the present one
+    bool read(std::uint32_t number, Loop& loop) const;
+
+   private:
+    std::atomic<bool> over_ = false;
+    std::atomic<std::uint32_t> number_ = 0;  ///< 0 while the following change
+    std::atomic<Call> call_ = nullptr;
+    std::atomic<const void*> work_ = nullptr;
+    std::atomic<std::size_t> count_ = 0;
+    std::atomic<std::size_t> block_ = 0;
+  };
+
+  /// The blocks with which a thread begins each loop.
+  class alignas(cache_line) Share {
+   public:
+    /// Takes the next block of the share.
+    /// @param count of its blocks in this loop
+    /// @returns false if all are taken. Those of a loop that is over are.
+    bool take(std::uint32_t loop, std::uint32_t count, std::uint32_t& block);
+    void finish(std::uint32_t blocks) { finished_.fetch_add(blocks, std::memory_order_release); }
+    /// Blocks of all loops.
+    std::uint32_t finished() const { return finished_.load(std::memory_order_acquire); }
+
+   private:
+    std::atomic<std::uint64_t> taken_ =
+        0;  ///< number of a loop, and how many of its blocks are taken
+    std::atomic<std::uint32_t> finished_ = 0;
+  };
+
+  /// The numbers of a share, and how many blocks they are.
+  struct Range {
+    std::size_t first = 0;
+    std::size_t last = 0;
+    std::uint32_t blocks = 0;
+  };
+
+  struct Failure {
+    std::mutex mutex;
+    std::size_t block = 0;
+    std::exception_ptr exception;
+  };
+
+  void run(const Loop& loop);
   void run_worker(int member);
+  Range share_of(const Loop& loop, int member) const;
+  void do_share(const Loop& loop, int member);
+  void call_block(const Loop& loop, std::size_t first, std::size_t last);
 
   int size_;
-  alignas(cache_line) std::atomic<Loop*> loop_ = nullptr;
-  std::atomic<bool> over_ = false;                   ///< the step has ended
-  alignas(cache_line) std::atomic<int> inside_ = 0;  ///< workers that may read the loop
+  Failure failure_;
+  Notice notice_;
+  std::array<Share, most_threads> shares_;
+  // Of the main thread alone:
+  alignas(cache_line) std::uint32_t loops_ = 0;
+  std::array<std::uint32_t, most_threads> begun_{};  ///< blocks of each share, in all loops
 };
 
 /// ThreadTeam::for_blocks(), or one call if there is no team or only one block.
