@@ -371,14 +371,7 @@ void for_solver_body_blocks(WorldState& world, const Work& work) {
   });
 }
 
-/// Visits the dynamic bodies that are awake.
-template <class State, class Visit>
-void for_moving_bodies(State& world, const Visit& visit) {
-  for (auto& body : world.bodies) {
-    if (body.kind == BodyKind::Dynamic && !body.asleep) visit(body);
-  }
-}
-
+/// Visits the dynamic bodies, those that are asleep, too.
 template <class State, class Visit>
 void for_dynamic_bodies(State& world, const Visit& visit) {
   for (auto& body : world.bodies) {

@@ -75,22 +75,38 @@ void mark_cold_bodies(WorldState& world) {
   }
 }
 
-/// The velocities that gravity and the known impulses will give the marked bodies.
-void predict_velocities(WorldState& world, Real h) {
-  const std::vector<char>& is_cold = world.cold_start.is_cold;
-  std::vector<SolverBody>& bodies = world.cold_start.bodies;
-  bodies = world.solver_bodies;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+/// Adds the velocities that gravity gives to the marked bodies of a block.
+void predict_falls(const WorldState& world, std::size_t first, std::size_t last, Real h,
+                   std::span<SolverBody> bodies) {
+  for (std::size_t i = first; i < last; ++i) {
+    bodies[i] = world.solver_bodies[i];
     const RigidBody& body = world.bodies[i];
-    if (is_cold[i]) bodies[i].v += h * body.inverse_mass * body.force;
+    if (world.cold_start.is_cold[i]) bodies[i].v += h * body.inverse_mass * body.force;
   }
-  for (const ContactConstraint& constraint : world.constraints) {
+}
+
+/// Adds the velocities that the known impulses give to the marked bodies.
+void predict_pushes(std::span<const ContactConstraint> constraints,
+                    const std::vector<char>& is_cold, std::span<SolverBody> bodies) {
+  for (const ContactConstraint& constraint : constraints) {
     const auto [a, b] = std::pair(constraint.body_a, constraint.body_b);
     if (!is_cold[a] && !is_cold[b]) continue;
     const Vec3 impulse = constraint.normal_impulse * constraint.n;
     if (is_cold[a]) bodies[a].apply(-impulse, constraint.r_a);
     if (is_cold[b]) bodies[b].apply(impulse, constraint.r_b);
   }
+}
+
+/// The velocities that gravity and the known impulses will give the marked bodies.
+void predict_velocities(WorldState& world, Real h) {
+  ColdStart& cold = world.cold_start;
+  cold.bodies.resize(world.bodies.size());
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    predict_falls(world, first, last, h, cold.bodies);
+  });
+  for_units(world.team, world.solve_order, false, [&](std::size_t unit) {
+    predict_pushes(constraints_of(world, world.solve_order.units[unit]), cold.is_cold, cold.bodies);
+  });
 }
 
 /// Improves the load of one pair. @returns by how much a velocity changed (m/s)

@@ -51,6 +51,12 @@ bool is_touching(const WorldState& world, Index contact, std::span<const Index> 
 /// Reports the pairs that began or ceased to touch in this step. @pre store_impulses()
 void report_touching(WorldState& world);
 
+/// The constraints of a unit of the solve order.
+inline std::span<ContactConstraint> constraints_of(WorldState& world, const SolveUnit& unit) {
+  const auto count = static_cast<std::size_t>(unit.end_place - unit.first_place);
+  return std::span(world.constraints).subspan(static_cast<std::size_t>(unit.first_place), count);
+}
+
 /// Calls `visit(contact, places)` for every contact with points: its index, and the indices of its
 /// points' constraints, in the order of the points.
 /// @pre solve_order is that of the current contact points

@@ -117,12 +117,16 @@ class Schedule {
   SolveUnit& unit_;
 };
 
+/// Numbers the points, and lists the contacts that have any.
 void number_points(const PairList& pairs, SolveOrder& order) {
   order.first_point.resize(pairs.size() + 1);
+  order.unsorted.clear();
   Index first = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Index points = pairs.summaries[i].points;
     order.first_point[i] = first;
-    first += pairs.summaries[i].points;
+    if (points > 0) order.unsorted.push_back({.contact = static_cast<Index>(i), .points = points});
+    first += points;
   }
   order.first_point.back() = first;
 }
@@ -135,12 +139,12 @@ Index unit_between(Index part_a, Index part_b, Index parts) {
   return parts + lower / 2 + (lower % 2 == 1 ? parts / 2 : 0);
 }
 
-/// The links in the order of the pairs, and their ranks. Within a unit, contacts that link the neighbours of a
+/// Finds what the links tie together, and their ranks. Within a unit, contacts that link the neighbours of a
 /// row come last: those whose normals are across gravity, within 6° (the cosine is 0.1). If each were visited
 /// between the contacts of its bodies with the next row, the rows would become one chain of contacts that wait
 /// for each other.
-void list_links(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
-                const BodyParts& parts, SolveOrder& order) {
+void tie_links(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
+               const BodyParts& parts, SolveOrder& order, ThreadTeam* team) {
   const Real across = Real(0.1) * gravity.norm();
   const auto movable = [&](Index body) {
     return bodies[body].kind == BodyKind::Dynamic ? body : no_index;
@@ -148,19 +152,20 @@ void list_links(const PairList& pairs, std::span<const RigidBody> bodies, const 
   const auto part_of = [&](Index body, Index other) {
     return parts.count == 1 ? 0 : parts.of_body[body != no_index ? body : other];
   };
-  order.unsorted.clear();
-  order.ranks.clear();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (!pairs.has_points(i)) continue;
-    const PairSummary& pair = pairs.summaries[i];
-    const Index a = movable(pair.body_a);
-    const Index b = movable(pair.body_b);
-    const Index unit = unit_between(part_of(a, b), part_of(b, a), parts.count);
-    const Vec3& normal = pairs.contacts[i].manifold.normal;
+  const auto tie = [&](ContactLink& link) {
+    const PairSummary& pair = pairs.summaries[link.contact];
+    const Index a = link.body_a = movable(pair.body_a);
+    const Index b = link.body_b = movable(pair.body_b);
+    link.unit = unit_between(part_of(a, b), part_of(b, a), parts.count);
+    const Vec3& normal = pairs.contacts[link.contact].manifold.normal;
     const bool links_neighbours = std::abs(normal.dot(gravity)) < across;
-    order.unsorted.push_back({static_cast<Index>(i), a, b, pair.points, unit});
-    order.ranks.push_back(2 * unit + (links_neighbours ? 1 : 0));
-  }
+    return 2 * link.unit + (links_neighbours ? 1 : 0);
+  };
+  order.ranks.resize(order.unsorted.size());
+  constexpr std::size_t block = 32;
+  for_blocks(team, order.unsorted.size(), block, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) order.ranks[i] = tie(order.unsorted[i]);
+  });
 }
 
 /// Sorts the links by rank, and notes where the units begin.
@@ -233,7 +238,7 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
             order.states);
   number_points(pairs, order);
   make_units(parts.count, order);
-  list_links(pairs, bodies, gravity, parts, order);
+  tie_links(pairs, bodies, gravity, parts, order, team);
   sort_links(order);
   if (team == nullptr) unite(order);
   if (order.links == order.grouped) return;  // most steps of a scene at rest

@@ -190,7 +190,7 @@ void update_list(WorldState& world) {
     note_end(world, i, world.ended);
   }
   for (; key != world.new_keys.end(); ++key) edit.insert(pairs.size(), new_contact(world, *key));
-  edit.apply();
+  edit.apply(world.team);
 }
 
 }  // namespace

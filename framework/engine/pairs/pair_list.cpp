@@ -6,12 +6,18 @@ namespace cs550 {
 
 namespace {
 
-/// Calls `visit(array)` for every array that has an element for each pair.
+/// Calls `visit(array)` for every array that has an element for each pair. If there is a team, one thread visits
+/// the contacts, which are more than half of the bytes, and another one the other arrays.
 template <class Visit>
-void for_arrays(PairList& pairs, const Visit& visit) {
+void for_arrays(PairList& pairs, const Visit& visit, ThreadTeam* team = nullptr) {
   const auto visit_all = [&](auto&... arrays) { (visit(arrays), ...); };
-  visit_all(pairs.contacts, pairs.summaries, pairs.axes, pairs.memories, pairs.answers,
-            pairs.touching, pairs.impulse_energy, pairs.misplaced);
+  for_blocks(team, 2, 1, [&](std::size_t first, std::size_t last) {
+    if (first == 0) visit(pairs.contacts);
+    if (last == 2) {
+      visit_all(pairs.summaries, pairs.axes, pairs.memories, pairs.answers, pairs.touching,
+                pairs.impulse_energy, pairs.misplaced);
+    }
+  });
 }
 
 /// Moves the elements of stretches to their places. No stretch moves past another, so those that move to the
@@ -97,15 +103,16 @@ void PairListEdit::end_stretch(std::size_t last) {
   first_ = last;
 }
 
-void PairListEdit::apply() {
+void PairListEdit::apply(ThreadTeam* team) {
   end_stretch(pairs_.size());
   pairs_.make_room(to_);
   const std::size_t largest = std::max(to_, pairs_.size());
-  for_arrays(pairs_, [&](auto& array) {
+  const auto move = [&](auto& array) {
     array.resize(largest);
     move_stretches(std::span<const PairStretch>(pairs_.stretches), array);
     array.resize(to_);
-  });
+  };
+  for_arrays(pairs_, move, team);
   for (const InsertedPair& pair : pairs_.inserted) place(pairs_, pair.to, pair.contact);
 }
 

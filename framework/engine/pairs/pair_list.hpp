@@ -21,7 +21,8 @@ class PairListEdit {
   /// Inserts a pair that has not been queried yet before the pair that is at index `i` before the edit.
   void insert(std::size_t i, const Contact& contact);
   /// Carries out the changes.
-  void apply();
+  /// @param team that shares the work, if there is one
+  void apply(ThreadTeam* team = nullptr);
 
  private:
   void end_stretch(std::size_t last);

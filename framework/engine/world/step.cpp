@@ -32,8 +32,12 @@ void refresh_velocities(WorldState& world) {
 }
 
 void apply_gravity(WorldState& world) {
-  for_moving_bodies(world,
-                    [&](RigidBody& body) { body.force += body.mass * world.settings.gravity; });
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    for (RigidBody& body : std::span(world.bodies).subspan(first, last - first)) {
+      if (body.kind == BodyKind::Dynamic && !body.asleep)
+        body.force += body.mass * world.settings.gravity;
+    }
+  });
 }
 
 /// The naive solver sees separations only as they are when the step begins, so it gets one substep.
@@ -42,10 +46,12 @@ int substep_count(const WorldSettings& settings) {
 }
 
 void clear_forces(WorldState& world) {
-  for (RigidBody& body : world.bodies) {
-    body.force.setZero();
-    body.torque.setZero();
-  }
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    for (RigidBody& body : std::span(world.bodies).subspan(first, last - first)) {
+      body.force.setZero();
+      body.torque.setZero();
+    }
+  });
 }
 
 void drop_contacts(WorldState& world) {
@@ -80,18 +86,18 @@ void advance(WorldState& world, Real h) {
 
   const int substeps = substep_count(world.settings);
   const ContactStep step = contact_step(world.settings, h / static_cast<Real>(substeps));
-  apply_gravity(world);
   run_stage(world, Stage::Prepare, arrange_contacts);
   {
     const PartNumbering numbering(world);
+    apply_gravity(world);
     run_stage(world, Stage::Prepare, make_constraints);
     begin_audit(world);
     run_substeps(world, step, substeps);
     end_audit(world, h);
     store_impulses(world);
+    clear_forces(world);
   }
   report_touching(world);
-  clear_forces(world);
   if (world.settings.check_stages) restore_broken_bodies(world);
   watch_rest(world, h);
   run_stage(world, Stage::BroadPhase, enclose_bodies);

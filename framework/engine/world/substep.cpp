@@ -73,10 +73,8 @@ void run_passes_by_unit(WorldState& world, std::span<SolverBody> bodies, const C
   const SolveOrder& order = world.solve_order;
   const auto run = [&](const Passes& some) {
     for_units(world.team, order, some.backwards, [&](std::size_t i) {
-      const SolveUnit& unit = order.units[i];
-      const std::span constraints =
-          std::span(world.constraints).subspan(unit.first_place, unit.end_place - unit.first_place);
-      run_passes(world.mirrors.of_units[i], constraints, bodies, step, some);
+      run_passes(world.mirrors.of_units[i], constraints_of(world, order.units[i]), bodies, step,
+                 some);
     });
   };
   if (order.units.size() == 1) {
