@@ -61,6 +61,7 @@ runs --brief --filter '^scene/S[12]$' --threads 2 --json threads.json
 prints "One thread and 2, time by the clock"
 prints "S2   this engine, game"
 grep -q '"seconds_shared"' threads.json || wrong "threads.json has no time of two threads"
+grep -q '"seconds_copies"' threads.json || wrong "threads.json has no time of two copies"
 
 # A signal ends it at the next figure, without a file.
 rm -f ./*

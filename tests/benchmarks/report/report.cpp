@@ -100,7 +100,8 @@ std::string to_json(const Report& report) {
                                     {"engine", gain.engine},
                                     {"threads", gain.threads},
                                     {"seconds_alone", gain.seconds_alone},
-                                    {"seconds_shared", gain.seconds_shared}});
+                                    {"seconds_shared", gain.seconds_shared},
+                                    {"seconds_copies", gain.seconds_copies}});
   }
   for (const Frontier& frontier : report.frontiers) {
     json["frontiers"].push_back({{"scene", frontier.scene}, {"runs", json_of(frontier.runs)}});

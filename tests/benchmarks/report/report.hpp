@@ -46,8 +46,12 @@ struct ThreadGain {
   int threads = 0;
   double seconds_alone = 0;   ///< per step with one thread, by the clock
   double seconds_shared = 0;  ///< per step with all of them
+  double seconds_copies =
+      0;  ///< per step of as many copies of the scene that run at once, a thread each
 
   double gain() const { return seconds_alone / seconds_shared; }
+  /// The gain of threads that share nothing: what the machine allows. Virtual processors may be two halves of a core.
+  double largest_gain() const { return threads * seconds_alone / seconds_copies; }
 };
 
 /// The cost of a step against the number of bodies.

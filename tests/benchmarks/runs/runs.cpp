@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <memory>
+#include <thread>
 
 namespace cs550::bench {
 namespace {
@@ -37,6 +39,23 @@ double seconds_per_step(Simulation& simulation, int steps, const Clock& clock) {
 
 double seconds_per_step(Simulation& simulation, int steps) {
   return seconds_per_step(simulation, steps, thread_seconds);
+}
+
+/// Time per step of copies of a scene that run at once, until the last of them has ended.
+double seconds_per_step_of_copies(const BenchScene& scene, const Engine& engine, int copies,
+                                  int steps) {
+  std::vector<std::unique_ptr<Simulation>> simulations;
+  for (int i = 0; i < copies; ++i) simulations.push_back(engine.start(scene, engine.usual_effort));
+  const double start = clock_seconds();
+  {
+    std::vector<std::jthread> threads;
+    for (const auto& simulation : simulations) {
+      threads.emplace_back([&] {
+        for (int i = 0; i < steps; ++i) simulation->step(step_length);
+      });
+    }
+  }
+  return (clock_seconds() - start) / steps;
 }
 
 Quality quality_of(const BenchScene& scene, const Simulation& simulation) {
@@ -93,10 +112,14 @@ std::vector<ThreadGain> compare_threads(const NamedScene& named, int threads,
   };
   std::vector<ThreadGain> gains;
   for (std::size_t i = 0; i < alone.size(); ++i) {
-    ThreadGain gain{named.name, alone[i].name, threads, HUGE_VAL, HUGE_VAL};
+    ThreadGain gain{named.name, alone[i].name, threads, HUGE_VAL, HUGE_VAL, HUGE_VAL};
     for (int round = 0; round < duration.rounds; ++round) {
       measure(alone[i], 1, gain.seconds_alone);
       measure(shared[i], threads, gain.seconds_shared);
+      announce(fmt::format("{}, {}, copies: {}", named.name, alone[i].name, threads));
+      gain.seconds_copies =
+          std::min(gain.seconds_copies,
+                   seconds_per_step_of_copies(scene, alone[i], threads, duration.steps));
     }
     gains.push_back(gain);
   }
