@@ -146,17 +146,24 @@ std::vector<ScaledScene> scaled_scenes() {
 Scaling measure_scaling(const ScaledScene& family, const Duration& duration,
                         const Announce& announce) {
   constexpr int most_steps = 120;
+  const int steps = std::min(duration.steps, most_steps);
   const Engine engine = own_engines().front();
   Scaling scaling{family.name, {}};
+  std::vector<BenchScene> scenes;
   for (const int across : family.across) {
-    const BenchScene scene = family.make(across);
+    const BenchScene& scene = scenes.emplace_back(family.make(across));
     const auto bodies =
         std::count_if(scene.bodies.begin(), scene.bodies.end(),
                       [](const BodyDef& body) { return body.kind == BodyKind::Dynamic; });
-    announce(fmt::format("{} {}", bodies, family.name));
-    const std::unique_ptr<Simulation> simulation = engine.start(scene, engine.usual_effort);
-    scaling.costs.push_back({static_cast<double>(bodies),
-                             seconds_per_step(*simulation, std::min(duration.steps, most_steps))});
+    scaling.costs.push_back({static_cast<double>(bodies), HUGE_VAL});
+  }
+  for (int round = 0; round < duration.rounds; ++round) {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      Cost& cost = scaling.costs[i];
+      announce(fmt::format("{} {}", cost.n, family.name));
+      const std::unique_ptr<Simulation> simulation = engine.start(scenes[i], engine.usual_effort);
+      cost.seconds = std::min(cost.seconds, seconds_per_step(*simulation, steps));
+    }
   }
   return scaling;
 }
