@@ -45,16 +45,17 @@ double seconds_per_step(Simulation& simulation, int steps) {
 double seconds_per_step_of_copies(const BenchScene& scene, const Engine& engine, int copies,
                                   int steps) {
   std::vector<std::unique_ptr<Simulation>> simulations;
+  simulations.reserve(static_cast<std::size_t>(copies));
   for (int i = 0; i < copies; ++i) simulations.push_back(engine.start(scene, engine.usual_effort));
+  std::vector<std::thread> threads;
+  threads.reserve(simulations.size());
   const double start = clock_seconds();
-  {
-    std::vector<std::jthread> threads;
-    for (const auto& simulation : simulations) {
-      threads.emplace_back([&] {
-        for (int i = 0; i < steps; ++i) simulation->step(step_length);
-      });
-    }
+  for (const auto& simulation : simulations) {
+    threads.emplace_back([&simulation, steps] {
+      for (int i = 0; i < steps; ++i) simulation->step(step_length);
+    });
   }
+  for (std::thread& thread : threads) thread.join();
   return (clock_seconds() - start) / steps;
 }
 
