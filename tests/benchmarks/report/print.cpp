@@ -73,7 +73,7 @@ void print_runs(const std::vector<SceneRun>& runs, std::ostream& out) {
 void print_thread_gains(const std::vector<ThreadGain>& gains, std::ostream& out) {
   if (gains.empty()) return;
   out << heading(fmt::format("One thread and {}, time by the clock", gains.front().threads))
-      << "The gain at most is that of as many copies of the scene at once, which share nothing.\n"
+      << "At most: as many copies of the scene at once, which share nothing.\n"
       << "                              ms/step  shared   gain at most\n";
   for (const ThreadGain& gain : gains) {
     out << fmt::format("  {:<4} {:<23}{:>7.3f} {:>7.3f} {:>6.2f} {:>7.2f}\n", gain.scene,
