@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "cs550/half_edge_mesh.hpp"
+#include "cs550/convex_shape.hpp"
 #include "engine/lanes.hpp"
 
 namespace cs550 {
@@ -52,18 +52,6 @@ inline FourVectors four_times(const Vec3& v) {
 }
 inline FourVectors operator-(const FourVectors& v) { return {-v.x, -v.y, -v.z}; }
 
-/// Rows to columns.
-inline void transpose(Four& w0, Four& w1, Four& w2, Four& w3) {
-  const Four low01 = __builtin_shufflevector(w0, w1, 0, 4, 1, 5);
-  const Four low23 = __builtin_shufflevector(w2, w3, 0, 4, 1, 5);
-  const Four high01 = __builtin_shufflevector(w0, w1, 2, 6, 3, 7);
-  const Four high23 = __builtin_shufflevector(w2, w3, 2, 6, 3, 7);
-  w0 = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
-  w1 = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
-  w2 = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
-  w3 = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
-}
-
 /// Calls visit(i) such that i to i + 3 cover all numbers below `count`. The last four may overlap
 /// those before. @pre count ≥ 4
 template <class Visit>
@@ -102,16 +90,9 @@ struct FourPlanes {
   Four distance(const FourVectors& point) const { return normal.dot(point) - offset; }
 };
 
-/// The planes of faces f to f + 3. Past the last face, that is repeated.
-inline FourPlanes four_planes(const HalfEdgeMesh& mesh, Index f) {
-  static_assert(sizeof(Plane) == 4 * sizeof(Real));
-  const Index last = mesh.face_count() - 1;
-  const auto plane = [&](Index face) {
-    return four_reals(mesh.face(std::min(face, last)).plane.normal.data());
-  };
-  FourPlanes planes{{plane(f), plane(f + 1), plane(f + 2)}, plane(f + 3)};
-  transpose(planes.normal.x, planes.normal.y, planes.normal.z, planes.offset);
-  return planes;
+inline FourPlanes four_planes(const PlaneBlock& block) {
+  return {{four_reals(block.x.data()), four_reals(block.y.data()), four_reals(block.z.data())},
+          four_reals(block.offset.data())};
 }
 
 }  // namespace cs550

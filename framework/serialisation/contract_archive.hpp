@@ -76,10 +76,16 @@ void serialize(Archive& archive, HalfEdgeMesh& mesh) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, PlaneBlock& block) {
+  auto& [x, y, z, offset] = block;
+  archive(x, y, z, offset);
+}
+
+template <class Archive>
 void serialize(Archive& archive, ConvexShape& shape) {
-  auto& [mesh, volume, unit_inertia, source_origin, bounds, radius, inner_radius,
+  auto& [mesh, plane_blocks, volume, unit_inertia, source_origin, bounds, radius, inner_radius,
          smallest_half_extent] = shape;
-  archive(mesh, volume, unit_inertia, source_origin, bounds, radius, inner_radius,
+  archive(mesh, plane_blocks, volume, unit_inertia, source_origin, bounds, radius, inner_radius,
           smallest_half_extent);
 }
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "cs550/mesh_io.hpp"
 #include "helpers/fixtures.hpp"
 #include "helpers/random.hpp"
@@ -44,6 +48,20 @@ TEST(ConvexShape, OfABoxIsMeasured) {
   EXPECT_NEAR(shape.radius, std::sqrt(14.0), 1e-6);
   EXPECT_NEAR(shape.inner_radius, 1, 1e-6);
   EXPECT_NEAR(shape.smallest_half_extent, 1, 1e-6);
+}
+
+TEST(ConvexShape, HasItsPlanesInBlocksOfFour) {
+  const ShapeResult result = shape_of(box_soup({1, 2, 3}));
+  ASSERT_TRUE(result) << result.error;
+  const std::vector<PlaneBlock>& blocks = result.shape->plane_blocks;
+  ASSERT_EQ(blocks.size(), 2U) << "six faces";
+  for (std::size_t i = 0; i < 8; ++i) {
+    const PlaneBlock& block = blocks[i / 4];
+    const Vec3 normal(block.x[i % 4], block.y[i % 4], block.z[i % 4]);
+    const Index face = std::min(static_cast<Index>(i), 5);
+    EXPECT_EQ(normal, result.shape->mesh.face(face).plane.normal) << "face " << face;
+    EXPECT_EQ(block.offset[i % 4], std::abs(normal.dot(Vec3(1, 2, 3))));
+  }
 }
 
 TEST(ConvexShape, FarFromTheOriginKeepsItsPlanes) {

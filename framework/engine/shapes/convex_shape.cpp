@@ -46,6 +46,22 @@ void move_origin_to(const Vec3& origin, HalfEdgeMesh& mesh) {
   }
 }
 
+std::vector<PlaneBlock> plane_blocks_of(const HalfEdgeMesh& mesh) {
+  constexpr Index four = 4;
+  std::vector<PlaneBlock> blocks;
+  for (Index first = 0; first < mesh.face_count(); first += four) {
+    PlaneBlock& block = blocks.emplace_back();
+    for (Index lane = 0; lane < four; ++lane) {
+      const Plane& plane = mesh.face(std::min(first + lane, mesh.face_count() - 1)).plane;
+      block.x[lane] = plane.normal.x();
+      block.y[lane] = plane.normal.y();
+      block.z[lane] = plane.normal.z();
+      block.offset[lane] = plane.offset;
+    }
+  }
+  return blocks;
+}
+
 /// The distance between the plane of a face and the farthest vertex behind it.
 Real width_behind(const Plane& plane, const HalfEdgeMesh& mesh) {
   Real width = 0;
@@ -120,6 +136,7 @@ ShapeResult make_shape(const HalfEdgeMesh& mesh) {
   shape->unit_inertia = properties.unit_inertia;
   shape->source_origin = -properties.centroid;
   move_origin_to(properties.centroid, shape->mesh);
+  shape->plane_blocks = plane_blocks_of(shape->mesh);
   measure(*shape);
   return {std::move(shape), {}};
 }

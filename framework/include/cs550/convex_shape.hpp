@@ -2,9 +2,11 @@
 /// @file convex_shape.hpp
 /// Convex shapes, which bodies share, and shapes placed in the world.
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cs550/half_edge_mesh.hpp"
 
@@ -19,9 +21,17 @@ inline constexpr Index max_face_vertices = 128;
 /// relies on edges that are perpendicular to the normals beside them.
 inline constexpr Real max_edge_slope = Real(2e-4);
 
+/// The planes of four faces, coordinate by coordinate, in one line of a cache.
+struct alignas(64) PlaneBlock {
+  std::array<Real, 4> x, y, z;  ///< of the normals
+  std::array<Real, 4> offset;   ///< (m)
+};
+
 /// A convex polyhedron with its origin at its centroid. Immutable once made.
 struct ConvexShape {
-  HalfEdgeMesh mesh;                 ///< body frame, coplanar faces merged
+  HalfEdgeMesh mesh;  ///< body frame, coplanar faces merged
+  /// The planes of the mesh again, for searches that read them all. The last face fills the last block.
+  std::vector<PlaneBlock> plane_blocks;
   Real volume = 0;                   ///< m³
   Mat3 unit_inertia = Mat3::Zero();  ///< about the origin, for density 1 (m⁵)
   Vec3 source_origin = {0, 0, 0};    ///< origin of the input's frame, in the body frame (m)

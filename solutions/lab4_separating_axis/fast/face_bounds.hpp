@@ -21,13 +21,14 @@ class FaceBounds {
  public:
   /// Starts with one point of B.
   /// @param point in A's frame
-  void start(const HalfEdgeMesh& a, const Vec3& point) {
+  void start(const ConvexShape& a, const Vec3& point) {
+    a_ = &a;
     count_ = 0;
-    scan(a, point);
+    scan(point);
   }
 
   /// Adds another point. Precondition: not full.
-  void add(const HalfEdgeMesh& a, const Vec3& point) { scan(a, point); }
+  void add(const Vec3& point) { scan(point); }
 
   bool full() const { return count_ == capacity; }
 
@@ -37,10 +38,10 @@ class FaceBounds {
 
   /// Notes for every face which witnesses are less than `limit` outside it. Lanes past the last face get bits that
   /// nobody asks for.
-  void compare_with(const HalfEdgeMesh& a, Real limit) {
+  void compare_with(Real limit) {
     const Four wide_limit = four_times(limit);
     std::uint8_t* below = below_.data();
-    for (const FourFaces& block : blocks_of(a)) {
+    for (const FourFaces& block : blocks()) {
       FourMask bits = {};
       for (std::size_t i = 0; i < count_; ++i) bits |= (block.distance[i] < wide_limit) & (1 << i);
       for (std::size_t lane = 0; lane < 4; ++lane) *below++ = static_cast<std::uint8_t>(bits[lane]);
@@ -58,7 +59,6 @@ class FaceBounds {
 
   /// Four faces, one in each lane.
   struct FourFaces {
-    FourPlanes planes;
     std::array<Four, capacity> distance;
     Four smallest;
   };
@@ -69,22 +69,22 @@ class FaceBounds {
   }
   FourFaces& block_of(Index face) { return blocks_[static_cast<std::size_t>(face) / 4]; }
 
-  void scan(const HalfEdgeMesh& a, const Vec3& point) {
+  void scan(const Vec3& point) {
     constexpr Index few = 12;  // the search among four lanes takes longer than so few faces
     const std::size_t witness = count_++;
-    if (a.face_count() <= few) {
-      scan_one_by_one(a, point, witness);
+    if (a_->mesh.face_count() <= few) {
+      scan_one_by_one(point, witness);
     } else {
-      scan_by_fours(a, point, witness);
+      scan_by_fours(point, witness);
     }
   }
 
-  void scan_one_by_one(const HalfEdgeMesh& a, const Vec3& point, std::size_t witness) {
+  void scan_one_by_one(const Vec3& point, std::size_t witness) {
     Real largest = -HUGE_VALF;
-    for (Index f = 0; f < a.face_count(); ++f) {
+    for (Index f = 0; f < a_->mesh.face_count(); ++f) {
       FourFaces& block = block_of(f);
       const std::size_t lane = lane_of(f);
-      const Real distance = a.face(f).plane.distance(point);
+      const Real distance = a_->mesh.face(f).plane.distance(point);
       const Real bound = witness == 0 ? distance : std::min<Real>(block.smallest[lane], distance);
       block.distance[witness][lane] = distance;
       block.smallest[lane] = bound;
@@ -95,31 +95,23 @@ class FaceBounds {
     }
   }
 
-  void scan_by_fours(const HalfEdgeMesh& a, const Vec3& point, std::size_t witness) {
-    if (witness == 0) load_planes(a);
+  void scan_by_fours(const Vec3& point, std::size_t witness) {
     const FourVectors wide_point = four_times(point);
     Four largest = four_times(-HUGE_VALF);
-    for (FourFaces& block : blocks_of(a)) {
-      const Four distance = block.planes.distance(wide_point);
+    const PlaneBlock* planes = a_->plane_blocks.data();
+    for (FourFaces& block : blocks()) {
+      const Four distance = four_planes(*planes++).distance(wide_point);
       block.distance[witness] = distance;
       block.smallest = witness == 0 ? distance : smaller(distance, block.smallest);
       largest = larger(block.smallest, largest);
     }
-    largest_ = first_with_bound(a, largest_lane(largest));
-  }
-
-  void load_planes(const HalfEdgeMesh& a) {
-    Index face = 0;
-    for (FourFaces& block : blocks_of(a)) {
-      block.planes = four_planes(a, face);
-      face += 4;
-    }
+    largest_ = first_with_bound(largest_lane(largest));
   }
 
   /// Lanes past the last face repeat it: it comes first, under its own number.
-  Index first_with_bound(const HalfEdgeMesh& a, Real bound) {
+  Index first_with_bound(Real bound) {
     Index face = 0;
-    for (const FourFaces& block : blocks_of(a)) {
+    for (const FourFaces& block : blocks()) {
       const FourMask equal = block.smallest == four_times(bound);
       if (any(equal)) return face + first_lane(equal);
       face += 4;
@@ -127,10 +119,9 @@ class FaceBounds {
     return 0;  // the pose is not a number
   }
 
-  std::span<FourFaces> blocks_of(const HalfEdgeMesh& a) {
-    return std::span(blocks_).first((static_cast<std::size_t>(a.face_count()) + 3) / 4);
-  }
+  std::span<FourFaces> blocks() { return std::span(blocks_).first(a_->plane_blocks.size()); }
 
+  const ConvexShape* a_ = nullptr;
   std::size_t count_ = 0;
   Index largest_ = 0;
   std::array<FourFaces, max_shape_faces / 4 + 1> blocks_;

@@ -29,15 +29,17 @@ using lab4::with_feature;
 
 namespace {
 
-/// Two meshes, with the pose of B in A's body frame.
+/// Two shapes and their meshes, with the pose of B in A's body frame.
 struct Pair {
+  const ConvexShape& shape_a;
   const HalfEdgeMesh& a;
   const HalfEdgeMesh& b;
   Mat3 rotation;  ///< B's frame to A's
   Vec3 position;  ///< of B's centroid
 
   Pair(const PosedShape& body_a, const PosedShape& body_b)
-      : a(body_a.mesh()),
+      : shape_a(*body_a.shape),
+        a(body_a.mesh()),
         b(body_b.mesh()),
         rotation(
             (body_a.pose.orientation.conjugate() * body_b.pose.orientation).toRotationMatrix()),
@@ -66,7 +68,7 @@ bool is_better(const FaceQuery& query, const FaceQuery& best) {
 /// @param first the query of the face to begin with; the face with the largest bound if empty
 /// @param[out] bounds of all faces by the witnesses that were used
 FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, FaceBounds& bounds) {
-  bounds.start(pair.a, pair.position);
+  bounds.start(pair.shape_a, pair.position);
   FaceQuery best;
   FaceQuery query = first ? first : query_face(pair, bounds.largest(), 0);
   Index face = no_index;
@@ -75,7 +77,7 @@ FaceQuery query_faces(const Pair& pair, const FaceQuery& first, Real margin, Fac
     if (is_better(query, best)) best = query;
     if (best.separation > margin) return best;
 
-    bounds.add(pair.a, pair.to_a(pair.b.vertex(query.vertex)));
+    bounds.add(pair.to_a(pair.b.vertex(query.vertex)));
     face = bounds.largest();
     start = query.vertex;
     if (face == best.face || bounds.of(face) < best.separation) return best;
@@ -143,7 +145,7 @@ class EdgeSearch {
     best_ = hinted;
     const auto floor = [&] { return best_ ? std::max(to_beat, best_.separation) : to_beat; };
     // Where s ≤ 0, s/|n| ≤ s, since |n(t)| ≤ 1.
-    bounds.compare_with(pair_.a, std::min(floor(), Real(0)));
+    bounds.compare_with(std::min(floor(), Real(0)));
     for (Index e = 0; e < pair_.a.edge_count(); e += 2) {
       const Index left = pair_.a.edge(e).face;
       const Index right = pair_.a.edge(e ^ 1).face;
