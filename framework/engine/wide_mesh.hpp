@@ -90,6 +90,14 @@ struct FourPlanes {
   Four distance(const FourVectors& point) const { return normal.dot(point) - offset; }
 };
 
+/// The plane of a face, from its block.
+inline Plane plane_of(const ConvexShape& shape, Index face) {
+  const auto i = static_cast<std::size_t>(face);
+  const PlaneBlock& block = shape.plane_blocks[i / 4];
+  const std::size_t lane = i % 4;
+  return {{block.x[lane], block.y[lane], block.z[lane]}, block.offset[lane]};
+}
+
 inline FourPlanes four_planes(const PlaneBlock& block) {
   return {{four_reals(block.x.data()), four_reals(block.y.data()), four_reals(block.z.data())},
           four_reals(block.offset.data())};

@@ -16,8 +16,9 @@ namespace {
 /// One feature of the last axis at the current poses. Lab 4 tests the feature of a hint first and returns it at
 /// once if it separates by more than the margin, as every feature does here.
 /// @returns another feature if edges no longer form a face of the Minkowski difference
-SeparatingAxis query_again(const PosedShape& a, const PosedShape& b, SeparatingAxis last,
-                           AxisFeature feature) {
+// With a copy of the whole query in each place that calls it, a retest took a tenth longer.
+[[gnu::noinline]] SeparatingAxis query_again(const PosedShape& a, const PosedShape& b,
+                                             SeparatingAxis last, AxisFeature feature) {
   last.feature = feature;
   return find_separating_axis(a, b, last, -HUGE_VALF);
 }

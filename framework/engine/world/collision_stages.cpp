@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <optional>
 
 #include "cs550/clipping.hpp"
+#include "cs550/static_vector.hpp"
 #include "engine/pairs/feature_retest.hpp"
 #include "engine/pairs/near_pairs.hpp"
+#include "engine/pairs/query_prefetch.hpp"
 #include "engine/pairs/temporal_coherence.hpp"
 #include "engine/world/stages.hpp"
 
@@ -11,14 +14,17 @@ namespace cs550 {
 namespace {
 
 /// Pairs that a thread takes at a time. Their costs differ a lot.
-constexpr std::size_t few_pairs = 8;
+constexpr Index few_pairs = 8;
 
-/// Calls `visit(pair)` for every pair, by several threads if there are any: what a pair needs and leaves
-/// belongs to no other.
+/// Calls `visit(first, last)` for a few pairs at a time, by several threads if there are any: what a pair needs and
+/// leaves belongs to no other.
 template <class Visit>
-void for_pairs(WorldState& world, const Visit& visit) {
+void for_few_pairs(WorldState& world, const Visit& visit) {
   for_blocks(world.team, world.pairs.size(), few_pairs, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) visit(i);
+    const auto end = static_cast<Index>(last);
+    for (auto pair = static_cast<Index>(first); pair < end; pair += few_pairs) {
+      visit(pair, std::min(pair + few_pairs, end));
+    }
   });
 }
 
@@ -56,35 +62,49 @@ void clear_manifold(WorldState& world, std::size_t pair) {
   world.pairs.summarise(pair);
 }
 
-void find_axis(WorldState& world, std::size_t pair, Real h) {
+/// The query of a pair, unless its bounds are apart or its last answer still holds.
+std::optional<PairQuery> query_of(WorldState& world, Index pair, Real h) {
   PairList& pairs = world.pairs;
   pairs.answers[pair] = PairAnswer::Queried;
   const Index body_a = pairs.summaries[pair].body_a;
   const Index body_b = pairs.summaries[pair].body_b;
   if (!world.slots[body_a].swept_bounds.overlaps(world.slots[body_b].swept_bounds)) {
     pairs.axes[pair].feature = AxisFeature::None;
-    return;
+    return {};
   }
   const Real margin = contact_margin(world, body_a, body_b, h);
-  if (world.settings.temporal_coherence) {
-    if (answer_holds(world, pair, margin)) {
-      pairs.answers[pair] = PairAnswer::Kept;
-      return;
-    }
-    RetestedFeatures now;
-    if (retest_features(world, pair, margin, now)) {
-      pairs.answers[pair] = PairAnswer::Retested;
-      pairs.axes[pair] = now.axis;
-      replace_manifold(world, pair, now.axis.separation, now.manifold);
-      return remember_answer(world, pair, margin);
-    }
+  if (world.settings.temporal_coherence && answer_holds(world, pair, margin)) {
+    pairs.answers[pair] = PairAnswer::Kept;
+    return {};
   }
-  pairs.axes[pair] = find_separating_axis(world.posed_shape(body_a), world.posed_shape(body_b),
-                                          pairs.axes[pair], margin);
+  return PairQuery{pair, margin};
+}
+
+void find_axis(WorldState& world, const PairQuery& query) {
+  const auto [pair, margin] = query;
+  PairList& pairs = world.pairs;
+  RetestedFeatures now;
+  if (world.settings.temporal_coherence && retest_features(world, pair, margin, now)) {
+    pairs.answers[pair] = PairAnswer::Retested;
+    pairs.axes[pair] = now.axis;
+    replace_manifold(world, pair, now.axis.separation, now.manifold);
+    return remember_answer(world, pair, margin);
+  }
+  const PosedShape a = world.posed_shape(pairs.summaries[pair].body_a);
+  const PosedShape b = world.posed_shape(pairs.summaries[pair].body_b);
+  pairs.axes[pair] = find_separating_axis(a, b, pairs.axes[pair], margin);
 }
 
 void find_axes(WorldState& world, Real h) {
-  for_pairs(world, [&](std::size_t pair) { find_axis(world, pair, h); });
+  const bool prefetch = pays_to_prefetch(world);
+  for_few_pairs(world, [&](Index first, Index last) {
+    StaticVector<PairQuery, few_pairs> queries;
+    for (Index pair = first; pair < last; ++pair) {
+      if (const auto query = query_of(world, pair, h)) queries.push_back(*query);
+    }
+    if (prefetch) prefetch_meshes(world, {queries.begin(), queries.end()});
+    for (const PairQuery& query : queries) find_axis(world, query);
+  });
 }
 
 /// The manifold of a full query.
@@ -114,7 +134,9 @@ void update_manifold(WorldState& world, std::size_t pair, Real h) {
 }
 
 void build_manifolds(WorldState& world, Real h) {
-  for_pairs(world, [&](std::size_t pair) { update_manifold(world, pair, h); });
+  for_few_pairs(world, [&](Index first, Index last) {
+    for (Index pair = first; pair < last; ++pair) update_manifold(world, pair, h);
+  });
 }
 
 void count_contacts(WorldState& world) {

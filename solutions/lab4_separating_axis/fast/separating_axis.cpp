@@ -32,6 +32,7 @@ namespace {
 /// Two shapes and their meshes, with the pose of B in A's body frame.
 struct Pair {
   const ConvexShape& shape_a;
+  const ConvexShape& shape_b;
   const HalfEdgeMesh& a;
   const HalfEdgeMesh& b;
   Mat3 rotation;  ///< B's frame to A's
@@ -39,6 +40,7 @@ struct Pair {
 
   Pair(const PosedShape& body_a, const PosedShape& body_b)
       : shape_a(*body_a.shape),
+        shape_b(*body_b.shape),
         a(body_a.mesh()),
         b(body_b.mesh()),
         rotation(
@@ -52,7 +54,7 @@ struct Pair {
 };
 
 FaceQuery query_face(const Pair& pair, Index face, Index start) {
-  const Plane& plane = pair.a.face(face).plane;
+  const Plane plane = plane_of(pair.shape_a, face);
   const Index vertex = lowest_vertex(pair.b, pair.turn_to_b(plane.normal), start);
   return {face, vertex, plane.distance(pair.to_a(pair.b.vertex(vertex)))};
 }
@@ -102,13 +104,13 @@ FaceQuery query_again(const Pair& pair, const FaceQuery& last) {
 /// The pair of edges at a crossing that the walk found, with the axis from their cross product.
 /// Empty if the edges are parallel or the arcs merely touch.
 EdgeQuery query_edge_pair(const Pair& pair, Index edge_a, Index edge_b) {
-  const auto normal = [](const HalfEdgeMesh& mesh, Index e) -> const Vec3& {
-    return mesh.face(mesh.edge(e).face).plane.normal;
+  const auto normal = [](const ConvexShape& shape, Index e) {
+    return plane_of(shape, shape.mesh.edge(e).face).normal;
   };
-  const Vec3& left = normal(pair.a, edge_a);
-  const Vec3& right = normal(pair.a, edge_a ^ 1);
-  if (!is_minkowski_face(left, right, -pair.turn_to_a(normal(pair.b, edge_b)),
-                         -pair.turn_to_a(normal(pair.b, edge_b ^ 1)))) {
+  const Vec3 left = normal(pair.shape_a, edge_a);
+  const Vec3 right = normal(pair.shape_a, edge_a ^ 1);
+  if (!is_minkowski_face(left, right, -pair.turn_to_a(normal(pair.shape_b, edge_b)),
+                         -pair.turn_to_a(normal(pair.shape_b, edge_b ^ 1)))) {
     return {};
   }
   const Vec3 along_a = pair.a.edge_vector(edge_a);
@@ -165,7 +167,7 @@ class EdgeSearch {
   /// The arc of an edge of A, in B's frame.
   Arc arc_of(Index e) const {
     const auto normal = [&](Index half) {
-      return pair_.turn_to_b(pair_.a.face(pair_.a.edge(half).face).plane.normal);
+      return pair_.turn_to_b(plane_of(pair_.shape_a, pair_.a.edge(half).face).normal);
     };
     return {normal(e), normal(e ^ 1), pair_.to_b(pair_.a.vertex(pair_.a.origin(e))),
             pair_.to_b(pair_.a.vertex(pair_.a.edge(e).vertex))};

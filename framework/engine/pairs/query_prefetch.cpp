@@ -1,0 +1,69 @@
+#include "engine/pairs/query_prefetch.hpp"
+
+#include <vector>
+
+#include "engine/threads/thread_team.hpp"
+
+namespace cs550 {
+
+namespace {
+
+void prefetch(const void* first, std::size_t size) {
+  const char* const bytes = static_cast<const char*>(first);
+  for (std::size_t line = 0; line < size; line += cache_line) __builtin_prefetch(bytes + line);
+  // To g++ a function that only prefetches has no effect: it would delete the calls.
+  asm volatile("");
+}
+
+template <class Element>
+void prefetch_elements(const std::vector<Element>& elements) {
+  // A query reads little of a longer array.
+  constexpr std::size_t longest = 4096;
+  const std::size_t size = elements.size() * sizeof(Element);
+  if (size <= longest) prefetch(elements.data(), size);
+}
+
+/// Calls `visit(shape)` for the bodies of the pairs. Pairs are sorted by their first body, so its shape is passed once.
+template <class Visit>
+void for_shapes(const WorldState& world, std::span<const PairQuery> queries, const Visit& visit) {
+  const ConvexShape* last = nullptr;
+  for (const PairQuery& query : queries) {
+    const PairSummary& pair = world.pairs.summaries[query.pair];
+    const ConvexShape* const a = world.definitions[pair.body_a].shape.get();
+    const ConvexShape* const b = world.definitions[pair.body_b].shape.get();
+    if (a != last) visit(*a);
+    if (b != a) visit(*b);
+    last = a;
+  }
+}
+
+}  // namespace
+
+bool pays_to_prefetch(const WorldState& world) {
+  constexpr int many_shapes = 700;  // of 32 vertices: 4 MB
+  int shapes = 0;
+  const ConvexShape* last = nullptr;
+  for (const BodyDef& body : world.definitions) {
+    if (body.shape.get() != last) ++shapes;
+    last = body.shape.get();
+  }
+  return shapes > many_shapes;
+}
+
+void prefetch_meshes(const WorldState& world, std::span<const PairQuery> queries) {
+  for (const PairQuery& query : queries) {
+    const PairSummary& pair = world.pairs.summaries[query.pair];
+    prefetch(&world.definitions[pair.body_a].shape, sizeof(ShapePtr));
+    prefetch(&world.definitions[pair.body_b].shape, sizeof(ShapePtr));
+    prefetch(&world.pairs.axes[query.pair], sizeof(SeparatingAxis));
+    if (pair.points > 0) prefetch(&world.pairs.contacts[query.pair], sizeof(Contact));
+  }
+  for_shapes(world, queries, [](const ConvexShape& shape) { prefetch(&shape, sizeof shape); });
+  for_shapes(world, queries, [](const ConvexShape& shape) {
+    prefetch_elements(shape.mesh.vertices);
+    prefetch_elements(shape.mesh.edges);
+    prefetch_elements(shape.plane_blocks);
+  });
+}
+
+}  // namespace cs550
