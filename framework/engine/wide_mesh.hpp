@@ -2,7 +2,6 @@
 /// @file wide_mesh.hpp
 /// Vertices and planes of a mesh, four at a time. Every polyhedron has at least four vertices and four faces.
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 

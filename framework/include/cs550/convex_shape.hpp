@@ -23,14 +23,17 @@ inline constexpr Real max_edge_slope = Real(2e-4);
 
 /// The planes of four faces, coordinate by coordinate, in one line of a cache.
 struct alignas(64) PlaneBlock {
-  std::array<Real, 4> x, y, z;  ///< of the normals
-  std::array<Real, 4> offset;   ///< (m)
+  std::array<Real, 4> x;       ///< of the normals
+  std::array<Real, 4> y;       ///< of the normals
+  std::array<Real, 4> z;       ///< of the normals
+  std::array<Real, 4> offset;  ///< (m)
 };
 
 /// A convex polyhedron with its origin at its centroid. Immutable once made.
 struct ConvexShape {
   HalfEdgeMesh mesh;  ///< body frame, coplanar faces merged
-  /// The planes of the mesh again, for searches that read them all. The last face fills the last block.
+  /// The planes of the mesh again, for searches that read them all. The last face fills the last
+  /// block.
   std::vector<PlaneBlock> plane_blocks;
   Real volume = 0;                   ///< m³
   Mat3 unit_inertia = Mat3::Zero();  ///< about the origin, for density 1 (m⁵)
