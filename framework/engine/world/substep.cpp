@@ -154,12 +154,23 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
   });
 }
 
+/// Restitution drives only contacts that push. A blow must therefore load a whole row of touching bodies
+/// before it, and a pass against the order of the row carries it by one body only.
+Passes relax_passes(const WorldState& world) {
+  const WorldSettings& settings = world.settings;
+  Passes passes = passes_after(world, settings.iterations, settings.relax_iterations);
+  if (world.impacts.any && passes.count > 0) {
+    passes.count = std::max(passes.count, 2);
+    passes.alternate = true;
+  }
+  return passes;
+}
+
 /// Removes the velocity that the bias has added. Where nothing bounces, the marks are all that
 /// apply_restitution() would leave.
 void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
-  const WorldSettings& settings = world.settings;
   step.use_bias = false;
-  Passes passes = passes_after(world, settings.iterations, settings.relax_iterations);
+  Passes passes = relax_passes(world);
   passes.mark_impacts = !world.any_bounces;
   solve(world, bodies, step, passes);
 }
