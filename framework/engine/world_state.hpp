@@ -348,6 +348,7 @@ struct WorldState {
 
 /// Calls `work(first, last)` for blocks of bodies, by several threads if there are any. `work` may change only
 /// its own bodies and what belongs to them. If the bodies are numbered part by part, the blocks are the parts.
+/// The grader's worker has the bodies alone, without their slots.
 template <class Work>
 void for_body_blocks(const WorldState& world, const Work& work) {
   if (const BodyParts& parts = world.parts; parts.renumbered) {
@@ -359,7 +360,7 @@ void for_body_blocks(const WorldState& world, const Work& work) {
     return;
   }
   constexpr std::size_t few_bodies = 32;
-  for_blocks(world.team, world.slot_count(), few_bodies, work);
+  for_blocks(world.team, world.bodies.size(), few_bodies, work);
 }
 
 /// Calls `work(bodies, solver_bodies)` for the same blocks of both arrays.
