@@ -5,8 +5,8 @@ corners of a box on the top of the one below. compare_stack.py compares it with 
 import numpy as np
 
 # The defaults of the settings, from the table of chapter "The step and the architecture".
-STEP, SUBSTEPS, ITERATIONS, RELAX_ITERATIONS = 1 / 60, 8, 1, 2
-HERTZ, DAMPING_RATIO, MAX_PUSH_SPEED = 80, 4, 3
+STEP, SUBSTEPS, ITERATIONS, RELAX_ITERATIONS = 1 / 60, 6, 2, 1
+HERTZ, DAMPING_RATIO, MAX_PUSH_SPEED = 80, 12, 3
 GRAVITY, DENSITY, FRICTION = np.array([0, 0, -9.81]), 1000, 0.6
 H = STEP / SUBSTEPS
 
@@ -164,8 +164,8 @@ def guess_impulses(pairs):
             contact.normal = impulse / len(pair)
 
 
-def step(bodies, old):
-    """Returns the contacts, for their impulses."""
+def step(bodies, old, number):
+    """The step of this number, from 0. Returns the contacts, for their impulses."""
     pairs = [[Contact(a, b, corner, old and old[4 * i + k]) for k, corner in enumerate(CORNERS)]
              for i, (a, b) in enumerate(zip(bodies, bodies[1:]))]
     if not old:
@@ -173,17 +173,17 @@ def step(bodies, old):
     contacts = [contact for pair in pairs for contact in pair]
     for body in bodies:
         body.dx = body.dw = np.zeros(3)
+    backwards = number % 2 == 1
     for _ in range(SUBSTEPS):
         for body in bodies[1:]:
             body.P = body.P + H * body.mass * GRAVITY
             body.refresh_velocity()
         for contact in contacts:
             contact.warm_start()
-        for number in range(ITERATIONS + RELAX_ITERATIONS):
-            if number == ITERATIONS:
+        for done in range(ITERATIONS + RELAX_ITERATIONS):
+            if done == ITERATIONS:
                 for body in bodies[1:]:
                     body.integrate_pose()
-            backwards = number % 2 == 1
             for contact in reversed(contacts) if backwards else contacts:
-                contact.solve(number < ITERATIONS, backwards)
+                contact.solve(done < ITERATIONS, backwards)
     return contacts

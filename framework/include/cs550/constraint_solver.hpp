@@ -33,7 +33,7 @@ enum class ContactModel : std::uint8_t {
 struct ContactStep {
   Real h = 0;                               ///< duration of the substep (s)
   bool use_bias = true;                     ///< false in relax passes
-  bool backwards = false;                   ///< solve in reverse order; true in every second pass
+  bool backwards = false;                   ///< solve in reverse order; true in every second step
   ContactModel model = ContactModel::Soft;  ///< how penetration is corrected
   Softness soft;                            ///< for contacts between two movable bodies
   Softness soft_static;                     ///< for contacts with an immovable body

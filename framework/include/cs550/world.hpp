@@ -34,10 +34,10 @@ struct WorldSettings {
   Vec3 gravity = {0, 0, Real(-9.81)};  ///< m/s²; the z axis points up
   Real length_unit = 1;                ///< the size of a typical body (m)
 
-  int substeps = 8;          ///< per step
-  int iterations = 1;        ///< solver passes with bias per substep without impacts
-  int relax_iterations = 2;  ///< relax passes (without bias) per substep, soft contacts only
-  PassOrder pass_order = PassOrder::BackAndForth;              ///< constraint solver only
+  int substeps = 6;          ///< per step
+  int iterations = 2;        ///< solver passes with bias per substep without impacts
+  int relax_iterations = 1;  ///< relax passes (without bias) per substep, soft contacts only
+  PassOrder pass_order = PassOrder::StepByStep;                ///< constraint solver only
   SolverKind solver = SolverKind::Constraint;                  ///< the contact solver
   ContactModel contact_model = ContactModel::Soft;             ///< how penetration is corrected
   RotationMethod rotation = RotationMethod::ImplicitMidpoint;  ///< how bodies are rotated
@@ -52,7 +52,7 @@ struct WorldSettings {
   int threads = 1;
 
   Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
-  Real contact_damping_ratio = 4;          ///< ζ of soft contacts; 1 is critical
+  Real contact_damping_ratio = 12;         ///< ζ of soft contacts; 1 is critical
   Real baumgarte = Real(0.2);              ///< β: fraction of the error corrected per substep
   Real slop = Real(1e-3);                  ///< length units
   Real max_push_speed = 3;                 ///< length units per second
@@ -72,7 +72,7 @@ struct WorldSettings {
 /// The named settings: how many passes a step takes, and how exact its result is.
 enum class Quality : std::uint8_t {
   Accurate,  ///< the defaults of WorldSettings: the bounds of the tests hold
-  Game,      ///< three eighths of the passes; penetration and drift no worse than Box3D's
+  Game,      ///< half as many passes; penetration and drift no worse than Box3D's
 };
 
 /// Default settings with the members that a quality determines: substeps, iterations,

@@ -38,7 +38,7 @@ std::vector<Engine> own_engines(int threads) {
   WorldSettings accurate = accurate_settings();
   WorldSettings game = game_settings();
   accurate.threads = game.threads = threads;
-  return {own_engine("this engine, accurate", accurate, {4, 8, 12, 16}),
+  return {own_engine("this engine, accurate", accurate, {4, 6, 9, 12}),
           own_engine("this engine, game", game, {2, 3, 4, 6})};
 }
 
