@@ -17,7 +17,7 @@ KINETIC = "return live.facts.facts.find(([name]) => name === 'kinetic energy')[1
 # Where a setting of the World has an effect, if not in the tower: in most scenes nothing bounces or is pushed out.
 TOWER = "scene=stack10"
 SCENE_OF_SETTING = {
-    "baumgarte": "scene=bounce contact_model=baumgarte",
+    "baumgarte": "scene=wall contact_model=baumgarte",
     "max_push_speed": "scene=stack10 max_push_speed=0.001",
     "restitution_iterations": "scene=newton_cradle",
     "restitution_threshold": "scene=newton_cradle",
