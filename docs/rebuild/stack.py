@@ -165,7 +165,7 @@ def guess_impulses(pairs):
 
 
 def step(bodies, old, number):
-    """The step of this number, from 0. Returns the contacts, for their impulses."""
+    """Simulates the step with this number, counted from 0. Returns the contacts, for their impulses."""
     pairs = [[Contact(a, b, corner, old and old[4 * i + k]) for k, corner in enumerate(CORNERS)]
              for i, (a, b) in enumerate(zip(bodies, bodies[1:]))]
     if not old:

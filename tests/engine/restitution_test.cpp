@@ -83,9 +83,10 @@ TEST(WorldRestitution, APlateThatTurnsInItsImpactKeepsItsEnergy) {
   }
 }
 
-/// Velocities along x, in m/s, of three equal cubes on ice with e = 1 half a second after the first started at
-/// 2 m/s. The others stand in its way, touching each other.
-/// @param reversed whether the cubes were added in the opposite order
+/// Three equal cubes in a row on ice, e = 1. The first moves at 2 m/s towards the other two, which touch.
+/// @param distance the gap in front of the first cube (m)
+/// @param reversed whether the cubes are added from the last to the first
+/// @returns velocities along the row after half a second (m/s)
 std::array<Real, 3> after_blow(const WorldSettings& settings, Real distance, bool reversed) {
   World world(settings);
   world.add_body(floor_body());
@@ -112,8 +113,7 @@ std::array<Real, 3> after_blow(const WorldSettings& settings, Real distance, boo
 /// and the others stay together. That takes an impulse on the last cube before anything bounces, and a single
 /// pass against the order of the row gives none.
 TEST(WorldRestitution, ABlowReachesTheWholeRowInEitherOrder) {
-  // Of the sweeps of the restitution, which end before they have converged.
-  const Real tolerance = Real(0.04);
+  const Real tolerance = Real(0.04);  // the sweeps of apply_restitution() end before they converge
   for (const WorldSettings& settings : {accurate_settings(), game_settings()}) {
     for (int i = 0; i < 40; ++i) {
       const Real distance = Real(0.2) + Real(0.004) * static_cast<Real>(i);

@@ -34,9 +34,10 @@ struct WorldSettings {
   Vec3 gravity = {0, 0, Real(-9.81)};  ///< m/s²; the z axis points up
   Real length_unit = 1;                ///< the size of a typical body (m)
 
-  int substeps = 6;          ///< per step
-  int iterations = 2;        ///< solver passes with bias per substep without impacts
-  int relax_iterations = 1;  ///< relax passes (without bias) per substep, soft contacts only
+  int substeps = 6;    ///< per step
+  int iterations = 2;  ///< solver passes with bias per substep without impacts
+  /// Relax passes (without bias) per substep of soft contacts; at least 2 where something bounces.
+  int relax_iterations = 1;
   PassOrder pass_order = PassOrder::StepByStep;                ///< constraint solver only
   SolverKind solver = SolverKind::Constraint;                  ///< the contact solver
   ContactModel contact_model = ContactModel::Soft;             ///< how penetration is corrected
