@@ -65,6 +65,7 @@ grep -q '"seconds_copies"' threads.json || wrong "threads.json has no time of tw
 
 # A signal ends it at the next figure, without a file.
 rm -f ./*
+: >"$scratch/printed" # what the run before printed says nothing about this one
 "$program" --filter 'scene' --json interrupted.json >"$scratch/printed" 2>&1 &
 until grep -q '^S1' "$scratch/printed"; do sleep 0.02; done
 kill -TERM $!
