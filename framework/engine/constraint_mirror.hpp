@@ -35,7 +35,9 @@ struct alignas(lane_count * sizeof(Real)) LaneNumbers {
 
 /// The mirror of an array of constraints.
 struct ConstraintMirror {
-  bool stale = true;           ///< set it whenever anything but a pass has changed the constraints
+  // Whenever anything but a pass has changed the constraints, set one of:
+  bool stale = true;
+  bool stale_numbers = true;   ///< enough if they still have the same bodies and places
   bool stale_impulses = true;  ///< enough if only impulses or marks have changed
   std::vector<Index> starts;   ///< constraints with which a group has to begin; may be empty
   std::vector<PairGroup> groups;
@@ -51,6 +53,9 @@ struct ConstraintMirrors {
   /// See ConstraintMirror::stale.
   void set_stale() {
     for (ConstraintMirror& mirror : of_units) mirror.stale = true;
+  }
+  void set_stale_numbers() {
+    for (ConstraintMirror& mirror : of_units) mirror.stale_numbers = true;
   }
   void set_stale_impulses() {
     for (ConstraintMirror& mirror : of_units) mirror.stale_impulses = true;

@@ -321,8 +321,9 @@ struct WorldState {
   std::vector<char> touches;  ///< of each pair, see is_touching()
   bool any_bounces = false;   ///< whether a constraint has restitution
   ConstraintMirrors mirrors;
-  std::vector<TurnSize> turns;  ///< of each body
-  std::vector<BodySize> sizes;  ///< of each body
+  std::vector<TurnSize> turns;             ///< of each body, since the step began
+  std::vector<TurnSize> turns_in_substep;  ///< of each body
+  std::vector<BodySize> sizes;             ///< of each body
   BodyParts parts;
   SolveOrder solve_order;
   ColdStart cold_start;

@@ -1,6 +1,7 @@
 #include "engine/contacts/contact_constraints.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -38,21 +39,22 @@ TurnSize turn_size(const SolverBody& solver_body, Real squared_slenderness) {
   return squared_turn > far * far ? TurnSize::Far : TurnSize::Small;
 }
 
-/// Sets the turn of each body to `turn(index)`. @returns whether any is not small
-template <class Turn>
-bool measure_turns(WorldState& world, const Turn& turn) {
-  world.turns.resize(world.bodies.size());
-  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) world.turns[i] = turn(i);
-  });
-  return std::any_of(world.turns.begin(), world.turns.end(),
+/// How far a body turns within a substep, if that is far for its thinness.
+TurnSize turn_size_in_substep(const RigidBody& body, Real squared_slenderness, Real h) {
+  const Real squared_turn = h * h * body.angular_velocity.squaredNorm();
+  return squared_turn * squared_slenderness > Real(0.25) ? TurnSize::PastThinness : TurnSize::Small;
+}
+
+bool any_turned(const std::vector<TurnSize>& turns) {
+  return std::any_of(turns.begin(), turns.end(),
                      [](TurnSize turn) { return turn != TurnSize::Small; });
 }
 
 /// Of the two bodies of a contact.
-TurnSize larger_turn(const WorldState& world, std::span<const Index> places) {
+TurnSize larger_turn(const WorldState& world, const std::vector<TurnSize>& turns,
+                     std::span<const Index> places) {
   const ContactConstraint& first = world.constraints[places[0]];
-  return std::max(world.turns[first.body_a], world.turns[first.body_b]);
+  return std::max(turns[first.body_a], turns[first.body_b]);
 }
 
 /// From the centres of mass to the points where the impulses of a contact act.
@@ -148,7 +150,21 @@ void prepare_again(WorldState& world, const ContactStep& step, std::span<const I
   for (const Index place : places) {
     prepare_contacts({&world.constraints[place], 1}, world.solver_bodies, step);
   }
-  world.mirrors.set_stale();
+}
+
+/// Calls `refresh(contact, places, turn)` for the contacts whose bodies have turned.
+template <class Refresh>
+void for_turned_contacts(WorldState& world, const std::vector<TurnSize>& turns,
+                         const Refresh& refresh) {
+  if (!any_turned(turns)) return;
+  std::atomic<bool> any = false;
+  for_constraints_of_contacts_in_blocks(world, [&](Index contact, std::span<const Index> places) {
+    const TurnSize turn = larger_turn(world, turns, places);
+    if (turn == TurnSize::Small) return;
+    refresh(contact, places, turn);
+    any.store(true, std::memory_order_relaxed);
+  });
+  if (any) world.mirrors.set_stale_numbers();
 }
 
 }  // namespace
@@ -194,32 +210,35 @@ void make_constraints(WorldState& world) {
   });
 }
 
-void refresh_masses(WorldState& world, const ContactStep& step) {
-  if (!measure_turns(world, [&](std::size_t i) {
-        return turn_size(world.solver_bodies[i], world.sizes[i].squared_slenderness);
-      })) {
-    return;
+void forget_turns(WorldState& world) {
+  world.turns.assign(world.bodies.size(), TurnSize::Small);
+  world.turns_in_substep.assign(world.bodies.size(), TurnSize::Small);
+}
+
+void measure_turns(WorldState& world, std::size_t first, std::size_t last, Real h) {
+  for (std::size_t i = first; i < last; ++i) {
+    const Real squared_slenderness = world.sizes[i].squared_slenderness;
+    world.turns[i] = turn_size(world.solver_bodies[i], squared_slenderness);
+    world.turns_in_substep[i] = turn_size_in_substep(world.bodies[i], squared_slenderness, h);
   }
-  for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
-    const TurnSize turn = larger_turn(world, places);
-    if (turn == TurnSize::Small) return;
-    const double before = impulse_energy(world, places);
-    if (turn == TurnSize::PastThinness) move_levers(world, world.pairs.contacts[contact], places);
-    prepare_again(world, step, places);
-    limit_impulse_energy(world, step, places, before);
-  });
+}
+
+void refresh_masses(WorldState& world, const ContactStep& step) {
+  for_turned_contacts(world, world.turns,
+                      [&](Index contact, std::span<const Index> places, TurnSize turn) {
+                        const double before = impulse_energy(world, places);
+                        if (turn == TurnSize::PastThinness) {
+                          move_levers(world, world.pairs.contacts[contact], places);
+                        }
+                        prepare_again(world, step, places);
+                        limit_impulse_energy(world, step, places, before);
+                      });
 }
 
 void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step) {
-  const auto turn_of_thin_body = [&](std::size_t i) {
-    const Real squared_turn = step.h * step.h * world.bodies[i].angular_velocity.squaredNorm();
-    const bool far = squared_turn * world.sizes[i].squared_slenderness > Real(0.25);
-    return far ? TurnSize::PastThinness : TurnSize::Small;
-  };
-  if (!measure_turns(world, turn_of_thin_body)) return;
-  for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
-    if (larger_turn(world, places) != TurnSize::Small) prepare_again(world, step, places);
-  });
+  for_turned_contacts(
+      world, world.turns_in_substep,
+      [&](Index, std::span<const Index> places, TurnSize) { prepare_again(world, step, places); });
 }
 
 }  // namespace cs550

@@ -15,6 +15,13 @@ void arrange_contacts(WorldState& world);
 /// Measures the bodies, and makes the constraints of a step. @pre arrange_contacts()
 void make_constraints(WorldState& world);
 
+/// Notes how far bodies have turned since the step began, and turn within a substep. Call it once they have moved.
+/// @param first, last the bodies from `first` to `last` − 1
+/// @param h substep (s)
+void measure_turns(WorldState& world, std::size_t first, std::size_t last, Real h);
+/// When a step begins, no body has turned.
+void forget_turns(WorldState& world);
+
 /// Recomputes the masses of constraints whose bodies have turned far since the step began, and turns
 /// the levers of thin bodies. Call it before the impulses of a substep are applied: those that no
 /// longer suit the masses are limited.

@@ -14,10 +14,14 @@ void gather(const RigidBody& body, SolverBody& solver_body) {
   solver_body.world_inverse_inertia = body.world_inverse_inertia;
 }
 
+void gather(std::span<const RigidBody> bodies, std::span<SolverBody> solver_bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) gather(bodies[i], solver_bodies[i]);
+}
+
 void gather_solver_bodies(WorldState& world) {
   for_solver_body_blocks(
       world, [](std::span<const RigidBody> bodies, std::span<SolverBody> solver_bodies) {
-        for (std::size_t i = 0; i < bodies.size(); ++i) gather(bodies[i], solver_bodies[i]);
+        gather(bodies, solver_bodies);
       });
 }
 

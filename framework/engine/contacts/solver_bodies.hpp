@@ -9,19 +9,22 @@
 
 namespace cs550 {
 
-/// Copies mass, inertia and velocities of a body. The displacement is kept.
+/// Copies mass, inertia and velocities of bodies. Their displacements are kept. Whatever changes velocities
+/// outside a solver copies them again, so that the array is always that of the bodies.
+/// @{
 void gather(const RigidBody& body, SolverBody& solver_body);
-/// Does so for all bodies.
+void gather(std::span<const RigidBody> bodies, std::span<SolverBody> solver_bodies);
 void gather_solver_bodies(WorldState& world);
+/// @}
+
 /// add_momentum_changes() for all bodies.
 void write_back_solver_bodies(WorldState& world);
 
-/// Runs `solve(bodies)` on SolverBody[] between gathering and writing back. Nothing else writes the array
-/// back. Without constraints there is nothing to solve.
+/// Runs `solve(bodies)` on SolverBody[] and writes it back. Nothing else does. Without constraints there is nothing
+/// to solve. @pre the array is that of the bodies
 template <class Solve>
 void with_solver_bodies(WorldState& world, const Solve& solve) {
   if (world.constraints.empty()) return;
-  gather_solver_bodies(world);
   solve(std::span<SolverBody>(world.solver_bodies));
   write_back_solver_bodies(world);
 }

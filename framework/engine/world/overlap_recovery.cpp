@@ -5,6 +5,7 @@
 
 #include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
+#include "engine/contacts/solver_bodies.hpp"
 #include "engine/pairs/near_pairs.hpp"
 
 /// @file overlap_recovery.cpp
@@ -108,6 +109,7 @@ void end_push(WorldState& world) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.recovery.recovers[i]) return_momenta(world.bodies[i], world.recovery.bodies[i]);
   }
+  gather_solver_bodies(world);
   for (std::size_t i = 0; i < world.constraints.size(); ++i) {
     const ContactConstraint& before = world.recovery.constraints[i];
     if (!recovers(world, before)) continue;

@@ -32,7 +32,7 @@ void measure_approach(WorldState& world) {
     constraint.approach_velocity =
         normal_velocity(a, b, constraint.r_a, constraint.r_b, constraint.n);
   }
-  world.mirrors.set_stale();
+  world.mirrors.set_stale_numbers();
 }
 
 /// The naive solver starts from nothing, and so does the other one if the settings ask for it.
@@ -201,15 +201,22 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
 }
 
 void apply_forces(WorldState& world, const ContactStep& step) {
-  for_solver_body_blocks(
-      world, [&](std::span<RigidBody> bodies, auto) { integrate_momenta(bodies, step.h); });
+  for_solver_body_blocks(world,
+                         [&](std::span<RigidBody> bodies, std::span<SolverBody> solver_bodies) {
+                           integrate_momenta(bodies, step.h);
+                           if (!world.constraints.empty()) gather(bodies, solver_bodies);
+                         });
 }
 
 void move_bodies(WorldState& world, const ContactStep& step) {
-  for_solver_body_blocks(world,
-                         [&](std::span<RigidBody> bodies, std::span<SolverBody> solver_bodies) {
-                           integrate_poses(bodies, solver_bodies, step.h, world.settings.rotation);
-                         });
+  for_body_blocks(world, [&](std::size_t first, std::size_t last) {
+    const auto bodies = std::span(world.bodies).subspan(first, last - first);
+    const auto solver_bodies = std::span(world.solver_bodies).subspan(first, last - first);
+    integrate_poses(bodies, solver_bodies, step.h, world.settings.rotation);
+    if (world.constraints.empty()) return;
+    gather(bodies, solver_bodies);
+    measure_turns(world, first, last, step.h);
+  });
 }
 
 /// Runs a part of the substep that changes bodies, and checks them after it if the settings ask for
@@ -242,7 +249,7 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 
 void prepare(WorldState& world, const ContactStep& step) {
   if (world.settings.solver == SolverKind::Naive || world.constraints.empty()) return;
-  gather_solver_bodies(world);  // only to read them
+  gather_solver_bodies(world);
   keep_groups(world.solve_order, world.mirrors, world.team);
   world.cold_start.is_fresh.assign(world.pairs.size(), 0);
   for_groups_in_blocks(world,

@@ -110,9 +110,13 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
   if (mirror.stale) {
     find_groups(constraints, bodies, mirror);
     mirror.numbers.resize(mirror.rows.size() * numbers_per_row);
+    mirror.stale = false;
+    mirror.stale_numbers = true;
+  }
+  if (mirror.stale_numbers) {
     for_rows(constraints, mirror,
              [](WideConstraint& row, const auto& lanes) { copy_constants(lanes, row); });
-    mirror.stale = false;
+    mirror.stale_numbers = false;
     mirror.stale_impulses = true;
   }
   if (mirror.stale_impulses) {
