@@ -228,7 +228,8 @@ struct SolveOrder {
   std::vector<ContactLink> links;     ///< working storage: those of the present contacts
   std::vector<ContactLink> grouped;   ///< those for which the groups were made
   std::vector<LinkState> states;
-  std::vector<Index> next_of_body;  ///< the next link of each body
+  std::vector<Index> next_of_body;        ///< the next link of each body
+  std::vector<unsigned> colours_of_body;  ///< a bit for each colour of its links between parts
 };
 
 /// What a body's mass and inertia say about its shape.

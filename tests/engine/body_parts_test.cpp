@@ -269,5 +269,45 @@ TEST(SolveUnits, AreThoseOfTheseThreadsIfTheOrderIsUsedAgain) {
   }
 }
 
+/// Bricks that rest on two of the row below, and do not touch the others of their row.
+Heap brick_wall(Index width, Index rows) {
+  Heap heap;
+  const auto at = [&](Index x, Index row) { return 1 + x + width * row; };
+  for (Index row = 0; row < rows; ++row) {
+    for (Index x = 0; x < width; ++x) {
+      heap.add(Vec3(Real(x) + Real(0.5) * Real(row % 2), 0, Real(row)));
+    }
+  }
+  for (Index row = 1; row < rows; ++row) {
+    for (Index x = 0; x < width; ++x) {
+      const Index other = row % 2 == 1 ? x + 1 : x - 1;
+      for (const Index below : {x, other}) {
+        if (below < 0 || below >= width) continue;
+        heap.touch(at(below, row - 1), at(x, row));
+        heap.contacts.back().manifold.normal = Vec3::UnitZ();
+      }
+    }
+  }
+  return heap;
+}
+
+// The contacts across a cut through a brick wall form one path from the bottom to the top. The edges of a
+// path have two colours, so half of its contacts can be solved at a time, not one.
+TEST(SolveUnits, SolveWhatIsBetweenPartsSideBySide) {
+  const Heap wall = brick_wall(16, 17);
+  const BodyParts parts = wall.parts();
+  ASSERT_EQ(parts.count, 2);
+  ThreadTeam team(2);
+  SolveOrder order;
+  arrange_constraints(pairs_of(wall.contacts), wall.bodies, down, order, parts, &team);
+  ASSERT_GT(order.units.size(), 2U);
+  const SolveUnit& between = order.units[2];
+  const Index contacts = between.end_contact - between.first_contact;
+  EXPECT_GE(contacts, 16) << "at least one for each row above the first";
+  const Index of_each_colour = (contacts + 1) / 2;
+  const Index groups_of_each = (of_each_colour + lane_count - 1) / static_cast<Index>(lane_count);
+  EXPECT_LE(between.groups.size(), static_cast<std::size_t>(2 * groups_of_each));
+}
+
 }  // namespace
 }  // namespace cs550::test

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <utility>
+
+#include "engine/contacts/link_schedule.hpp"
 
 namespace cs550 {
 
@@ -19,103 +22,6 @@ void make_room(std::size_t count, Arrays&... arrays) {
   };
   (reserve(arrays), ...);
 }
-
-/// Puts the links of a unit into groups of those that wait for no other (list scheduling). Links that share a
-/// movable body wait for each other. Those that hold up the longest chains come first: what is left at the end
-/// then fills whole groups, rather than being a chain.
-class Schedule {
- public:
-  /// @pre order.states and order.next_of_body have room; several threads may schedule units of one phase
-  Schedule(SolveOrder& order, SolveUnit& unit) : order_(order), unit_(unit) {
-    unit_.groups.clear();
-  }
-
-  void run() {
-    Index highest = 0;
-    for (Index i = unit_.end_contact - 1; i >= unit_.first_contact; --i) {
-      state(i) = {};
-      tie_to_followers(i);
-      highest = std::max(highest, state(i).height);
-    }
-    for (ReadyLinks& links : unit_.ready) {
-      links.tops.assign(static_cast<std::size_t>(highest) + 1, no_index);
-      links.height = 0;
-    }
-    for (Index i = unit_.end_contact - 1; i >= unit_.first_contact; --i) {
-      if (state(i).waits_for == 0) make_ready(i);
-    }
-    while (const std::size_t points = longest_of_next_group()) form_group(points);
-  }
-
- private:
-  LinkState& state(Index link) { return order_.states[link]; }
-  ReadyLinks& ready(std::size_t points) { return unit_.ready[points - 1]; }
-
-  /// @pre done for all links of the unit after this one
-  void tie_to_followers(Index i) {
-    auto follower = state(i).followers.begin();
-    for (const Index body : {order_.links[i].body_a, order_.links[i].body_b}) {
-      if (body == no_index) continue;
-      const Index next = std::exchange(order_.next_of_body[body], i);
-      if (next < i) continue;  // none, or one of a unit before this one
-      *follower++ = next;
-      ++state(next).waits_for;
-      state(i).height = std::max(state(i).height, state(next).height + 1);
-    }
-  }
-
-  void make_ready(Index link) {
-    ReadyLinks& links = ready(static_cast<std::size_t>(order_.links[link].points));
-    const Index height = state(link).height;
-    state(link).below = std::exchange(links.tops[height], link);
-    links.height = std::max(links.height, height);
-    ++links.count;
-  }
-
-  /// Passes over the stacks that have become empty. @pre there is a link
-  Index height_of(ReadyLinks& links) {
-    while (links.tops[links.height] == no_index) --links.height;
-    return links.height;
-  }
-
-  Index take_highest(ReadyLinks& links) {
-    Index& top = links.tops[height_of(links)];
-    --links.count;
-    return std::exchange(top, state(top).below);
-  }
-
-  /// The number of points of the highest link that is ready, if possible among as many as fill a group:
-  /// a lane that has run out of points idles. @returns 0 if no link is left
-  std::size_t longest_of_next_group() {
-    for (const std::size_t enough : {lane_count, std::size_t(1)}) {
-      std::size_t best = 0;
-      for (std::size_t points = max_manifold_points; points > 0; --points) {
-        if (ready(points).count < enough) continue;
-        if (best == 0 || height_of(ready(points)) > height_of(ready(best))) best = points;
-      }
-      if (best > 0) return best;
-    }
-    return 0;
-  }
-
-  /// Links of that many points, then of fewer.
-  void form_group(std::size_t points) {
-    StaticVector<Index, lane_count> taken;
-    for (; points > 0; --points) {
-      while (!taken.full() && ready(points).count > 0) taken.push_back(take_highest(ready(points)));
-    }
-    ContactGroup& group = unit_.groups.emplace_back();
-    for (const Index link : taken) {
-      group.push_back(order_.links[link].contact);
-      for (const Index follower : state(link).followers) {
-        if (follower != no_index && --state(follower).waits_for == 0) make_ready(follower);
-      }
-    }
-  }
-
-  SolveOrder& order_;
-  SolveUnit& unit_;
-};
 
 /// Numbers the points, and lists the contacts that have any.
 void number_points(const PairList& pairs, SolveOrder& order) {
@@ -139,6 +45,10 @@ Index unit_between(Index part_a, Index part_b, Index parts) {
   return parts + lower / 2 + (lower % 2 == 1 ? parts / 2 : 0);
 }
 
+/// Ranks of a unit: those of its contacts that carry weight, and then as many of the others.
+constexpr Index colour_count = 4;
+constexpr Index ranks_of_unit = 2 * colour_count;
+
 /// Finds what the links tie together, and their ranks. Within a unit, contacts that link the neighbours of a
 /// row come last: those whose normals are across gravity, within 6° (the cosine is 0.1). If each were visited
 /// between the contacts of its bodies with the next row, the rows would become one chain of contacts that wait
@@ -159,7 +69,7 @@ void tie_links(const PairList& pairs, std::span<const RigidBody> bodies, const V
     link.unit = unit_between(part_of(a, b), part_of(b, a), parts.count);
     const Vec3& normal = pairs.contacts[link.contact].manifold.normal;
     const bool links_neighbours = std::abs(normal.dot(gravity)) < across;
-    return 2 * link.unit + (links_neighbours ? 1 : 0);
+    return ranks_of_unit * link.unit + (links_neighbours ? colour_count : 0);
   };
   order.ranks.resize(order.unsorted.size());
   constexpr std::size_t block = 32;
@@ -168,14 +78,31 @@ void tie_links(const PairList& pairs, std::span<const RigidBody> bodies, const V
   });
 }
 
+/// Moves links between parts to ranks in which no two share a body. In their own order, those of a pyramid's
+/// parts would be one chain, and all threads but one would wait for it.
+void colour_links_between_parts(Index parts, std::size_t bodies, SolveOrder& order) {
+  if (parts == 1) return;
+  order.colours_of_body.assign(bodies, 0);
+  for (std::size_t i = 0; i < order.unsorted.size(); ++i) {
+    const ContactLink& link = order.unsorted[i];
+    if (link.unit < parts) continue;
+    unsigned& of_a = order.colours_of_body[link.body_a];
+    unsigned& of_b = order.colours_of_body[link.body_b];
+    const Index colour = std::min<Index>(std::countr_one(of_a | of_b), colour_count - 1);
+    of_a |= 1U << colour;
+    of_b |= 1U << colour;
+    order.ranks[i] += colour;
+  }
+}
+
 /// Sorts the links by rank, and notes where the units begin.
 void sort_links(SolveOrder& order) {
-  std::array<Index, 2 * most_units + 1> next{};
+  std::array<Index, ranks_of_unit * most_units + 1> next{};
   for (const Index rank : order.ranks) ++next[rank + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::size_t i = 0; i < order.units.size(); ++i) {
-    order.units[i].first_contact = next[2 * i];
-    order.units[i].end_contact = next[2 * i + 2];
+    order.units[i].first_contact = next[ranks_of_unit * i];
+    order.units[i].end_contact = next[ranks_of_unit * (i + 1)];
   }
   order.links.resize(order.unsorted.size());
   order.contacts.resize(order.unsorted.size());
@@ -239,12 +166,13 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
   number_points(pairs, order);
   make_units(parts.count, order);
   tie_links(pairs, bodies, gravity, parts, order, team);
+  colour_links_between_parts(parts.count, bodies.size(), order);
   sort_links(order);
   if (team == nullptr) unite(order);
   if (order.links == order.grouped) return;  // most steps of a scene at rest
   order.states.resize(order.links.size());
   order.next_of_body.assign(bodies.size(), no_index);
-  for_units(team, order, false, [&](std::size_t i) { Schedule(order, order.units[i]).run(); });
+  for_units(team, order, false, [&](std::size_t i) { form_groups(order, order.units[i]); });
   place_units(order);
   for_units(team, order, false, [&](std::size_t i) { place_points(pairs, order, order.units[i]); });
   std::swap(order.grouped, order.links);
