@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/contacts/contact_constraints.hpp"
 
@@ -18,8 +19,8 @@ namespace cs550 {
 namespace {
 
 /// Sweeps end when none changes a velocity by more than this fraction of what gravity adds in a
-/// substep, or at this cost. A load a thousand times heavier than its support takes thousands of
-/// sweeps.
+/// substep, or by more than rounding does, or at this cost. A load a thousand times heavier than its support takes
+/// thousands of sweeps.
 constexpr Real enough = Real(1e-5);
 constexpr std::size_t most_visits = 200'000;
 
@@ -34,7 +35,7 @@ void push_apart(std::span<SolverBody> bodies, const ContactConstraint& constrain
   bodies[constraint.body_b].apply(impulse * constraint.n, constraint.r_b);
 }
 
-/// One constraint in the middle of those of a pair.
+/// One constraint in the middle of those of a pair, without mass.
 ContactConstraint middle_constraint(const WorldState& world, std::span<const Index> places) {
   ContactConstraint middle = world.constraints[places[0]];
   for (const Index place : places.subspan(1)) {
@@ -45,22 +46,38 @@ ContactConstraint middle_constraint(const WorldState& world, std::span<const Ind
   }
   middle.r_a /= static_cast<Real>(places.size());
   middle.r_b /= static_cast<Real>(places.size());
-  middle.normal_mass =
-      constraint_mass(contact_jacobian(middle.n, middle.r_a, middle.r_b),
-                      world.solver_bodies[middle.body_a], world.solver_bodies[middle.body_b]);
   return middle;
 }
 
-/// The pairs that are new and slow.
-void list_cold_pairs(WorldState& world) {
+/// The speed at which a gap closes within a substep (m/s).
+Real gap_speed(const ContactConstraint& constraint, Real h) {
+  return std::max(constraint.separation, Real(0)) / h;
+}
+
+/// By how much gravity and forces change the velocity of any body within a substep, at most (m/s).
+Real largest_push(const WorldState& world, Real h) {
+  Real push = 0;
+  for_dynamic_bodies(world, [&](const RigidBody& body) {
+    push = std::max(push, h * body.inverse_mass * body.force.norm());
+  });
+  return push;
+}
+
+/// The pairs that are new and slow, and whose gaps may close within the substep. Most contacts without impulses are
+/// across gaps. A load balances what pushes a body, so both together change no velocity by more than the push.
+void list_cold_pairs(WorldState& world, Real h) {
   world.cold_start.pairs.clear();
   const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
+  const Real push = largest_push(world, h);
   for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
     if (!world.cold_start.is_fresh[contact]) return;
-    const ContactConstraint middle = middle_constraint(world, places);
-    if (std::abs(approach(world.solver_bodies, middle)) < slow) {
-      world.cold_start.pairs.push_back({places, middle});
-    }
+    ContactConstraint middle = middle_constraint(world, places);
+    const Real speed = approach(world.solver_bodies, middle);
+    if (std::abs(speed) >= slow || speed + gap_speed(middle, h) > 2 * push) return;
+    middle.normal_mass =
+        constraint_mass(contact_jacobian(middle.n, middle.r_a, middle.r_b),
+                        world.solver_bodies[middle.body_a], world.solver_bodies[middle.body_b]);
+    world.cold_start.pairs.push_back({places, middle});
   });
 }
 
@@ -109,15 +126,22 @@ void predict_velocities(WorldState& world, Real h) {
   });
 }
 
-/// Improves the load of one pair. @returns by how much a velocity changed (m/s)
+/// What rounding may change about the approach of a pair (m/s).
+Real rounding_of_approach(std::span<const SolverBody> bodies, const ContactConstraint& constraint) {
+  constexpr Real rounding = 4 * std::numeric_limits<Real>::epsilon();
+  return rounding * (bodies[constraint.body_a].v.norm() + bodies[constraint.body_b].v.norm());
+}
+
+/// Improves the load of one pair. @returns by how much a velocity changed (m/s), 0 if no more than by rounding
 Real improve(std::span<SolverBody> bodies, ContactConstraint& constraint, Real h) {
   if (constraint.normal_mass == 0) return 0;
-  const Real gap_speed = std::max(constraint.separation, Real(0)) / h;
   const Real before = constraint.normal_impulse;
-  const Real wanted = before - constraint.normal_mass * (approach(bodies, constraint) + gap_speed);
+  const Real parting = approach(bodies, constraint) + gap_speed(constraint, h);
+  const Real wanted = before - constraint.normal_mass * parting;
   constraint.normal_impulse = std::max(Real(0), wanted);
   push_apart(bodies, constraint, constraint.normal_impulse - before);
-  return std::abs(constraint.normal_impulse - before) / constraint.normal_mass;
+  const Real change = std::abs(constraint.normal_impulse - before) / constraint.normal_mass;
+  return change > rounding_of_approach(bodies, constraint) ? change : 0;
 }
 
 /// Sweeps back and forth until the loads no longer change.
@@ -148,7 +172,7 @@ void note_if_fresh(WorldState& world, Index contact) {
 
 void guess_cold_impulses(WorldState& world, Real h) {
   ColdStart& cold = world.cold_start;
-  list_cold_pairs(world);
+  list_cold_pairs(world, h);
   if (cold.pairs.empty()) return;
   mark_cold_bodies(world);
   predict_velocities(world, h);
