@@ -57,8 +57,8 @@ ShapePtr sliver(std::uint32_t seed) {
 
 /// How much of an axis a body's shadow covers (m).
 Real length_along(const PosedShape& body, const Vec3& axis) {
-  std::vector<Vec3> corners;
-  for (Index i = 0; i < body.mesh().vertex_count(); ++i) corners.push_back(body.vertex(i));
+  std::vector<Vec3> corners(body.mesh().vertices.size());
+  for (Index i = 0; i < body.mesh().vertex_count(); ++i) corners[i] = body.vertex(i);
   const Shadow shadow = shadow_of(corners, axis);
   return shadow.high - shadow.low;
 }

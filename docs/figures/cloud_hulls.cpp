@@ -1,5 +1,7 @@
 #include "cloud_hulls.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -41,7 +43,8 @@ void answer_clouds(const std::string& clouds, const std::string& output) {
   for (const auto& [key, coordinates] : asked.items()) {
     const std::vector<Vec3> points = read_points(coordinates);
     const SoupResult hull = convex_hull(points);
-    if (!hull.error.empty()) throw std::runtime_error(clouds + ", " + key + ": " + hull.error);
+    if (!hull.error.empty())
+      throw std::runtime_error(fmt::format("{}, {}: {}", clouds, key, hull.error));
     hulls[key] = corners_of(points, hull.soup);
   }
   std::ofstream file(output);

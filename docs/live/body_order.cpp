@@ -124,6 +124,7 @@ std::vector<std::vector<std::size_t>> painted_before(const std::vector<Seen>& bo
 std::vector<std::size_t> back_to_front(const std::vector<pages::Solid>& solids,
                                        const pages::Projection& seen) {
   std::vector<Seen> bodies;
+  bodies.reserve(solids.size());
   for (const pages::Solid& solid : solids) bodies.push_back(look_at(solid, seen));
   std::vector<std::size_t> far_to_near(bodies.size());
   std::iota(far_to_near.begin(), far_to_near.end(), std::size_t{0});

@@ -123,6 +123,7 @@ std::string LiveFigure::describe() {
   if (world_ != nullptr) {
     const std::vector<std::string> names = shipped_scenes();
     std::vector<const char*> words;
+    words.reserve(names.size());
     for (const std::string& name : names) words.push_back(name.c_str());
     int place = static_cast<int>(std::find(names.begin(), names.end(), scene_) - names.begin());
     lister.choice({"scene", "scene", ""}, place, words);

@@ -120,7 +120,8 @@ std::size_t WorldCanvas::begin(float kind, const Rgba& colour, float size) {
 void WorldCanvas::add(const Vec2& pixel) { shapes_.insert(shapes_.end(), {pixel.x(), pixel.y()}); }
 
 void WorldCanvas::end(std::size_t start) {
-  shapes_[start - 1] = static_cast<float>((shapes_.size() - start) / 2);
+  const std::size_t corners = (shapes_.size() - start) / 2;
+  shapes_[start - 1] = static_cast<float>(corners);
 }
 
 void WorldCanvas::add_solids() {

@@ -105,7 +105,7 @@ std::string output_of(const std::vector<std::string>& command,
   const NamelessFile file;
   const Ending ending = run(command, {folder, file.path()});
   std::ifstream stream(file.path(), std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!ending.good()) throw std::runtime_error(command.front() + " failed: " + text);
   return text;
 }

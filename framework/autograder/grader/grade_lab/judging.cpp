@@ -104,14 +104,18 @@ Json run_judge(const Order& order, std::size_t tests, const std::string& filter,
     throw std::runtime_error(judge_program(order.lab).string() +
                              " is missing; build it: ./cs550 build test judges");
   }
+  const std::string leave_out =
+      "--gtest_filter=" + filter + (filter.find('-') == std::string::npos ? "-" : ":");
   Json rows = Json::object();
   while (rows.size() < tests) {
     const fs::path results = work / "judge.json";
     fs::remove(results);
     std::string ended;  // tests that have a verdict
-    for (const auto& [name, row] : rows.items()) ended += (ended.empty() ? "" : ":") + suite + name;
-    run({judge_program(order.lab).string(), "--results", results.string(),
-         "--gtest_filter=" + filter + (filter.find('-') == std::string::npos ? "-" : ":") + ended},
+    for (const auto& [name, row] : rows.items()) {
+      if (!ended.empty()) ended += ':';
+      ended.append(suite).append(name);
+    }
+    run({judge_program(order.lab).string(), "--results", results.string(), leave_out + ended},
         environment, work, work / "judge.log", Watch(results, order));
     const Json document = read_json(results);
     if (document.is_discarded() || document.at("tests").empty()) break;

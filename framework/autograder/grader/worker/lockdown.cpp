@@ -79,11 +79,12 @@ void forbid_system_calls() {
   };
   int failures = 0;
   for (const int call : free_calls) failures += allow(call) != 0;
+  const scmp_arg_cmp only_to_read{2, SCMP_CMP_MASKED_EQ, O_ACCMODE | O_CREAT | O_TRUNC, O_RDONLY};
+  const scmp_arg_cmp this_process{0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid()), 0};
   failures +=
-      seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, SCMP_SYS(openat), 1,
-                       SCMP_A2(SCMP_CMP_MASKED_EQ, O_ACCMODE | O_CREAT | O_TRUNC, O_RDONLY)) != 0;
-  failures += seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 1,
-                               SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid()))) != 0;
+      seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, SCMP_SYS(openat), 1, &only_to_read) != 0;
+  failures +=
+      seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 1, &this_process) != 0;
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   check(failures == 0 && seccomp_load(filter.get()) == 0, "seccomp_load");
 }

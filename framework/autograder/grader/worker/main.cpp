@@ -115,6 +115,7 @@ std::vector<void*> prepare(std::vector<std::string> arguments) {
   // Several labs call each other, so the first ones are incomplete when they are loaded.
   const int when = submissions.size() == 1 ? RTLD_NOW : RTLD_LAZY;
   std::vector<void*> labs;
+  labs.reserve(submissions.size());
   for (const std::filesystem::path& submission : submissions)
     labs.push_back(load(submission, when));
   return labs;
