@@ -248,6 +248,7 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 }
 
 void prepare(WorldState& world, const ContactStep& step) {
+  forget_turns(world);
   if (world.settings.solver == SolverKind::Naive || world.constraints.empty()) return;
   gather_solver_bodies(world);
   keep_groups(world.solve_order, world.mirrors, world.team);
