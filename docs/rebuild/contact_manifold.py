@@ -27,6 +27,13 @@ def face_corners(box, face):
     return corners[np.argsort(np.arctan2(np.cross(normal, arms[0]) @ arms.T, arms @ arms[0]))]
 
 
+def incident_face(box, normal):
+    """Of the faces at the vertex that is deepest along the reference normal, the most anti-parallel one."""
+    deepest = box.vertices[(box.vertices @ normal).argmin()]
+    touches = box.normals @ deepest > box.offsets - 1e-9
+    return np.where(touches, box.normals @ normal, np.inf).argmin()
+
+
 def clip(polygon, normal, offset):
     """Sutherland and Hodgman: the part of the polygon with distance ≤ 0. A corner is (point, edge in, edge out)."""
     kept = []
@@ -76,7 +83,7 @@ def reduce(points, n):
 def face_points(reference, incident, face, radius, margin):
     """Of the clipped incident face: (point on the reference face, point on the incident body, separation, kind)."""
     normal, offset = reference.normals[face], reference.offsets[face]
-    polygon = [(p, "incident", "incident") for p in face_corners(incident, (incident.normals @ normal).argmin())]
+    polygon = [(p, "incident", "incident") for p in face_corners(incident, incident_face(incident, normal))]
     corners = face_corners(reference, face)
     for a, b in zip(corners, np.roll(corners, -1, axis=0)):
         side = np.cross(b - a, normal) / np.linalg.norm(b - a)

@@ -36,9 +36,9 @@ ClipPolygon clip_polygon([[maybe_unused]] const ClipPolygon& polygon,
   throw NotImplemented("L5.1");
 }
 
-Index find_incident_face([[maybe_unused]] const PosedShape& body,
+Index find_incident_face([[maybe_unused]] const PosedShape& body, [[maybe_unused]] Index vertex,
                          [[maybe_unused]] const Vec3& reference_normal) {
-  // L5.2: Transform the one normal, not all of them.
+  // L5.2: Only the faces around the vertex count. Transform the one normal, not all of theirs.
   throw NotImplemented("L5.2");
 }
 

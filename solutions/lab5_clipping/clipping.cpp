@@ -70,19 +70,19 @@ ClipPolygon clip_polygon(const ClipPolygon& polygon, const Plane& plane, ClipEdg
   return clipped;
 }
 
-Index find_incident_face(const PosedShape& body, const Vec3& reference_normal) {
+Index find_incident_face(const PosedShape& body, Index vertex, const Vec3& reference_normal) {
   const Vec3 normal = body.pose.unrotate(reference_normal);
   const HalfEdgeMesh& mesh = body.mesh();
-  Index best = 0;
-  Real smallest = HUGE_VALF;
-  for (Index face = 0; face < mesh.face_count(); ++face) {
-    const Real cosine = normal.dot(mesh.face(face).plane.normal);
-    if (cosine < smallest) {
-      smallest = cosine;
-      best = face;
-    }
+  const auto cosine = [&](Index face) { return normal.dot(mesh.face(face).plane.normal); };
+  const auto precedes = [&](Index a, Index b) {
+    return cosine(a) < cosine(b) || (cosine(a) == cosine(b) && a < b);
+  };
+  Index incident = mesh.edge(mesh.vertex_edge[static_cast<std::size_t>(vertex)]).face;
+  for (const Index e : vertex_edges(mesh, vertex)) {
+    const Index face = mesh.edge(e).face;
+    if (precedes(face, incident)) incident = face;
   }
-  return best;
+  return incident;
 }
 
 Manifold face_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
@@ -91,8 +91,7 @@ Manifold face_manifold(const PosedShape& a, const PosedShape& b, const Separatin
   const HalfEdgeMesh& mesh = reference.body.mesh();
   const Plane& plane = reference.plane();
 
-  const Index incident_face =
-      find_incident_face(reference.incident, reference.body.pose.rotate(plane.normal));
+  const Index incident_face = reference.incident_face();
   ClipPolygon polygon =
       face_polygon(reference.incident.mesh(), incident_face, reference.incident_frame);
   const Real tolerance = side_plane_tolerance * smaller_radius(a, b);

@@ -55,7 +55,8 @@ AxisFeature better_face(const SeparatingAxis& axis, Real tolerance) {
 }
 
 /// One point: the vertex that the face query found deepest.
-Manifold vertex_manifold(const ReferenceFace& reference, Index vertex) {
+Manifold vertex_manifold(const ReferenceFace& reference) {
+  const Index vertex = reference.deepest_vertex;
   const Vec3 point = reference.incident_frame.to_world(reference.incident.mesh().vertex(vertex));
   Manifold manifold = reference.empty_manifold();
   manifold.points.push_back(
@@ -112,7 +113,7 @@ Manifold build_manifold(const PosedShape& a, const PosedShape& b, const Separati
   if (!lost_the_deepest) return manifold;
   if (axis.edges && axis.edges.separation >= face.separation) return edge_manifold(a, b, axis);
   if (axis.separation > 0 && !manifold.points.empty()) return manifold;
-  return vertex_manifold(ReferenceFace(a, b, face_axis), face.vertex);
+  return vertex_manifold(ReferenceFace(a, b, face_axis));
 }
 
 }  // namespace cs550

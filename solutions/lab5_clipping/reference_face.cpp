@@ -29,6 +29,7 @@ ReferenceFace::ReferenceFace(const PosedShape& a, const PosedShape& b, const Sep
     : body(axis.feature == AxisFeature::FaceA ? a : b),
       incident(axis.feature == AxisFeature::FaceA ? b : a),
       face(axis.feature == AxisFeature::FaceA ? axis.face_a.face : axis.face_b.face),
+      deepest_vertex(axis.feature == AxisFeature::FaceA ? axis.face_a.vertex : axis.face_b.vertex),
       on_a(axis.feature == AxisFeature::FaceA),
       incident_frame(relative_pose(incident.pose, body.pose)) {}
 

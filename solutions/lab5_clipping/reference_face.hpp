@@ -19,6 +19,7 @@ struct ReferenceFace {
   const PosedShape& body;
   const PosedShape& incident;
   Index face;
+  Index deepest_vertex;  ///< of the incident body, behind the face
   bool on_a;
   Pose incident_frame;  ///< the incident body, seen from the reference body
 
@@ -26,6 +27,9 @@ struct ReferenceFace {
   ReferenceFace(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis);
 
   const Plane& plane() const { return body.mesh().face(face).plane; }
+  Index incident_face() const {
+    return find_incident_face(incident, deepest_vertex, body.pose.rotate(plane().normal));
+  }
 
   /// @param kind_on_a as it is called when A owns the reference face
   FeatureId feature(FeatureId::Kind kind_on_a, Index of_reference, Index of_incident) const;

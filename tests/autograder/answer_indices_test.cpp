@@ -78,8 +78,8 @@ TEST_F(AnswerIndices, OfMeshesNameTheirOwnElements) {
 }
 
 TEST_F(AnswerIndices, OfContactsNameKnownFeatures) {
-  EXPECT_FALSE(is_refused(Index{5}, body, up));
-  EXPECT_TRUE(is_refused(Index{6}, body, up));
+  EXPECT_FALSE(is_refused(Index{5}, body, 0, up));
+  EXPECT_TRUE(is_refused(Index{6}, body, 0, up));
   Manifold manifold;
   manifold.points.push_back({});
   EXPECT_FALSE(is_refused(manifold, body, body));

@@ -124,8 +124,7 @@ bool may_be_reduced(const PosedShape& a, const PosedShape& b, const SeparatingAx
                     const Manifold& manifold) {
   if (manifold.reference == AxisFeature::Edges) return false;
   const bool on_a = manifold.reference == AxisFeature::FaceA;
-  const ContactPolygon polygon(on_a ? a : b, on_a ? axis.face_a.face : axis.face_b.face,
-                               on_a ? b : a);
+  const ContactPolygon polygon(on_a ? a : b, on_a ? axis.face_a : axis.face_b, on_a ? b : a);
   return polygon.ambiguous || polygon.corners.size() > max_manifold_points;
 }
 

@@ -17,15 +17,16 @@ struct ContactPolygon {
   bool ambiguous = false;      ///< whether rounding could change the incident face or a corner
   double tolerance = 0;        ///< m
 
-  ContactPolygon(const PosedShape& owner, Index reference_face, const PosedShape& other) {
+  ContactPolygon(const PosedShape& owner, const FaceQuery& query, const PosedShape& other) {
+    const Index reference_face = query.face;
     const double size = static_cast<double>(std::min(owner.shape->radius, other.shape->radius));
     const double blur = 5 * static_cast<double>(side_plane_tolerance) * size;
     const HalfPlane reference = plane_of(owner, reference_face);
 
-    // The most anti-parallel face, and whether another one is almost as anti-parallel.
+    // The most anti-parallel face at the deepest vertex, and whether another one is almost as anti-parallel.
     Index incident_face = 0;
     double smallest = 2;
-    for (Index f = 0; f < other.mesh().face_count(); ++f) {
+    for (const Index f : faces_at(other.mesh(), query.vertex)) {
       const double cosine = plane_of(other, f).normal.dot(reference.normal);
       ambiguous |= std::abs(cosine - smallest) < 1e-4;
       if (cosine < smallest) {

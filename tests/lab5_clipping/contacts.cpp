@@ -42,6 +42,16 @@ Index vertex_at(const HalfEdgeMesh& mesh, const Vec3& place) {
   return best;
 }
 
+std::vector<Index> faces_at(const HalfEdgeMesh& mesh, Index vertex) {
+  std::vector<Index> faces;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    for (const Index e : face_edges(mesh, f)) {
+      if (mesh.edge(e).vertex == vertex) faces.push_back(f);
+    }
+  }
+  return faces;
+}
+
 Index edge_between(const HalfEdgeMesh& mesh, Index from, Index to) {
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     if (mesh.origin(e) == from && mesh.edge(e).vertex == to) return e;

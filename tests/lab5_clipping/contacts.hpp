@@ -42,6 +42,8 @@ Pose composed(const Pose& outer, const Pose& inner);
 Index face_towards(const HalfEdgeMesh& mesh, const Vec3& direction);
 /// The vertex at a position in the body frame.
 Index vertex_at(const HalfEdgeMesh& mesh, const Vec3& place);
+/// The faces that have a corner at a vertex.
+std::vector<Index> faces_at(const HalfEdgeMesh& mesh, Index vertex);
 /// The half-edge from one vertex to another.
 Index edge_between(const HalfEdgeMesh& mesh, Index from, Index to);
 

@@ -42,7 +42,7 @@ TEST(Serialisation, Lab5IsCalledAcrossAWire) {
   ASSERT_TRUE(axis.edges) << "an edge manifold needs a pair of edges";
   EXPECT_SAME_ACROSS_WIRE(clip_polygon, triangle(), Plane{Vec3::UnitX(), 1},
                           {ClipEdge::Source::Reference, 7});
-  EXPECT_SAME_ACROSS_WIRE(find_incident_face, b, axis.axis);
+  EXPECT_SAME_ACROSS_WIRE(find_incident_face, b, axis.face_a.vertex, axis.axis);
   SeparatingAxis face_axis = axis;
   face_axis.feature = AxisFeature::FaceA;
   EXPECT_SAME_ACROSS_WIRE(face_manifold, a, b, face_axis, 0.1F);

@@ -51,11 +51,13 @@ using ClipPolygon = StaticVector<ClipVertex, 2 * max_face_vertices>;
 /// @param plane_edge the name of the new edge along the plane
 ClipPolygon clip_polygon(const ClipPolygon& polygon, const Plane& plane, ClipEdge plane_edge = {});
 
-/// **L5.2** The incident face: the face whose normal is most anti-parallel to the reference normal.
-/// On a tie the face with the smallest index wins.
+/// **L5.2** The incident face: of the faces that meet in the deepest vertex, the one whose normal is
+/// most anti-parallel to the reference normal. On a tie the face with the smallest index wins. The
+/// most anti-parallel of *all* faces need not touch that vertex.
 /// @param body the body that does *not* own the reference face
+/// @param vertex its vertex that is deepest behind the reference face, FaceQuery::vertex
 /// @param reference_normal world frame, unit, out of the reference body
-Index find_incident_face(const PosedShape& body, const Vec3& reference_normal);
+Index find_incident_face(const PosedShape& body, Index vertex, const Vec3& reference_normal);
 
 /// The distance by which side planes are moved outward before clipping, relative to the smaller
 /// radius of the two shapes. Boxes that are stacked flush then keep their feature ids even though

@@ -73,9 +73,10 @@ Content show(const ClippingSettings& settings) {
   const bool on_b = axis.feature == AxisFeature::FaceB;
   const PosedShape& reference_body = on_b ? bodies.b : bodies.a;
   const PosedShape& incident_body = on_b ? bodies.a : bodies.b;
-  const Index reference_face = on_b ? axis.face_b.face : axis.face_a.face;
+  const FaceQuery& query = on_b ? axis.face_b : axis.face_a;
+  const Index reference_face = query.face;
   const Index incident_face =
-      find_incident_face(incident_body, reference_body.plane(reference_face).normal);
+      find_incident_face(incident_body, query.vertex, reference_body.plane(reference_face).normal);
 
   const std::vector<Vec3> reference = corners_of(reference_body, reference_face);
   const std::vector<Plane> planes = planes_around(reference_body, reference_face);

@@ -27,8 +27,7 @@ struct Clipping {
 
   explicit Clipping(const ReferenceFace& reference_face)
       : reference(reference_face),
-        incident_face(find_incident_face(reference.incident,
-                                         reference.body.pose.rotate(reference.plane().normal))),
+        incident_face(reference.incident_face()),
         plane{packed(reference.plane().normal), reference.plane().offset},
         incident_frame(reference.incident_frame) {}
 

@@ -130,7 +130,7 @@ void print_poses_that_are_not_numbers(const ShapePtr& box) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   SeparatingAxis axis;
   axis.feature = AxisFeature::FaceA;
-  axis.face_a.face = 0;
+  axis.face_a = {0, 0, 0};
   const PosedShape a{box.get(), {}};
   Manifolds manifolds;
   manifolds.add(a, {box.get(), {Vec3(nan, 0, 0), {1, 0, 0, 0}}}, axis);

@@ -108,7 +108,7 @@ inline void check_indices(const SeparatingAxis& axis, const PosedShape& a, const
 }
 
 /// find_incident_face()
-inline void check_indices(const Index& face, const PosedShape& body,
+inline void check_indices(const Index& face, const PosedShape& body, const Index& /*vertex*/,
                           const Vec3& /*reference_normal*/) {
   require_face(face, body.mesh());
 }

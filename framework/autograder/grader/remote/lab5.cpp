@@ -10,8 +10,8 @@ ClipPolygon clip_polygon(const ClipPolygon& polygon, const Plane& plane, ClipEdg
   return call<clip_polygon>(polygon, plane, plane_edge);
 }
 
-Index find_incident_face(const PosedShape& body, const Vec3& reference_normal) {
-  return call<find_incident_face>(body, reference_normal);
+Index find_incident_face(const PosedShape& body, Index vertex, const Vec3& reference_normal) {
+  return call<find_incident_face>(body, vertex, reference_normal);
 }
 
 Manifold face_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,

@@ -24,7 +24,7 @@ namespace cs550 {
 
 ClipPolygon clip_polygon(const ClipPolygon& polygon, const Plane&, ClipEdge) { return polygon; }
 
-Index find_incident_face(const PosedShape&, const Vec3&) { return 1 << 28; }
+Index find_incident_face(const PosedShape&, Index, const Vec3&) { return 1 << 28; }
 
 Manifold face_manifold(const PosedShape&, const PosedShape&, const SeparatingAxis&, Real) {
   return attack::manifold();
