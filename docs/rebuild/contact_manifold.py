@@ -30,7 +30,7 @@ def face_corners(box, face):
 def incident_face(box, normal):
     """Of the faces at the vertex that is deepest along the reference normal, the most anti-parallel one."""
     deepest = box.vertices[(box.vertices @ normal).argmin()]
-    touches = box.normals @ deepest > box.offsets - 1e-9
+    touches = box.normals @ deepest > box.offsets - 1e-5 * box.radius  # turned axes are rounded
     return np.where(touches, box.normals @ normal, np.inf).argmin()
 
 
