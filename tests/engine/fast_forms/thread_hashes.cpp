@@ -25,7 +25,14 @@ struct Case {
   std::string name;
   World world;
   std::function<void(World&, int step)> before_step = [](World&, int) {};
+  cs550::Index visitor = cs550::no_index;  ///< a body that must touch another one at the end
 };
+
+bool touches(const World& world, cs550::Index body) {
+  return std::ranges::any_of(world.contacts(), [&](const cs550::Contact& contact) {
+    return (contact.body_a == body || contact.body_b == body) && !contact.manifold.points.empty();
+  });
+}
 
 std::uint64_t hash_after(const Case& pile, int threads) {
   World world = pile.world;
@@ -38,6 +45,9 @@ std::uint64_t hash_after(const Case& pile, int threads) {
   }
   if (most_contacts < enough_contacts) {
     throw std::runtime_error(pile.name + " has too few contacts for two parts");
+  }
+  if (pile.visitor != cs550::no_index && !touches(world, pile.visitor)) {
+    throw std::runtime_error(pile.name + ": nothing has reached the pile");
   }
   if (world.settings().sleeping && world.stats().asleep == 0) {
     throw std::runtime_error(pile.name + " is awake");
@@ -77,21 +87,25 @@ World cubes(cs550::Quality quality, cs550::Real restitution) {
   return world;
 }
 
-/// A plate that moves through the pile.
-void add_plate(World& world) {
-  cs550::BodyDef plate = cs550::test::body_at(cs550::test::box_shape({cs550::Real(0.1), 8, 1}),
-                                              {-2, 3, 1}, cs550::BodyKind::Kinematic);
+/// A plate above the floor that moves into the pile.
+/// @returns its index
+cs550::Index add_plate(World& world) {
+  cs550::BodyDef plate =
+      cs550::test::body_at(cs550::test::box_shape({cs550::Real(0.1), 8, 1}),
+                           {-1, 3, cs550::Real(1.5)}, cs550::BodyKind::Kinematic);
   plate.linear_velocity = {2, 0, 0};
-  world.add_body(plate);
+  return world.add_body(plate).index;
 }
 
-/// Removes a body in every fifth step and adds another one.
+constexpr cs550::Index first_exchanged = 1;
+
+/// Removes a body in every fifth step and lets another one, of the same index, fall onto the pile.
 void exchange_bodies(World& world, int step) {
   if (step % 5 != 0) return;
-  world.remove_body(world.id_at(1 + step));
+  world.remove_body(world.id_at(first_exchanged + step));
   world.add_body(
       cs550::test::body_at(cs550::test::box_shape(cs550::Vec3::Constant(cs550::Real(0.3))),
-                           {cs550::Real(step % 3), 2, 5}));
+                           {cs550::Real(step % 4), cs550::Real(step / 10), cs550::Real(3.5)}));
 }
 
 }  // namespace
@@ -99,7 +113,7 @@ void exchange_bodies(World& world, int step) {
 int main() {
   using cs550::Quality;
   World pushed = cubes(Quality::Game, 0);
-  add_plate(pushed);
+  const cs550::Index plate = add_plate(pushed);
   World sleeping = cubes(Quality::Game, 0);
   sleeping.settings().sleeping = true;
   for (int step = 0; step < steps_before_rest; ++step) sleeping.step(cs550::test::step_length);
@@ -110,10 +124,10 @@ int main() {
            Case{"accurate", cubes(Quality::Accurate, 0)},
            Case{"game", cubes(Quality::Game, 0)},
            Case{"bouncing", cubes(Quality::Game, cs550::Real(0.4))},
-           Case{"pushed by a plate", pushed},
+           Case{.name = "pushed by a plate", .world = pushed, .visitor = plate},
            Case{"falling asleep", sleeping},
            Case{"with checks", checked},
-           Case{"with new bodies", cubes(Quality::Game, 0), exchange_bodies},
+           Case{"with new bodies", cubes(Quality::Game, 0), exchange_bodies, first_exchanged},
        }) {
     same = compare(pile) && same;
   }
