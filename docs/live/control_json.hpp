@@ -14,7 +14,8 @@ using pages::Control;
 /// Why the browser cannot offer a setting; empty for all that it can.
 constexpr std::string_view why_unavailable(std::string_view setting) {
   if (setting == "minkowski") return "the Minkowski difference needs the hull library";
-  if (setting == "threads") return "the browser's engine has one thread";
+  if (setting == "threads" || setting == "adaptive_threads")
+    return "the browser's engine has one thread";
   return {};
 }
 

@@ -15,6 +15,7 @@
 #include "cs550/world.hpp"
 #include "engine/constraint_mirror.hpp"
 #include "engine/threads/thread_team.hpp"
+#include "engine/threads/thread_trial.hpp"
 
 namespace cs550 {
 
@@ -295,6 +296,7 @@ struct Impacts {
 struct WorldState {
   WorldSettings settings;
   ThreadTeam* team = nullptr;  ///< during a step with several threads
+  ThreadTrial thread_trial;
 
   std::vector<RigidBody> bodies;
   std::vector<BodyDef> definitions;

@@ -55,7 +55,7 @@ TEST(Scene, ReadsEveryWorldSetting) {
       "gravity": [0, 0, -1.6], "length_unit": 2, "substeps": 3, "iterations": 5,
       "relax_iterations": 6, "pass_order": "step_by_step", "solver": "naive", "contact_model": "baumgarte",
       "rotation": "explicit", "warm_starting": false, "temporal_coherence": false,
-      "sleeping": true, "threads": 3, "contact_hertz": 10, "contact_damping_ratio": 2, "baumgarte": 0.1, "slop": 0.002, "max_push_speed": 4,
+      "sleeping": true, "threads": 3, "adaptive_threads": false, "contact_hertz": 10, "contact_damping_ratio": 2, "baumgarte": 0.1, "slop": 0.002, "max_push_speed": 4,
       "restitution_threshold": 1.5, "restitution_iterations": 9, "rolling_resistance": 0.01,
       "check_stages": true,
       "audit_momentum": true},
@@ -79,6 +79,7 @@ TEST(Scene, ReadsEveryWorldSetting) {
   EXPECT_FALSE(settings.temporal_coherence);
   EXPECT_TRUE(settings.sleeping);
   EXPECT_EQ(settings.threads, 3);
+  EXPECT_FALSE(settings.adaptive_threads);
   EXPECT_EQ(settings.contact_hertz, 10);
   EXPECT_EQ(settings.contact_damping_ratio, 2);
   EXPECT_EQ(settings.baumgarte, Real(0.1));

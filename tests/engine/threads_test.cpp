@@ -10,6 +10,7 @@
 #include "cs550/scene.hpp"
 #include "engine/test_bodies.hpp"
 #include "engine/threads/thread_team.hpp"
+#include "engine/threads/thread_trial.hpp"
 
 namespace cs550::test {
 namespace {
@@ -79,6 +80,7 @@ TEST(ThreadTeam, ReportsTheFailureOfTheFirstBlock) {
 std::uint64_t hash_after(World world, Quality quality, int threads, Real h, int steps) {
   set_quality(world.settings(), quality);
   world.settings().threads = threads;
+  world.settings().adaptive_threads = false;
   for (int step = 0; step < steps; ++step) world.step(h);
   return world.state_hash();
 }
@@ -110,6 +112,7 @@ TEST(Threads, LeaveTheSameStateInAPileThatFallsAsleep) {
 
 TEST(Threads, MayChangeBetweenSteps) {
   World alternating = falling_hulls(20, 8);
+  alternating.settings().adaptive_threads = false;
   World single = alternating;
   for (int step = 0; step < 60; ++step) {
     alternating.settings().threads = 1 + step % 3;
@@ -117,6 +120,66 @@ TEST(Threads, MayChangeBetweenSteps) {
     single.step(step_length);
     ASSERT_EQ(alternating.state_hash(), single.state_hash()) << "step " << step;
   }
+}
+
+TEST(Threads, LeaveTheSameStateIfTheWorldChoosesThem) {
+  World adaptive = falling_hulls(20, 8);
+  World single = adaptive;
+  adaptive.settings().threads = 2;
+  for (int step = 0; step < 60; ++step) {
+    adaptive.step(step_length);
+    single.step(step_length);
+    ASSERT_EQ(adaptive.state_hash(), single.state_hash()) << "step " << step;
+  }
+}
+
+/// Steps that take these times (s).
+struct StepTimes {
+  double shared = 0;
+  double alone = 0;
+};
+
+/// How many of the next steps the threads share.
+int shared_steps(ThreadTrial& trial, int steps, const StepTimes& times) {
+  int shared = 0;
+  for (int step = 0; step < steps; ++step) {
+    const bool shares = trial.shares_next_step();
+    trial.note(shares ? times.shared : times.alone);
+    if (shares) ++shared;
+  }
+  return shared;
+}
+
+// Three steps of a trial go the slower way. In 1,000 steps there are 10 trials: at 0, 22, 60, 130, 264, 398, ...
+TEST(ThreadTrial, LeavesOnlyFewStepsToTheSlowerWay) {
+  ThreadTrial fast_team;
+  EXPECT_GE(shared_steps(fast_team, 1000, {.shared = 1, .alone = 2}), 1000 - 3 * 10);
+  ThreadTrial slow_team;
+  EXPECT_LE(shared_steps(slow_team, 1000, {.shared = 2, .alone = 1}), 3 * 10);
+}
+
+TEST(ThreadTrial, FollowsATimeThatChanges) {
+  constexpr int longest_wait = 128 + 6;
+  ThreadTrial trial;
+  shared_steps(trial, 1000, {.shared = 2, .alone = 1});
+  shared_steps(trial, longest_wait, {.shared = 1, .alone = 2});
+  EXPECT_GE(shared_steps(trial, 100, {.shared = 1, .alone = 2}), 97);
+  shared_steps(trial, longest_wait, {.shared = 2, .alone = 1});
+  EXPECT_LE(shared_steps(trial, 100, {.shared = 2, .alone = 1}), 3);
+}
+
+// Of the steps of a trial, the first of each kind takes longer, and something else may delay one of the others.
+TEST(ThreadTrial, ComparesTheFastestSteps) {
+  ThreadTrial trial;
+  for (const double seconds : {9.0, 8.0, 1.0}) {
+    ASSERT_TRUE(trial.shares_next_step());
+    trial.note(seconds);
+  }
+  for (const double seconds : {0.5, 2.0, 7.0}) {  // 0.5: the first of its kind does not count
+    ASSERT_FALSE(trial.shares_next_step());
+    trial.note(seconds);
+  }
+  EXPECT_TRUE(trial.shares_next_step());
 }
 
 }  // namespace

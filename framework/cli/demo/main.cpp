@@ -142,8 +142,8 @@ void declare(CLI::App& app, DemoOptions& options) {
          "scene's own settings")
       ->option_text("NAME");
   app.add_option("--threads", options.threads,
-                 "threads that share the work of a step; by default the\n"
-                 "scene's own number, 1")
+                 "threads that share the work of a step while that saves\n"
+                 "time; by default the scene's own number, 1")
       ->option_text("N")
       ->check(CLI::Range(1, 16));
   app.add_option_function<std::string>(

@@ -33,6 +33,7 @@ WorldSettings read_settings(SceneReader world) {
   world.read("temporal_coherence", settings.temporal_coherence);
   world.read("sleeping", settings.sleeping);
   world.read("threads", settings.threads, 1, most_threads);
+  world.read("adaptive_threads", settings.adaptive_threads);
 
   world.read("contact_hertz", settings.contact_hertz, Range::Positive);
   world.read("contact_damping_ratio", settings.contact_damping_ratio, Range::NotNegative);

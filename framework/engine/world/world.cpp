@@ -1,6 +1,7 @@
 #include "cs550/world.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -50,6 +51,29 @@ std::size_t free_place(const WorldState& world) {
   if (world.alive_count == static_cast<int>(world.slot_count())) return world.slot_count();
   while (world.slots[place].alive) ++place;
   return place;
+}
+
+void share_step(WorldState& world, int threads, Real h) {
+  ThreadTeam team(threads);
+  struct Assignment {
+    ~Assignment() { state.team = nullptr; }
+    WorldState& state;
+  };
+  const Assignment until_the_end{world};
+  world.team = &team;
+  team.run([&] { advance(world, h); });
+}
+
+/// Shares the step if that saves time.
+void share_step_if_faster(WorldState& world, int threads, Real h) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  if (world.thread_trial.shares_next_step()) {
+    share_step(world, threads, h);
+  } else {
+    advance(world, h);
+  }
+  world.thread_trial.note(std::chrono::duration<double>(Clock::now() - start).count());
 }
 
 }  // namespace
@@ -134,14 +158,8 @@ PosedShape World::posed_shape(BodyId id) const { return state_->posed_shape(id.i
 void World::step(Real h) {
   const int threads = std::clamp(state_->settings.threads, 1, most_threads);
   if (threads == 1) return advance(*state_, h);
-  ThreadTeam team(threads);
-  struct Assignment {
-    ~Assignment() { state.team = nullptr; }
-    WorldState& state;
-  };
-  const Assignment until_the_end{*state_};
-  state_->team = &team;
-  team.run([&] { advance(*state_, h); });
+  if (!state_->settings.adaptive_threads) return share_step(*state_, threads, h);
+  share_step_if_faster(*state_, threads, h);
 }
 std::int64_t World::step_count() const { return state_->step_count; }
 double World::time() const { return state_->time; }

@@ -62,6 +62,7 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
   visit_enum(visit, {"rotation", "rotation", ""}, settings.rotation, rotations);
   visit.toggle({"sleeping", "sleeping", ""}, settings.sleeping);
   visit.whole({"threads", "threads", ""}, settings.threads, 1, 16);
+  visit.toggle({"adaptive_threads", "adaptive threads", ""}, settings.adaptive_threads);
   visit.toggle({"check_stages", "check every stage", ""}, settings.check_stages);
 }
 

@@ -37,6 +37,7 @@ bool touches(const World& world, cs550::Index body) {
 std::uint64_t hash_after(const Case& pile, int threads) {
   World world = pile.world;
   world.settings().threads = threads;
+  world.settings().adaptive_threads = false;
   int most_contacts = 0;
   for (int step = 0; step < steps; ++step) {
     pile.before_step(world, step);
