@@ -150,12 +150,13 @@ int shared_steps(ThreadTrial& trial, int steps, const StepTimes& times) {
   return shared;
 }
 
-// Three steps of a trial go the slower way. In 1,000 steps there are 10 trials: at 0, 22, 60, 130, 264, 398, ...
+// Three of the six steps of a trial go the slower way. Trials begin every 6 + 128 steps if the threads win, and every
+// 6 + 32 if they lose: 8 and 27 times in 1,000 steps.
 TEST(ThreadTrial, LeavesOnlyFewStepsToTheSlowerWay) {
   ThreadTrial fast_team;
-  EXPECT_GE(shared_steps(fast_team, 1000, {.shared = 1, .alone = 2}), 1000 - 3 * 10);
+  EXPECT_EQ(shared_steps(fast_team, 1000, {.shared = 1, .alone = 2}), 1000 - 3 * 8);
   ThreadTrial slow_team;
-  EXPECT_LE(shared_steps(slow_team, 1000, {.shared = 2, .alone = 1}), 3 * 10);
+  EXPECT_EQ(shared_steps(slow_team, 1000, {.shared = 2, .alone = 1}), 3 * 27);
 }
 
 TEST(ThreadTrial, FollowsATimeThatChanges) {
@@ -165,7 +166,7 @@ TEST(ThreadTrial, FollowsATimeThatChanges) {
   shared_steps(trial, longest_wait, {.shared = 1, .alone = 2});
   EXPECT_GE(shared_steps(trial, 100, {.shared = 1, .alone = 2}), 97);
   shared_steps(trial, longest_wait, {.shared = 2, .alone = 1});
-  EXPECT_LE(shared_steps(trial, 100, {.shared = 2, .alone = 1}), 3);
+  EXPECT_LE(shared_steps(trial, 100, {.shared = 2, .alone = 1}), 3 * 3);
 }
 
 // Of the steps of a trial, the first of each kind takes longer, and something else may delay one of the others.

@@ -7,27 +7,28 @@ namespace cs550 {
 namespace {
 
 constexpr int steps_of_kind = 3;
-constexpr int most_steps_to_next_trial = 128;
+constexpr int steps_of_trial = 2 * steps_of_kind;
+constexpr int steps_shared = 128;
+constexpr int steps_alone = 32;
 
 }  // namespace
 
 bool ThreadTrial::shares_next_step() const {
   if (step_ < steps_of_kind) return true;
-  if (step_ < 2 * steps_of_kind) return false;
+  if (step_ < steps_of_trial) return false;
   return shared_ < alone_;
 }
 
 /// The first step of each kind does not count: it forms the groups of the solver anew, and wakes the threads.
 void ThreadTrial::note(double seconds) {
   if (step_ == 0) shared_ = alone_ = unknown;
-  const bool counts = step_ < 2 * steps_of_kind && step_ % steps_of_kind > 0;
+  const bool counts = step_ < steps_of_trial && step_ % steps_of_kind > 0;
   if (counts) {
     double& fastest = shares_next_step() ? shared_ : alone_;
     fastest = std::min(fastest, seconds);
   }
-  if (++step_ < 2 * steps_of_kind + steps_to_next_trial_) return;
-  step_ = 0;
-  steps_to_next_trial_ = std::min(2 * steps_to_next_trial_, most_steps_to_next_trial);
+  ++step_;
+  if (step_ >= steps_of_trial + (shared_ < alone_ ? steps_shared : steps_alone)) step_ = 0;
 }
 
 }  // namespace cs550

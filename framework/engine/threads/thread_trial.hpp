@@ -9,9 +9,9 @@ namespace cs550 {
 /// Compares the time of steps that the threads of a world share with that of steps on one thread. Both leave the
 /// same bits, so a clock may decide.
 ///
-/// A trial has three steps of each kind. Until the next trial, steps are of the kind that was faster. The next
-/// trial is after 16 steps at first, because a scene often begins with bodies in the air, and then after twice as
-/// many each time, up to 128.
+/// A trial has three steps of each kind. Until the next trial, steps are of the kind that was faster: 128 steps if
+/// the threads have won. If one thread has won, only 32, since something else may have delayed the threads, and a
+/// scene often begins with bodies in the air.
 class ThreadTrial {
  public:
   /// Whether the threads share the next step.
@@ -22,8 +22,7 @@ class ThreadTrial {
  private:
   static constexpr double unknown = std::numeric_limits<double>::infinity();
 
-  int step_ = 0;  ///< since the trial began
-  int steps_to_next_trial_ = 16;
+  int step_ = 0;             ///< since the trial began
   double shared_ = unknown;  ///< the fastest step of the trial (s)
   double alone_ = unknown;
 };
