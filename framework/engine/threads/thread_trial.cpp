@@ -19,7 +19,7 @@ bool ThreadTrial::shares_next_step() const {
   return shared_ < alone_;
 }
 
-/// The first step of each kind does not count: it forms the groups of the solver anew, and wakes the threads.
+/// Leaves out the first step of each kind, which also has to regroup the contacts and to wake the threads.
 void ThreadTrial::note(double seconds) {
   if (step_ == 0) shared_ = alone_ = unknown;
   const bool counts = step_ < steps_of_trial && step_ % steps_of_kind > 0;

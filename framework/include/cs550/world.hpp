@@ -51,7 +51,8 @@ struct WorldSettings {
   /// Threads that share the work of a step, 1 to 16. Results are the same bits for any number. With more
   /// than one, the functions of the labs are called by several threads at once.
   int threads = 1;
-  /// With several threads: compare now and then whether one takes less time, and then use only that one.
+  /// Use several threads only while steps are faster with them. The world measures that now and
+  /// then. If false, every step uses them.
   bool adaptive_threads = true;
 
   Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
