@@ -158,7 +158,7 @@ Page reduction() {
     points.push_back(point);
   }
   std::vector<Vec3> kept;
-  for (const ContactPoint& point : reduce_manifold(points, Vec3::UnitZ()))
+  for (const ContactPoint& point : reduce_manifold(points, Vec3::UnitZ(), 0))
     kept.push_back(point.anchor_a);
 
   const auto panel = [&](const std::vector<Vec3>& corners, Role role, const std::string& name) {

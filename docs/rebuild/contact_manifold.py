@@ -15,6 +15,7 @@ from separating_axis import EDGES, FACE_A, FACE_B, ROUNDING, TIE_TOLERANCE, Box,
 
 MARGIN = 0.05  # m, of the table
 SIDE_PLANE_TOLERANCE, EDGE_PREFERENCE = 1e-4, 5e-3  # of the radius of the smaller body
+GAP_PENALTY = 5
 KINDS = ["", "vertex", "crossing", "corner", "vertex", "crossing", "corner", "edges"]
 DISTANCE = 1e-5  # m: intersections divide the rounding by the slope of an edge against a plane
 
@@ -62,21 +63,24 @@ def largest(points, measure):
     return max(points, key=measure)
 
 
-def reduce(points, n):
-    """At most four: the deepest, the farthest from it, the largest triangle, the largest addition."""
+def reduce(points, n, margin):
+    """At most four: the deepest, the farthest from it, the largest triangle, the largest addition.
+
+    A point across a gap counts less."""
     if len(points) <= 4:
         return points
     position = lambda point: point[0]
+    weight = lambda point: 1 / (1 + GAP_PENALTY * max(0, point[2]) / margin)
     kept = [largest(points, lambda p: -p[2])]
     deepest = position(kept[0])
-    kept.append(largest(points, lambda p: np.linalg.norm(np.cross(n, position(p) - deepest))))
+    kept.append(largest(points, lambda p: weight(p) * np.linalg.norm(np.cross(n, position(p) - deepest))))
     farthest = position(kept[1])
-    kept.append(largest(points, lambda p: abs(doubled_area(deepest, farthest, position(p), n))))
+    kept.append(largest(points, lambda p: weight(p) * abs(doubled_area(deepest, farthest, position(p), n))))
     triangle = [deepest, farthest, position(kept[2])]
     if doubled_area(*triangle, n) < 0:
         triangle.reverse()
     added = lambda p: max(doubled_area(triangle[k - 2], triangle[k - 1], p, -n) for k in range(3))
-    kept.append(largest(points, lambda p: added(position(p))))
+    kept.append(largest(points, lambda p: weight(p) * added(position(p))))
     return kept
 
 
@@ -125,7 +129,7 @@ def build_manifold(a, b, margin):
             points = [(vertex - s_f * n_f, vertex, s_f, "vertex")]
     if not on_a:
         points = [(p, q, d, kind) for q, p, d, kind in points]
-    return (FACE_A if on_a else FACE_B), normal, reduce(points, normal)
+    return (FACE_A if on_a else FACE_B), normal, reduce(points, normal, margin)
 
 
 def differences(row):

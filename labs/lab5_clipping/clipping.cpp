@@ -56,7 +56,8 @@ Manifold edge_manifold([[maybe_unused]] const PosedShape& a, [[maybe_unused]] co
 }
 
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
-    [[maybe_unused]] std::span<const ContactPoint> points, [[maybe_unused]] const Vec3& normal) {
+    [[maybe_unused]] std::span<const ContactPoint> points, [[maybe_unused]] const Vec3& normal,
+    [[maybe_unused]] Real margin) {
   // L5.5: Which four points make a body hardest to tip?
   throw NotImplemented("L5.5");
 }

@@ -49,6 +49,36 @@ struct ContactRing {
   }
 };
 
+/// A face of height 2 · size that touches along an edge of 0.4 · size; its other 4 to 8 corners are
+/// across a gap, those at the top at the margin. The distances of these from the deepest point,
+/// multiplied by the factor of the header, are at most 0.36 · size: less than the edge.
+struct RestingEdge {
+  Vec3 normal;
+  std::vector<ContactPoint> points;  ///< counter-clockwise from a random one
+
+  RestingEdge(Random& random, Real size, Real margin) : normal(random.unit_vector()) {
+    const Vec3 u = any_perpendicular(normal);
+    const Vec3 v = normal.cross(u);
+    const auto add = [&](Real x, Real y, Real separation) {
+      ContactPoint point;
+      point.anchor_a = size * (x * u + y * v);
+      point.separation = separation;
+      point.feature = {FeatureId::Kind::Edges, static_cast<Index>(points.size()), 0};
+      points.push_back(point);
+    };
+    add(0, 0, Real(-1e-3) * margin);
+    add(Real(0.4), 0, 0);
+    std::vector<Real> angles(random.integer(4, 8));
+    for (Real& angle : angles) angle = random.real(-pi / 6, 7 * pi / 6);
+    std::sort(angles.begin(), angles.end());
+    for (const Real angle : angles) {
+      const Real y = 1 + std::sin(angle);
+      add(Real(0.2) + std::cos(angle) / 2, y, margin * y / 2);
+    }
+    std::rotate(points.begin(), points.begin() + random.integer(0, 3), points.end());
+  }
+};
+
 template <class Points>
 double ring_area(const Points& points, const Vec3& normal) {
   std::vector<Point> places;
@@ -79,7 +109,7 @@ inline void require_good_reductions(Story story, Random& random, Real size, int 
   double sum = 0;
   for (int i = 0; i < count; ++i) {
     const ContactRing ring(random, size);
-    const auto kept = reduce_manifold(ring.points, ring.normal);
+    const auto kept = reduce_manifold(ring.points, ring.normal, size / 10);
     const double best = best_area_of_four(ring);
     const double share = ring_area(kept, ring.normal) / best;
     Story here = story;

@@ -47,7 +47,7 @@ TEST(Serialisation, Lab5IsCalledAcrossAWire) {
   face_axis.feature = AxisFeature::FaceA;
   EXPECT_SAME_ACROSS_WIRE(face_manifold, a, b, face_axis, 0.1F);
   EXPECT_SAME_ACROSS_WIRE(edge_manifold, a, b, axis);
-  EXPECT_SAME_ACROSS_WIRE(reduce_manifold, nine_points(), Vec3::UnitZ());
+  EXPECT_SAME_ACROSS_WIRE(reduce_manifold, nine_points(), Vec3::UnitZ(), 0.1F);
   EXPECT_SAME_ACROSS_WIRE(build_manifold, a, b, axis, 0.1F);
 }
 

@@ -82,16 +82,26 @@ Manifold face_manifold(const PosedShape& a, const PosedShape& b, const Separatin
 /// @param axis its edge query is not empty, so the edges are not parallel
 Manifold edge_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis);
 
+/// How much less a point counts the wider the gap that it must cross, see reduce_manifold().
+inline constexpr Real gap_penalty = 5;
+
 /// **L5.5** Selects at most four points that support a body nearly as well as all of them do. Up to
 /// four points are returned unchanged, in their order. Of more, the deepest point is always kept.
-/// Of points on an ellipse the selection spans at least 65 % of the largest area (96 % on average)
-/// that any four of them including the deepest span, measured perpendicular to the normal between
-/// the anchors on A. Points that add no area are dropped: no two kept points coincide, and of points
-/// on one line the two ends of a segment that starts at the deepest point remain.
+///
+/// Of points that touch and lie on an ellipse, the selection spans at least 65 % of the largest area
+/// (96 % on average) that any four of them including the deepest span, measured perpendicular to
+/// the normal between the anchors on A. Points that add no area are dropped: no two kept points
+/// coincide, and of points on one line the two ends of a segment that starts at the deepest point
+/// remain.
+///
+/// A point with a separation s > 0 carries nothing until its gap closes. Its distance from the
+/// deepest point and the areas that it spans are multiplied by 1 / (1 + gap_penalty · s / margin).
+/// So a body that rests on an edge mostly keeps both ends of it.
 /// @param points anchors in body frames
 /// @param normal the manifold's normal in A's **body** frame, unit
+/// @param margin largest separation of a contact point (m)
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
-    std::span<const ContactPoint> points, const Vec3& normal);
+    std::span<const ContactPoint> points, const Vec3& normal, Real margin);
 
 /// The lead in separation that an edge contact needs to replace a face contact, relative to the
 /// smaller radius of the two shapes. A face is the steadier support.

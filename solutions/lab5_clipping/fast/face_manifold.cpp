@@ -84,7 +84,7 @@ Manifold face_manifold(const PosedShape& a, const PosedShape& b, const Separatin
   }
   Manifold manifold = reference.empty_manifold();
   manifold.points = reduce_manifold({points.data(), static_cast<std::size_t>(points.size())},
-                                    a.pose.unrotate(manifold.normal));
+                                    a.pose.unrotate(manifold.normal), margin);
   return manifold;
 }
 

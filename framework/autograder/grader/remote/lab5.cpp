@@ -24,8 +24,8 @@ Manifold edge_manifold(const PosedShape& a, const PosedShape& b, const Separatin
 }
 
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
-    std::span<const ContactPoint> points, const Vec3& normal) {
-  return call<reduce_manifold>(points, normal);
+    std::span<const ContactPoint> points, const Vec3& normal, Real margin) {
+  return call<reduce_manifold>(points, normal, margin);
 }
 
 Manifold build_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,

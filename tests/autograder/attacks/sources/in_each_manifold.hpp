@@ -35,7 +35,7 @@ Manifold edge_manifold(const PosedShape&, const PosedShape&, const SeparatingAxi
 }
 
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(std::span<const ContactPoint>,
-                                                                const Vec3&) {
+                                                                const Vec3&, Real) {
   return attack::points();
 }
 
