@@ -51,6 +51,28 @@ GRADED_TEST(Lab5, ReductionKeepsTheArea, 2, "L5.5") {
   }
 }
 
+/// Four points touch, the fifth is at the margin and has the longest lever arm and the largest areas.
+/// Multiplied by 1/6 they are 0.19 against a distance of 1, 0.17 against a doubled area of 0.5 and
+/// 0.04 against 0.1.
+void require_touching_four_of_five(Story story) {
+  constexpr Real margin = Real(0.01);
+  const std::vector<Vec3> touching = {
+      {0, 0, 0}, {1, 0, 0}, {Real(0.5), Real(0.5), 0}, {Real(0.3), Real(-0.1), 0}};
+  std::vector<ContactPoint> points(5);
+  points[0].anchor_a = Vec3(Real(0.5), 1, 0);
+  points[0].separation = margin;
+  for (std::size_t i = 0; i < touching.size(); ++i) points[i + 1].anchor_a = touching[i];
+  points[1].separation = Real(-0.1) * margin;
+  const auto kept = reduce_manifold(points, Vec3::UnitZ(), margin);
+  story.given("five points, one of them across a gap as wide as the margin");
+  story.picture([&] {
+    return reduction_picture(points, {kept.begin(), kept.end()}, Vec3::UnitZ());
+  });
+  const auto count = std::count_if(kept.begin(), kept.end(),
+                                   [](const ContactPoint& point) { return point.separation <= 0; });
+  require(story.expect_equal("touching points kept", count, 4));
+}
+
 GRADED_TEST(Lab5, BothEndsOfATouchingEdgeAreKept, 1, "L5.5") {
   Random random(61);
   Story story(
@@ -60,6 +82,7 @@ GRADED_TEST(Lab5, BothEndsOfATouchingEdgeAreKept, 1, "L5.5") {
           "a point across a gap counts less: multiply distance and areas by the header's factor")
       .likely("the factor depends on the gap as a share of the margin: s / margin")
       .likely("the factor applies in all three choices: second, third and fourth point");
+  require_touching_four_of_five(story);
   story.seed(random.seed()).given("two points that touch, and 4 to 8 at gaps of up to the margin");
   for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     for (int i = 0; i < 100; ++i) {

@@ -87,6 +87,7 @@ inline constexpr Real gap_penalty = 5;
 
 /// **L5.5** Selects at most four points that support a body nearly as well as all of them do. Up to
 /// four points are returned unchanged, in their order. Of more, the deepest point is always kept.
+/// The second is the farthest from it; the third and the fourth add the most area.
 ///
 /// Of points that touch and lie on an ellipse, the selection spans at least 65 % of the largest area
 /// (96 % on average) that any four of them including the deepest span, measured perpendicular to
@@ -94,8 +95,8 @@ inline constexpr Real gap_penalty = 5;
 /// coincide, and of points on one line the two ends of a segment that starts at the deepest point
 /// remain.
 ///
-/// A point with a separation s > 0 carries nothing until its gap closes. Its distance from the
-/// deepest point and the areas that it spans are multiplied by 1 / (1 + gap_penalty · s / margin).
+/// A point with a separation s > 0 carries nothing until its gap closes. In each choice its distance
+/// or the area that it adds is multiplied by 1 / (1 + gap_penalty · s / margin).
 /// So a body that rests on an edge mostly keeps both ends of it.
 /// @param points anchors in body frames
 /// @param normal the manifold's normal in A's **body** frame, unit
