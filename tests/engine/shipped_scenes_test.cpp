@@ -19,6 +19,7 @@ struct Run {
       energy;        ///< the integrator's invariant, before the first step and after each (J)
   Real deepest = 0;  ///< deepest penetration at any time (m)
   Real deepest_at_rest = 0;  ///< deepest penetration in the last second (m)
+  Real fastest = 0;          ///< largest speed of a body (m/s)
   int points = 0;            ///< largest number of contact points at any time
   double momentum_error = 0;
   std::uint64_t hash = 0;
@@ -37,6 +38,9 @@ Run run_scene(const Scene& scene, int steps) {
     const Real depth = -world.stats().deepest_separation;
     run.deepest = std::max(run.deepest, depth);
     run.points = std::max(run.points, world.stats().points);
+    for (const RigidBody& body : world.bodies()) {
+      run.fastest = std::max(run.fastest, body.linear_velocity.norm());
+    }
     if (static_cast<Real>(steps - step) * scene.h <= 1) {
       run.deepest_at_rest = std::max(run.deepest_at_rest, depth);
     }
@@ -85,6 +89,10 @@ void expect_sound(const std::string& name) {
   EXPECT_EQ(run_scene(found.scene, steps).hash, run_scene(found.scene, steps).hash)
       << "the same scene twice";
   if (name == "hull_pile" || name == "box_pile") {
+    // Manifolds are those of the beginning of a step, so bodies that collide in it turn and push
+    // each other without new points: their overlap is near the distance that the fastest body
+    // moves in a step. Of 60 such piles of boxes the largest overlap was 1.51 times that distance.
+    EXPECT_LT(run.deepest, Real(1.6) * run.fastest * found.scene.h);
     // The compression of soft contacts under the weight of a pile: a tenth of the smallest body.
     EXPECT_LT(run.deepest_at_rest, Real(0.03)) << "bodies stay deep in each other";
   }
