@@ -197,11 +197,15 @@ void update_list(WorldState& world) {
 
 Real spare_margin(const WorldState& world) { return 4 * world.slop(); }
 
-Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h) {
+Real closing_speed(const WorldState& world, Index body_a, Index body_b) {
   const RigidBody& a = world.bodies[body_a];
   const RigidBody& b = world.bodies[body_b];
-  const Real closing = (b.linear_velocity - a.linear_velocity).norm() +
-                       world.slots[body_a].spin_speed + world.slots[body_b].spin_speed;
+  return (b.linear_velocity - a.linear_velocity).norm() + world.slots[body_a].spin_speed +
+         world.slots[body_b].spin_speed;
+}
+
+Real contact_margin(const WorldState& world, Index body_a, Index body_b, Real h) {
+  const Real closing = closing_speed(world, body_a, body_b);
   return spare_margin(world) + h * (closing + h * world.settings.gravity.norm());
 }
 

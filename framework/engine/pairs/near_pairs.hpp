@@ -6,6 +6,10 @@
 
 namespace cs550 {
 
+/// The largest speed at which two surfaces may close at the bodies' current velocities (m/s).
+/// @pre update_pairs() has measured the speeds of this step
+Real closing_speed(const WorldState& world, Index body_a, Index body_b);
+
 /// The margin within which two surfaces get contact points during a step of length h (m): the
 /// distance that they may close at their current speeds and in free fall, and a few slops.
 /// @pre update_pairs() has measured the speeds of this step

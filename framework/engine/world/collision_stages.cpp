@@ -3,6 +3,7 @@
 
 #include "cs550/clipping.hpp"
 #include "cs550/static_vector.hpp"
+#include "engine/contacts/loaded_points.hpp"
 #include "engine/pairs/feature_retest.hpp"
 #include "engine/pairs/near_pairs.hpp"
 #include "engine/pairs/query_prefetch.hpp"
@@ -44,13 +45,18 @@ void drop_points_beside(const ConvexShape& a, const ConvexShape& b, Manifold& ma
   }
 }
 
-/// @param now gets the impulses of the manifold that it replaces
-void replace_manifold(WorldState& world, std::size_t pair, Real separation, Manifold& now) {
+/// @param now gets the impulses of the manifold that it replaces, and those of its points that it lacks
+void replace_manifold(WorldState& world, std::size_t pair, Real separation, Manifold& now, Real h) {
   Contact& contact = world.pairs.contacts[pair];
   const ConvexShape& a = *world.definitions[contact.body_a].shape;
   const ConvexShape& b = *world.definitions[contact.body_b].shape;
   if (separation > std::min(a.radius, b.radius)) drop_points_beside(a, b, now);
-  if (world.settings.warm_starting) carry_impulses(contact.manifold, now);
+  if (world.settings.warm_starting) {
+    const Real reach = h * closing_speed(world, contact.body_a, contact.body_b);
+    keep_loaded_points(world.posed_shape(contact.body_a), world.posed_shape(contact.body_b),
+                       contact.manifold, reach, now);
+    carry_impulses(contact.manifold, now);
+  }
   contact.manifold = now;
   world.pairs.summarise(pair);
 }
@@ -80,14 +86,14 @@ std::optional<PairQuery> query_of(WorldState& world, Index pair, Real h) {
   return PairQuery{pair, margin};
 }
 
-void find_axis(WorldState& world, const PairQuery& query) {
+void find_axis(WorldState& world, const PairQuery& query, Real h) {
   const auto [pair, margin] = query;
   PairList& pairs = world.pairs;
   RetestedFeatures now;
   if (world.settings.temporal_coherence && retest_features(world, pair, margin, now)) {
     pairs.answers[pair] = PairAnswer::Retested;
     pairs.axes[pair] = now.axis;
-    replace_manifold(world, pair, now.axis.separation, now.manifold);
+    replace_manifold(world, pair, now.axis.separation, now.manifold, h);
     return remember_answer(world, pair, margin);
   }
   const PosedShape a = world.posed_shape(pairs.summaries[pair].body_a);
@@ -103,7 +109,7 @@ void find_axes(WorldState& world, Real h) {
       if (const auto query = query_of(world, pair, h)) queries.push_back(*query);
     }
     if (prefetch) prefetch_meshes(world, {queries.begin(), queries.end()});
-    for (const PairQuery& query : queries) find_axis(world, query);
+    for (const PairQuery& query : queries) find_axis(world, query, h);
   });
 }
 
@@ -119,7 +125,7 @@ void rebuild_manifold(WorldState& world, std::size_t pair, Real h) {
   } else {
     Manifold now =
         build_manifold(world.posed_shape(body_a), world.posed_shape(body_b), axis, margin);
-    replace_manifold(world, pair, axis.separation, now);
+    replace_manifold(world, pair, axis.separation, now, h);
   }
   if (world.settings.temporal_coherence) remember_answer(world, pair, margin);
 }
