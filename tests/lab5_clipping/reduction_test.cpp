@@ -103,6 +103,9 @@ GRADED_TEST(Lab5, BothEndsOfATouchingEdgeAreKept, 1, "L5.5") {
   }
 }
 
+/// Of points without a gap the margin changes nothing.
+constexpr Real any_margin = Real(0.02);
+
 GRADED_TEST(Lab5, FewOrCoincidingPointsAreKeptOnce, 1, "L5.5") {
   Random random(60);
   Story story("No point is invented, none is kept twice");
@@ -111,7 +114,7 @@ GRADED_TEST(Lab5, FewOrCoincidingPointsAreKeptOnce, 1, "L5.5") {
       .likely("up to four points come back as they are, in their order");
   const ContactRing ring(random, 1);
   for (std::size_t count = 0; count <= 4; ++count) {
-    const auto kept = reduce_manifold({ring.points.data(), count}, ring.normal, 0);
+    const auto kept = reduce_manifold({ring.points.data(), count}, ring.normal, any_margin);
     Story here = story;
     here.given("points", count).when("reduced: there are not too many");
     require(here.expect_equal("points kept", kept.size(), static_cast<int>(count)));
@@ -124,7 +127,7 @@ GRADED_TEST(Lab5, FewOrCoincidingPointsAreKeptOnce, 1, "L5.5") {
   const auto doubled = [&](std::size_t places) {
     std::vector<ContactPoint> points;
     for (std::size_t i = 0; i < 6; ++i) points.push_back(ring.points[i % places]);
-    return reduce_manifold(points, ring.normal, 0).size();
+    return reduce_manifold(points, ring.normal, any_margin).size();
   };
   Story coinciding = story;
   coinciding.given("six points at one, two or three places").when("reduced");
@@ -138,7 +141,7 @@ GRADED_TEST(Lab5, FewOrCoincidingPointsAreKeptOnce, 1, "L5.5") {
   }
   Story line = story;
   line.given("six points on one line").when("reduced");
-  line.expect_equal("points kept", reduce_manifold(in_line, Vec3::UnitZ(), 0).size(), 2);
+  line.expect_equal("points kept", reduce_manifold(in_line, Vec3::UnitZ(), any_margin).size(), 2);
 }
 
 GRADED_TEST(Lab5, TurnedBoxKeepsFourPointsOfTheOctagon, 1, "L5.5") {
@@ -160,7 +163,7 @@ GRADED_TEST(Lab5, TurnedBoxKeepsFourPointsOfTheOctagon, 1, "L5.5") {
     point.feature = {FeatureId::Kind::CrossingOnA, static_cast<Index>(octagon.size()), 0};
     octagon.push_back(point);
   }
-  const auto kept = reduce_manifold(octagon, Vec3::UnitZ(), 0);
+  const auto kept = reduce_manifold(octagon, Vec3::UnitZ(), any_margin);
   story.picture([&] {
     return reduction_picture(octagon, {kept.begin(), kept.end()}, Vec3::UnitZ());
   });

@@ -3,28 +3,36 @@
 #include <algorithm>
 
 #include "engine/pairs/relative_pose.hpp"
+#include "engine/pairs/temporal_coherence.hpp"
 
 namespace cs550 {
 
 namespace {
 
-/// Two points that are nearer, relative to the smaller radius, hold a body like one. The later one may
-/// be the earlier one that slid over an edge and got another name.
+/// Points that are closer to each other, relative to the smaller radius, hold a body like a single one.
+/// The new one may be the old one under another name, after it slid over an edge.
 constexpr Real distinct_distance = Real(0.05);
-
-/// How far outside a body a point may be, relative to the smaller radius. A kept manifold has points
-/// that are so far from the surface.
-constexpr Real outside_tolerance = Real(1e-3);
 
 bool has_feature(const Manifold& manifold, FeatureId feature) {
   return std::any_of(manifold.points.begin(), manifold.points.end(),
                      [&](const ContactPoint& point) { return point.feature == feature; });
 }
 
-/// The plane of a manifold, in the frame of the body that owns it. The other body is the incident one.
+using Points = StaticVector<ContactPoint, max_manifold_points>;
+
+Points loaded_points_without_successor(const Manifold& before, const Manifold& now) {
+  Points lost;
+  for (const ContactPoint& point : before.points) {
+    if (point.normal_impulse > 0 && !has_feature(now, point.feature)) lost.push_back(point);
+  }
+  return lost;
+}
+
+/// The plane of a manifold, in the frame of the body that owns the reference face. The other body is
+/// the incident one.
 class ContactPlane {
  public:
-  /// @pre the manifold has points
+  /// @pre the manifold has points and a reference face
   ContactPlane(const PosedShape& a, const PosedShape& b, const Manifold& manifold)
       : on_b_(manifold.reference == AxisFeature::FaceB),
         on_owner_(on_b_ ? &ContactPoint::anchor_b : &ContactPoint::anchor_a),
@@ -44,12 +52,13 @@ class ContactPlane {
     return point;
   }
 
-  /// Whether the point's anchor on the incident body is inside the owner.
+  /// Whether the point's anchor on the incident body is inside the owner, or as close to it as the
+  /// points of a kept manifold.
   bool is_inside_owner(const ContactPoint& point) const {
     const Vec3 corner = incident_in_owner_.to_world(point.*on_incident_);
     const auto& faces = owner_.mesh().faces;
     return std::all_of(faces.begin(), faces.end(), [&](const Face& face) {
-      return face.plane.distance(corner) <= outside_tolerance * radius_;
+      return face.plane.distance(corner) <= kept_motion * radius_;
     });
   }
 
@@ -67,8 +76,8 @@ class ContactPlane {
   Plane plane_;
 };
 
-void add_point(Manifold& manifold, const ContactPoint& point, Real reach) {
-  auto& points = manifold.points;
+/// Adds a point, if need be in the place of the one with the widest gap.
+void add_point(Points& points, const ContactPoint& point, Real reach) {
   if (points.size() < max_manifold_points) return points.push_back(point);
   auto* widest = std::max_element(
       points.begin(), points.end(),
@@ -80,18 +89,19 @@ void add_point(Manifold& manifold, const ContactPoint& point, Real reach) {
 
 void keep_loaded_points(const PosedShape& a, const PosedShape& b, const Manifold& before,
                         Real reach, Manifold& now) {
-  if (now.points.empty()) return;
-  for (const ContactPoint& old : before.points) {
-    const bool is_lost = old.normal_impulse > 0 && !has_feature(now, old.feature);
-    if (!is_lost) continue;
-    const ContactPlane plane(a, b, now);
+  const bool same_owner = now.reference == before.reference && now.reference != AxisFeature::Edges;
+  if (!same_owner || now.points.empty()) return;
+  const Points lost = loaded_points_without_successor(before, now);
+  if (lost.empty()) return;
+
+  const ContactPlane plane(a, b, now);
+  for (const ContactPoint& old : lost) {
     const ContactPoint point = plane.projected(old);
-    const bool is_new =
+    const bool is_apart =
         std::all_of(now.points.begin(), now.points.end(),
                     [&](const ContactPoint& other) { return plane.are_distinct(point, other); });
-    if (is_new && point.separation <= 0 && plane.is_inside_owner(point)) {
-      add_point(now, point, reach);
-    }
+    const bool touches = point.separation <= 0 && plane.is_inside_owner(point);
+    if (is_apart && touches) add_point(now.points, point, reach);
   }
 }
 

@@ -45,7 +45,7 @@ void drop_points_beside(const ConvexShape& a, const ConvexShape& b, Manifold& ma
   }
 }
 
-/// @param now gets the impulses of the manifold that it replaces, and those of its points that it lacks
+/// @param now takes over the impulses of the last manifold, and those of its points that still carry load
 void replace_manifold(WorldState& world, std::size_t pair, Real separation, Manifold& now, Real h) {
   Contact& contact = world.pairs.contacts[pair];
   const ConvexShape& a = *world.definitions[contact.body_a].shape;

@@ -87,20 +87,21 @@ inline constexpr Real gap_penalty = 5;
 
 /// **L5.5** Selects at most four points that support a body nearly as well as all of them do. Up to
 /// four points are returned unchanged, in their order. Of more, the deepest point is always kept.
-/// The second is the farthest from it; the third and the fourth add the most area.
+/// The second is the farthest from it, the third spans the largest triangle with them, and the fourth
+/// adds the most area beyond one side of that triangle. Distances and areas are measured between the
+/// anchors on A, perpendicular to the normal.
 ///
 /// Of points that touch and lie on an ellipse, the selection spans at least 65 % of the largest area
-/// (96 % on average) that any four of them including the deepest span, measured perpendicular to
-/// the normal between the anchors on A. Points that add no area are dropped: no two kept points
-/// coincide, and of points on one line the two ends of a segment that starts at the deepest point
-/// remain.
+/// (96 % on average) that any four of them including the deepest span. Of more than four points,
+/// those that add no area are dropped: no two kept points coincide, and of touching points on one
+/// line the deepest one and the end that is farther from it remain.
 ///
-/// A point with a separation s > 0 carries nothing until its gap closes. In each choice its distance
-/// or the area that it adds is multiplied by 1 / (1 + gap_penalty · s / margin).
-/// So a body that rests on an edge mostly keeps both ends of it.
+/// A point with a separation s > 0 carries nothing until its gap closes. Wherever it is a candidate,
+/// its distance (not the square) or the area that it adds is multiplied by
+/// 1 / (1 + gap_penalty · s / margin). So a body that rests on an edge mostly keeps both ends of it.
 /// @param points anchors in body frames
 /// @param normal the manifold's normal in A's **body** frame, unit
-/// @param margin largest separation of a contact point (m)
+/// @param margin largest separation of a contact point (m), positive
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
     std::span<const ContactPoint> points, const Vec3& normal, Real margin);
 
