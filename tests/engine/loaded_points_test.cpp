@@ -230,11 +230,10 @@ int ends_that_touch(const World& world, const HalfEdgeMesh& mesh, Index edge) {
   return ends;
 }
 
-/// How many hulls were rolled on an edge of which both ends carried load, and how many of them then
-/// lacked an end.
+/// Hulls that rested on an edge and were then rolled about it.
 struct Rolled {
-  int hulls = 0;
-  int lack_an_end = 0;
+  int hulls = 0;        ///< with load on both ends before
+  int lack_an_end = 0;  ///< of these, without a contact point at one of the ends afterwards
 };
 
 Rolled roll_hulls(bool warm_starting, std::uint32_t seed) {
