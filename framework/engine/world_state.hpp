@@ -153,7 +153,8 @@ inline constexpr Index most_parts = 8;
 /// The parts of the world, see divide_bodies(); and the numbers of the bodies, see PartNumbering.
 struct BodyParts {
   Index count = 1;
-  std::vector<Index> of_body;  ///< the part of each body
+  std::vector<Index> of_body;     ///< the part of each body
+  Vec3 direction = Vec3::Zero();  ///< from part to part, in the world frame
 
   bool renumbered = false;                    ///< whether the bodies are numbered part by part now
   std::vector<Index> numbers;                 ///< of each body

@@ -148,6 +148,34 @@ TEST(BodyParts, SeparateHeapsAreNotCut) {
   }
 }
 
+/// Boxes on boxes on the floor, in five by five towers.
+Heap towers(Index boxes) {
+  Heap heap;
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 5; ++y) {
+      Index below = 0;
+      for (Index z = 0; z < boxes; ++z) {
+        const Index box = heap.add(Vec3(Real(3 * x), Real(3 * y), Real(z)));
+        heap.touch(below, box);
+        below = box;
+      }
+    }
+  }
+  return heap;
+}
+
+TEST(BodyParts, ACutBetweenTowersMayBeOblique) {
+  constexpr Index boxes = 10;
+  const Heap heap = towers(boxes);
+  const BodyParts parts = heap.parts();
+  ASSERT_EQ(parts.count, 2);
+  const Counts counts = count(heap, parts);
+  EXPECT_EQ(counts.between, 0);
+  EXPECT_EQ(std::min(counts.inside[0], counts.inside[1]), 12 * boxes)
+      << "a straight cut leaves ten towers on one side";
+  EXPECT_EQ(parts.direction.z(), 0) << "bodies stay with what they rest on";
+}
+
 TEST(BodyParts, PositionsThatAreNotNumbersHaveAPart) {
   Heap heap = grid(20, 5, 4);
   heap.bodies[3].pose.position.setConstant(std::numeric_limits<Real>::quiet_NaN());

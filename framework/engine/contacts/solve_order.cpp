@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/contacts/link_schedule.hpp"
+#include "engine/contacts/row_order.hpp"
 
 namespace cs550 {
 
@@ -105,12 +106,15 @@ void sort_links(SolveOrder& order) {
     order.units[i].end_contact = next[ranks_of_unit * (i + 1)];
   }
   order.links.resize(order.unsorted.size());
-  order.contacts.resize(order.unsorted.size());
   for (std::size_t i = 0; i < order.unsorted.size(); ++i) {
-    const Index to = next[order.ranks[i]]++;
-    order.links[to] = order.unsorted[i];
-    order.contacts[to] = order.unsorted[i].contact;
+    order.links[next[order.ranks[i]]++] = order.unsorted[i];
   }
+}
+
+void list_contacts(SolveOrder& order) {
+  order.contacts.resize(order.links.size());
+  std::transform(order.links.begin(), order.links.end(), order.contacts.begin(),
+                 [](const ContactLink& link) { return link.contact; });
 }
 
 /// The units of several threads.
@@ -168,6 +172,8 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
   tie_links(pairs, bodies, gravity, parts, order, team);
   colour_links_between_parts(parts.count, bodies.size(), order);
   sort_links(order);
+  turn_rows_outwards(bodies, parts, order);
+  list_contacts(order);
   if (team == nullptr) unite(order);
   if (order.links == order.grouped) return;  // most steps of a scene at rest
   order.states.resize(order.links.size());

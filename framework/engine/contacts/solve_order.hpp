@@ -11,8 +11,8 @@ namespace cs550 {
 /// Orders the constraints of a step. Contacts inside parts come first, part by part, then those between parts 0 and
 /// 1, 2 and 3, and so on, then those between 1 and 2, 3 and 4, and so on, then all others. Each of these is a unit.
 /// Its contacts keep their order, but those whose normals are across gravity, up to 6°, come after the others, which
-/// carry the weight. Contacts between parts have colours: those of the first come first, and as long as four are
-/// enough, no two of one colour share a body.
+/// carry the weight, and some rows of a part are turned (row_order.hpp). Contacts between parts have colours: those of
+/// the first come first, and as long as four are enough, no two of one colour share a body.
 ///
 /// Then they are placed for solvers that take several at a time. Contacts that share no movable body form
 /// groups. Within a group the constraints of all first points come first, then those of all second points, and

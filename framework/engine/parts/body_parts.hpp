@@ -16,7 +16,7 @@ namespace cs550 {
 inline constexpr std::int64_t steps_between_divisions = 16;
 
 /// Divides the bodies into parts that lie side by side across gravity and have about as many contacts each.
-/// Cuts are where few contacts cross them. A world with few contacts is one part.
+/// Cuts are straight, and where few contacts cross them. A world with few contacts is one part.
 /// @param gravity in the world frame
 void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
                    BodyParts& parts);
