@@ -138,10 +138,15 @@ GRADED_TEST(Lab5, FewOrCoincidingPointsAreKeptOnce, 1, "L5.5") {
   std::vector<ContactPoint> in_line(6);
   for (std::size_t i = 0; i < in_line.size(); ++i) {
     in_line[i].anchor_a = Vec3(static_cast<Real>(i), 0, 0);
+    in_line[i].separation = i == 2 ? Real(-0.01) : Real(-0.005);
   }
+  const auto ends = reduce_manifold(in_line, Vec3::UnitZ(), any_margin);
   Story line = story;
-  line.given("six points on one line").when("reduced");
-  line.expect_equal("points kept", reduce_manifold(in_line, Vec3::UnitZ(), any_margin).size(), 2);
+  line.given("points at x = 0, 1, 2, 3, 4, 5 m, that at 2 m the deepest").when("reduced");
+  require(line.expect_equal("points kept", ends.size(), 2));
+  const auto [low, high] = std::minmax({ends[0].anchor_a.x(), ends[1].anchor_a.x()});
+  line.expect_equal("the lower x kept, that of the deepest", low, Real(2));
+  line.expect_equal("the higher x kept, the end farther from it", high, Real(5));
 }
 
 GRADED_TEST(Lab5, TurnedBoxKeepsFourPointsOfTheOctagon, 1, "L5.5") {
