@@ -155,6 +155,7 @@ struct BodyParts {
   Index count = 1;
   std::vector<Index> of_body;     ///< the part of each body
   Vec3 direction = Vec3::Zero();  ///< from part to part, in the world frame
+  int age = 0;  ///< steps since the bodies were divided, if there are several parts
 
   bool renumbered = false;                    ///< whether the bodies are numbered part by part now
   std::vector<Index> numbers;                 ///< of each body
@@ -198,6 +199,7 @@ struct ReadyLinks {
 /// Contacts that one thread solves in turn: those of a part, or those between parts.
 struct SolveUnit {
   Index first_contact = 0;  ///< in the list of contacts with points
+  Index first_across = 0;   ///< of a part, in that list: normals from here on are across gravity
   Index end_contact = 0;
   Index first_place = 0;  ///< of the constraints
   Index end_place = 0;

@@ -115,6 +115,8 @@ TEST(BodyParts, AreNeverAboveEachOther) {
   const Heap heap = grid(4, 4, 30);  // a cut across z would cross the fewest contacts
   const BodyParts parts = heap.parts();
   ASSERT_EQ(parts.count, 2);
+  const Counts counts = count(heap, parts);
+  EXPECT_GT(std::min(counts.inside[0], counts.inside[1]), 0) << "no part is empty";
   for (Index column = 0; column < 4 * 4; ++column) {
     for (Index z = 1; z < 30; ++z) {
       EXPECT_EQ(parts.of_body[1 + column], parts.of_body[1 + column + 4 * 4 * z]);
@@ -180,11 +182,36 @@ TEST(BodyParts, PositionsThatAreNotNumbersHaveAPart) {
   Heap heap = grid(20, 5, 4);
   heap.bodies[3].pose.position.setConstant(std::numeric_limits<Real>::quiet_NaN());
   heap.bodies[9].pose.position.setConstant(std::numeric_limits<Real>::infinity());
+  heap.bodies[12].pose.position = Vec3(-std::numeric_limits<Real>::infinity(), 0, 0);
   const BodyParts parts = heap.parts();
   for (const Index part : parts.of_body) {
     EXPECT_GE(part, 0);
     EXPECT_LT(part, parts.count);
   }
+}
+
+TEST(BodyParts, AreKeptForSixteenSteps) {
+  Heap heap = grid(20, 5, 4);
+  const PairList pairs = pairs_of(heap.contacts);
+  BodyParts parts;
+  divide_bodies(pairs, heap.bodies, down, parts);
+  const std::vector<Index> first = parts.of_body;
+  for (RigidBody& body : heap.bodies) body.pose.position.x() *= -1;  // the last are now the first
+  for (int step = 1; step < 16; ++step) {
+    divide_bodies(pairs, heap.bodies, down, parts);
+    ASSERT_EQ(parts.of_body, first) << "step " << step;
+  }
+  divide_bodies(pairs, heap.bodies, down, parts);
+  EXPECT_NE(parts.of_body, first);
+}
+
+TEST(BodyParts, ComeAboutInTheStepThatHasEnoughContacts) {
+  const Heap heap = grid(20, 5, 4);
+  BodyParts parts;
+  divide_bodies(pairs_of({}), heap.bodies, down, parts);
+  ASSERT_EQ(parts.count, 1);
+  divide_bodies(pairs_of(heap.contacts), heap.bodies, down, parts);
+  EXPECT_EQ(parts.count, 2);
 }
 
 /// Contacts between random bodies in random parts.

@@ -248,6 +248,31 @@ TEST(World, HashSeesWhatContactsKeep) {
             fresh.body(fresh.id_at(2)).linear_momentum);
 }
 
+/// Boxes in towers of two, apart from each other: from 64 towers on, contacts enough for two parts.
+World many_towers(int towers) {
+  World world;
+  world.add_body(floor_body());
+  for (int i = 0; i < towers; ++i) {
+    for (const Real height : {Real(0.5), Real(1.5)}) {
+      world.add_body(body_at(unit_box(), {Real(2 * (i % 10)), Real(2 * (i / 10)), height}));
+    }
+  }
+  return world;
+}
+
+// The parts decide the solve order, and with it the last bits. They are kept for 16 steps.
+TEST(World, HashSeesHowLongPartsHaveBeenKept) {
+  World world = many_towers(70);
+  world.settings().gravity.setZero();  // nothing changes but the parts
+  run(world, 2);
+  ASSERT_EQ(world.stats().contacts, 2 * 70);
+  const std::uint64_t before = world.state_hash();
+  run(world, 2);
+  EXPECT_NE(world.state_hash(), before);
+  run(world, 14);
+  EXPECT_EQ(world.state_hash(), before) << "16 steps later, and divided again";
+}
+
 TEST(World, HashSeesWhatTheProgramHasSet) {
   World world = two_boxes();
   BodyDef lift = body_at(unit_box(), {4, 0, 3}, BodyKind::Kinematic);

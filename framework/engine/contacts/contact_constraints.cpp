@@ -176,10 +176,7 @@ void ContactConstraint::mark_impact() { impact_handled = impact_handled || norma
 void arrange_contacts(WorldState& world) {
   BodyParts& parts = world.parts;
   const Vec3& gravity = world.settings.gravity;
-  if (world.step_count % steps_between_divisions == 0) {
-    divide_bodies(world.pairs, world.bodies, gravity, parts);
-  }
-  parts.of_body.resize(world.bodies.size(), 0);
+  divide_bodies(world.pairs, world.bodies, gravity, parts);
   ThreadTeam* const team = passes_spare_immovable_bodies() ? world.team : nullptr;
   arrange_constraints(world.pairs, world.bodies, gravity, world.solve_order, parts, team);
   const std::vector<Index>& contacts = world.solve_order.contacts;

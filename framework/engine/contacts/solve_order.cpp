@@ -103,6 +103,7 @@ void sort_links(SolveOrder& order) {
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::size_t i = 0; i < order.units.size(); ++i) {
     order.units[i].first_contact = next[ranks_of_unit * i];
+    order.units[i].first_across = next[ranks_of_unit * i + colour_count];
     order.units[i].end_contact = next[ranks_of_unit * (i + 1)];
   }
   order.links.resize(order.unsorted.size());

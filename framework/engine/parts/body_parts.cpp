@@ -13,6 +13,8 @@ namespace {
 
 /// With fewer contacts, threads would wait for each other longer than they save.
 constexpr Index fewest_contacts = 128;
+/// How many steps the bodies keep their parts.
+constexpr int steps_between_divisions = 16;
 /// From here on, more than two threads have enough to do.
 constexpr Index contacts_in_part = 2048;
 
@@ -55,7 +57,7 @@ struct Slices {
 /// Of each slice.
 struct Census {
   std::array<Index, Slices::count> up_to{};  ///< contacts in it and in those before it
-  std::array<Index, Slices::count> cut{};    ///< contacts of it, or one before it, with a later one
+  std::array<Index, Slices::count> cut{};    ///< contacts that a cut after it crosses
 };
 
 Census count_contacts(const PairList& pairs, std::span<const RigidBody> bodies,
@@ -88,9 +90,9 @@ struct Cuts {
   }
 };
 
-/// The contacts that a thread waits for if a part ends with a slice: those by which the parts before and after
-/// it are too unequal, and those between them. The latter count twice, since their bodies have to be fetched
-/// from another core.
+/// The contacts that a thread waits for if a part ends with a slice: those by which the parts up to it, or those after
+/// it, exceed their share, and those between them. The latter count twice, since their bodies have to be fetched from
+/// another core.
 Index cost_of_cut(const Census& census, int slice, Index wanted) {
   const Index cut = census.cut[slice];
   return std::abs(census.up_to[slice] + cut / 2 - wanted) + 2 * cut;
@@ -165,6 +167,9 @@ Cuts best_cuts(const PairList& pairs, std::span<const RigidBody> bodies, const V
 
 void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
                    BodyParts& parts) {
+  parts.of_body.resize(bodies.size(), 0);
+  if (parts.count > 1 && ++parts.age < steps_between_divisions) return;
+  parts.age = 0;
   const auto contacts = std::count_if(pairs.summaries.begin(), pairs.summaries.end(),
                                       [](const PairSummary& pair) { return pair.points > 0; });
   parts.count = part_count(static_cast<Index>(contacts));

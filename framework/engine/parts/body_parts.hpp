@@ -12,11 +12,11 @@
 
 namespace cs550 {
 
-/// How many steps the bodies keep their parts. Bodies that are added meanwhile are in the first part.
-inline constexpr std::int64_t steps_between_divisions = 16;
-
 /// Divides the bodies into parts that lie side by side across gravity and have about as many contacts each.
 /// Cuts are straight, and where few contacts cross them. A world with few contacts is one part.
+/// Bodies keep their parts for some steps. One that is added meanwhile is in the first part, or in that of the
+/// removed body whose index it takes over.
+/// @pre called once per step
 /// @param gravity in the world frame
 void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
                    BodyParts& parts);

@@ -101,6 +101,13 @@ void add_sleeping(Fnv1a& hash, const WorldState& world) {
   for (const BodyRest& rest : world.sleeping.bodies) add_rest(hash, rest);
 }
 
+/// What decides the solve order of the next step.
+void add_parts(Fnv1a& hash, const BodyParts& parts) {
+  if (parts.count == 1) return;
+  hash.add_all(parts.count, parts.direction, parts.age);
+  for (const Index part : parts.of_body) hash.add(part);
+}
+
 }  // namespace
 
 std::uint64_t World::state_hash() const {
@@ -114,6 +121,7 @@ std::uint64_t World::state_hash() const {
   }
   add_pairs(hash, state_->pairs);
   add_sleeping(hash, *state_);
+  add_parts(hash, state_->parts);
   for (const Index body : state_->moved) hash.add(body);
   if (state_->settings.pass_order == PassOrder::StepByStep) hash.add(state_->step_count % 2);
   return hash.value();

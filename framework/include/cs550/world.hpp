@@ -260,8 +260,8 @@ class World {
 
   /// A hash of everything that one step leaves to the next, bit for bit (FNV-1a): poses, momenta,
   /// velocities of kinematic bodies, pending forces; the pairs with their contact points, impulses,
-  /// hints and kept answers; the boxes in the tree; with settings.sleeping, what decides when bodies
-  /// fall asleep. Worlds with equal settings, definitions of bodies and hashes continue identically, up
+  /// hints and kept answers; the parts of a world of many contacts; the boxes in the tree; with settings.sleeping, what
+  /// decides when bodies fall asleep. Worlds with equal settings, definitions of bodies and hashes continue identically, up
   /// to a collision of 64-bit hashes.
   std::uint64_t state_hash() const;
 
