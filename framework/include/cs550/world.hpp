@@ -259,10 +259,11 @@ class World {
   const AabbTree& broad_phase() const;
 
   /// A hash of everything that one step leaves to the next, bit for bit (FNV-1a): poses, momenta,
-  /// velocities of kinematic bodies, pending forces; the pairs with their contact points, impulses,
-  /// hints and kept answers; the parts of a world of many contacts; the boxes in the tree; with settings.sleeping, what
-  /// decides when bodies fall asleep. Worlds with equal settings, definitions of bodies and hashes continue identically, up
-  /// to a collision of 64-bit hashes.
+  /// velocities of kinematic bodies, pending forces; the pairs with their contact points,
+  /// impulses, hints and kept answers; the parts of a world of many contacts; the boxes in the
+  /// tree; with settings.sleeping, what decides when bodies fall asleep. Worlds with equal
+  /// settings, definitions of bodies and hashes continue identically, up to a collision of 64-bit
+  /// hashes.
   std::uint64_t state_hash() const;
 
   /// The momentum error |ΔP − J| over the run, relative to Σ|P| plus the weight that acts in one
