@@ -25,8 +25,8 @@ Contact contact_between(Index a, Index b, const Vec3& normal) {
   return contact;
 }
 
-/// A pyramid of bricks, each of which rests on two of the row below. Bricks of a row do not touch. The contacts are
-/// sorted by body A, then by body B, as the world sorts them.
+/// A pyramid in which each brick rests on two bricks of the row below and touches no neighbour in its own row. Contacts
+/// are sorted by body A, then by body B, as in a world.
 struct Pyramid {
   int rows;
   std::vector<RigidBody> bodies;

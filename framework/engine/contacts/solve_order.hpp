@@ -18,7 +18,7 @@ namespace cs550 {
 /// groups. Within a group the constraints of all first points come first, then those of all second points, and
 /// so on. Constraints that share a body keep their order, and the others do not affect each other: a pass over
 /// the groups gives the same bits as one over the contacts in the order above.
-/// @param gravity in the world frame; zero leaves the order of the contacts of a unit
+/// @param gravity in the world frame; if it is zero, no contact comes last
 /// @param parts of the bodies
 /// @param team that will solve the units; without one they become a single unit, in the same order
 void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodies,

@@ -149,7 +149,7 @@ StaticVector<Vec3, most_directions> directions_across(const Vec3& gravity) {
   return directions;
 }
 
-/// The cheapest ones.
+/// Those across the direction in which they are cheapest.
 Cuts best_cuts(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
                Index parts) {
   Cuts best;

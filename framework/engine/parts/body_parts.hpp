@@ -14,9 +14,8 @@ namespace cs550 {
 
 /// Divides the bodies into parts that lie side by side across gravity and have about as many contacts each.
 /// Cuts are straight, and where few contacts cross them. A world with few contacts is one part.
-/// Bodies keep their parts for some steps. One that is added meanwhile is in the first part, or in that of the
-/// removed body whose index it takes over.
-/// @pre called once per step
+/// Call it once per step: bodies keep their parts for some steps. A body that is added meanwhile is in the first part,
+/// or in that of the removed body whose index it takes over.
 /// @param gravity in the world frame
 void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
                    BodyParts& parts);
