@@ -181,6 +181,22 @@ struct ContactLink {
   bool operator==(const ContactLink&) const = default;
 };
 
+/// Links in the order of the pairs.
+struct UnsortedLinks {
+  std::vector<ContactLink> links;
+  std::vector<Index> ranks;  ///< what the order sorts them by
+
+  bool operator==(const UnsortedLinks&) const = default;
+};
+
+/// Neighbours among the sorted links that may be solved from either end (row_order.hpp).
+struct LinkRow {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  Index part = 0;
+  bool turned = false;
+};
+
 /// Working storage of the schedule, for each link.
 struct LinkState {
   Index waits_for = 0;  ///< links that must come before and have no group yet
@@ -227,10 +243,11 @@ struct SolveOrder {
 
   std::vector<SolveUnit> units;
   std::array<std::size_t, phase_count + 1> phases{};  ///< first unit of each, and number of units
-  std::vector<ContactLink> unsorted;  ///< working storage: links in the order of the pairs
-  std::vector<Index> ranks;           ///< working storage: what the order sorts these by
-  std::vector<ContactLink> links;     ///< working storage: those of the present contacts
-  std::vector<ContactLink> grouped;   ///< those for which the groups were made
+  UnsortedLinks unsorted;          ///< working storage: links of the present contacts
+  UnsortedLinks sorted;            ///< those that are sorted below
+  std::vector<ContactLink> links;  ///< sorted, with the rows as they are turned
+  std::vector<LinkRow> rows;       ///< of all parts
+  std::vector<Index> ranks;        ///< working storage: those of the unsorted links, with colours
   std::vector<LinkState> states;
   std::vector<Index> next_of_body;        ///< the next link of each body
   std::vector<unsigned> colours_of_body;  ///< a bit for each colour of its links between parts
@@ -261,7 +278,7 @@ struct ColdPair {
 
 /// Working storage of guess_cold_impulses().
 struct ColdStart {
-  std::vector<char> is_fresh;  ///< of each contact, whether it has no impulses yet
+  std::vector<char> is_pair_cold;  ///< of each contact, see note_if_cold()
   std::vector<ColdPair> pairs;
   std::vector<char> is_cold;       ///< of each body, whether it is movable and of a pair
   std::vector<SolverBody> bodies;  ///< with the velocities that gravity and the impulses give them
@@ -377,6 +394,13 @@ void for_solver_body_blocks(WorldState& world, const Work& work) {
     work(std::span(world.bodies).subspan(first, last - first),
          std::span(world.solver_bodies).subspan(first, last - first));
   });
+}
+
+/// Calls `work(first, last)` for blocks of pairs that cost little each. Several threads share them if there are any.
+template <class Work>
+void for_pair_blocks(const WorldState& world, const Work& work) {
+  constexpr std::size_t many_pairs = 256;
+  for_blocks(world.team, world.pairs.size(), many_pairs, work);
 }
 
 /// Visits the dynamic bodies, those that are asleep, too.

@@ -145,6 +145,62 @@ TEST(RowOrder, LeavesAWorldOfOnePart) {
   EXPECT_TRUE(std::is_sorted(order.contacts.begin(), order.contacts.end()));
 }
 
+std::vector<std::vector<Index>> groups_of(const SolveOrder& order) {
+  std::vector<std::vector<Index>> groups;
+  for (const SolveUnit& unit : order.units) {
+    for (const ContactGroup& group : unit.groups) groups.emplace_back(group.begin(), group.end());
+  }
+  return groups;
+}
+
+// Rows keep their direction from step to step, but not longer than the world gives a reason for it. Else a world that
+// was saved and restored would continue in another order.
+TEST(RowOrder, OfAWorldThatMovesIsThatOfAFreshWorld) {
+  ThreadTeam team(2);
+  Pyramid pyramid(20, true);
+  BodyParts parts = divide(pyramid);
+  SolveOrder used;
+  std::vector<std::vector<Index>> orders;
+  const auto expect_fresh = [&](const char* what, ThreadTeam* present_team) {
+    SCOPED_TRACE(what);
+    const PairList pairs = pairs_of(pyramid.contacts);
+    SolveOrder fresh;
+    arrange_constraints(pairs, pyramid.bodies, down, fresh, parts, present_team);
+    arrange_constraints(pairs, pyramid.bodies, down, used, parts, present_team);
+    EXPECT_EQ(used.contacts, fresh.contacts);
+    EXPECT_EQ(used.place_of_point, fresh.place_of_point);
+    EXPECT_EQ(groups_of(used), groups_of(fresh));
+    orders.push_back(fresh.contacts);
+  };
+  const auto scale_x = [&](Real factor) {
+    for (RigidBody& body : pyramid.bodies) body.pose.position.x() *= factor;
+  };
+  const auto expect_fresh_in_all_positions = [&](ThreadTeam* present_team) {
+    orders.clear();
+    expect_fresh("as it was divided", present_team);
+    expect_fresh("the same", present_team);
+    scale_x(-1);
+    expect_fresh("mirrored", present_team);
+    const std::vector<RigidBody> mirrored = pyramid.bodies;
+    scale_x(0);
+    expect_fresh("each row at one place", present_team);
+    pyramid.bodies = mirrored;
+    parts.direction = -parts.direction;
+    expect_fresh("with the opposite direction", present_team);
+    parts.direction = -parts.direction;
+    expect_fresh("mirrored again", present_team);
+    scale_x(-1);
+  };
+  for (ThreadTeam* present_team : {&team, static_cast<ThreadTeam*>(nullptr), &team}) {
+    expect_fresh_in_all_positions(present_team);
+    EXPECT_EQ(orders[1], orders[0]);
+    EXPECT_NE(orders[2], orders[0]);
+    EXPECT_NE(orders[3], orders[2]) << "the example turns rows back";
+    EXPECT_EQ(orders[4], orders[0]);
+    EXPECT_EQ(orders[5], orders[2]);
+  }
+}
+
 /// Four bricks of a row, at x = 0, −1, −2, −3, and four of the next row, at −0.5, −1.5, …, in the last of two parts,
 /// where outwards is towards higher x.
 struct Bricks {

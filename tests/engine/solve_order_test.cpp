@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/contacts/contact_constraints.hpp"
 #include "engine/pairs_of_contacts.hpp"
+#include "engine/world/stages.hpp"
 #include "helpers/random.hpp"
 
 namespace cs550::test {
@@ -224,6 +226,19 @@ TEST(SolveOrder, AnOrderThatIsUsedAgainIsThatOfTheseContacts) {
   }
   expect_fresh(chain, one_fixed);
   expect_fresh(chain, bodies);
+}
+
+TEST(SolveOrder, ContactsThatASkippedStageDroppedComeBack) {
+  const std::vector<Contact> contacts{contact_between(0, 1, 4), contact_between(0, 2, 4)};
+  WorldState world;
+  world.bodies = bodies_of_kinds(2, 1);
+  world.pairs = pairs_of(contacts);
+  arrange_contacts(world);
+  skip_stage(world, Stage::Solve, NotImplemented("L7.3"));
+  EXPECT_TRUE(world.solve_order.contacts.empty());
+  world.pairs = pairs_of(contacts);
+  arrange_contacts(world);
+  EXPECT_EQ(world.solve_order.contacts, (std::vector<Index>{0, 1}));
 }
 
 }  // namespace

@@ -54,16 +54,23 @@ Real gap_speed(const ContactConstraint& constraint, Real h) {
   return std::max(constraint.separation, Real(0)) / h;
 }
 
-/// The pairs that are new and slow. What stops a slow pair seldom closes a gap that takes more speed, and most contacts
-/// without impulses are across such gaps.
-void list_cold_pairs(WorldState& world, Real h) {
-  world.cold_start.pairs.clear();
+bool is_fresh(const WorldState& world, std::span<const Index> places) {
+  return std::all_of(places.begin(), places.end(),
+                     [&](Index place) { return world.constraints[place].normal_impulse == 0; });
+}
+
+bool is_slow(const WorldState& world, std::span<const Index> places, Real h) {
+  const ContactConstraint middle = middle_constraint(world, places);
   const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
+  const Real speed = approach(world.solver_bodies, middle);
+  return std::abs(speed) < slow && speed + gap_speed(middle, h) < slow;
+}
+
+void list_cold_pairs(WorldState& world) {
+  world.cold_start.pairs.clear();
   for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
-    if (!world.cold_start.is_fresh[contact]) return;
+    if (!world.cold_start.is_pair_cold[contact]) return;
     ContactConstraint middle = middle_constraint(world, places);
-    const Real speed = approach(world.solver_bodies, middle);
-    if (std::abs(speed) >= slow || speed + gap_speed(middle, h) >= slow) return;
     middle.normal_mass =
         constraint_mass(contact_jacobian(middle.n, middle.r_a, middle.r_b),
                         world.solver_bodies[middle.body_a], world.solver_bodies[middle.body_b]);
@@ -153,16 +160,15 @@ void sweep(ColdStart& cold, Real tolerance, Real h) {
 
 }  // namespace
 
-void note_if_fresh(WorldState& world, Index contact) {
+void note_if_cold(WorldState& world, Index contact, Real h) {
   const std::span<const Index> places = world.solve_order.places_of(contact);
-  world.cold_start.is_fresh[contact] = std::all_of(places.begin(), places.end(), [&](Index place) {
-    return world.constraints[place].normal_impulse == 0;
-  });
+  const bool is_cold = is_fresh(world, places) && is_slow(world, places, h);
+  world.cold_start.is_pair_cold[contact] = static_cast<char>(is_cold);
 }
 
 void guess_cold_impulses(WorldState& world, Real h) {
   ColdStart& cold = world.cold_start;
-  list_cold_pairs(world, h);
+  list_cold_pairs(world);
   if (cold.pairs.empty()) return;
   mark_cold_bodies(world);
   predict_velocities(world, h);

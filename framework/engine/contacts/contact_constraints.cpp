@@ -19,10 +19,15 @@ BodySize size_of(const RigidBody& body) {
   return {inertia * body.inverse_inertia.trace(), 4 * body.inverse_mass * inertia};
 }
 
-void measure_bodies(WorldState& world) {
+/// Measures the bodies, and forgets the displacements of the last step.
+void begin_substeps(WorldState& world) {
   world.sizes.resize(world.bodies.size());
+  world.solver_bodies.resize(world.bodies.size());
   for_body_blocks(world, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) world.sizes[i] = size_of(world.bodies[i]);
+    for (std::size_t i = first; i < last; ++i) {
+      world.sizes[i] = size_of(world.bodies[i]);
+      world.solver_bodies[i] = {};
+    }
   });
 }
 
@@ -186,7 +191,7 @@ void arrange_contacts(WorldState& world) {
 }
 
 void make_constraints(WorldState& world) {
-  measure_bodies(world);
+  begin_substeps(world);
   world.constraints.resize(world.solve_order.place_of_point.size());
   world.mirrors.set_stale();
   for_constraints_of_contacts_in_blocks(world, [&](Index i, std::span<const Index> places) {

@@ -12,7 +12,7 @@ namespace cs550 {
 
 /// Finds the solve order of a step's contacts, and from time to time the parts of the bodies.
 void arrange_contacts(WorldState& world);
-/// Measures the bodies, and makes the constraints of a step. @pre arrange_contacts()
+/// Measures the bodies, forgets their displacements, and makes the constraints of a step. @pre arrange_contacts()
 void make_constraints(WorldState& world);
 
 /// Notes how far bodies have turned since the step began, and turn within a substep. Call it once they have moved.
@@ -43,9 +43,12 @@ void limit_impulse_energy(WorldState& world, const ContactStep& step, std::span<
 /// Does so for the impulses that a contact has carried from the last step.
 void limit_carried_impulses(WorldState& world, const ContactStep& step, Index contact);
 
-/// Notes whether a contact has no impulses yet. @pre cold_start.is_fresh has an element for each contact
-void note_if_fresh(WorldState& world, Index contact);
-/// Estimates the impulses of resting contacts that have none from the step before.
+/// Notes whether a contact has no impulses yet and is slow. What stops a slow contact seldom closes a gap that takes
+/// more speed, and most contacts without impulses are across such gaps.
+/// @pre cold_start.is_pair_cold has an element for each contact
+/// @param h substep (s)
+void note_if_cold(WorldState& world, Index contact, Real h);
+/// Estimates the impulses of resting contacts that have none from the step before. @pre note_if_cold() for all
 /// @param h substep (s)
 void guess_cold_impulses(WorldState& world, Real h);
 

@@ -27,12 +27,13 @@ void make_room(std::size_t count, Arrays&... arrays) {
 /// Numbers the points, and lists the contacts that have any.
 void number_points(const PairList& pairs, SolveOrder& order) {
   order.first_point.resize(pairs.size() + 1);
-  order.unsorted.clear();
+  std::vector<ContactLink>& links = order.unsorted.links;
+  links.clear();
   Index first = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Index points = pairs.summaries[i].points;
     order.first_point[i] = first;
-    if (points > 0) order.unsorted.push_back({.contact = static_cast<Index>(i), .points = points});
+    if (points > 0) links.push_back({.contact = static_cast<Index>(i), .points = points});
     first += points;
   }
   order.first_point.back() = first;
@@ -72,20 +73,22 @@ void tie_links(const PairList& pairs, std::span<const RigidBody> bodies, const V
     const bool links_neighbours = std::abs(normal.dot(gravity)) < across;
     return ranks_of_unit * link.unit + (links_neighbours ? colour_count : 0);
   };
-  order.ranks.resize(order.unsorted.size());
+  UnsortedLinks& unsorted = order.unsorted;
+  unsorted.ranks.resize(unsorted.links.size());
   constexpr std::size_t block = 32;
-  for_blocks(team, order.unsorted.size(), block, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) order.ranks[i] = tie(order.unsorted[i]);
+  for_blocks(team, unsorted.links.size(), block, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) unsorted.ranks[i] = tie(unsorted.links[i]);
   });
 }
 
 /// Moves links between parts to ranks in which no two share a body. In their own order, those of a pyramid's
 /// parts would be one chain, and all threads but one would wait for it.
 void colour_links_between_parts(Index parts, std::size_t bodies, SolveOrder& order) {
+  order.ranks = order.unsorted.ranks;
   if (parts == 1) return;
   order.colours_of_body.assign(bodies, 0);
-  for (std::size_t i = 0; i < order.unsorted.size(); ++i) {
-    const ContactLink& link = order.unsorted[i];
+  for (std::size_t i = 0; i < order.ranks.size(); ++i) {
+    const ContactLink& link = order.unsorted.links[i];
     if (link.unit < parts) continue;
     unsigned& of_a = order.colours_of_body[link.body_a];
     unsigned& of_b = order.colours_of_body[link.body_b];
@@ -106,10 +109,11 @@ void sort_links(SolveOrder& order) {
     order.units[i].first_across = next[ranks_of_unit * i + colour_count];
     order.units[i].end_contact = next[ranks_of_unit * (i + 1)];
   }
-  order.links.resize(order.unsorted.size());
-  for (std::size_t i = 0; i < order.unsorted.size(); ++i) {
-    order.links[next[order.ranks[i]]++] = order.unsorted[i];
+  order.links.resize(order.ranks.size());
+  for (std::size_t i = 0; i < order.ranks.size(); ++i) {
+    order.links[next[order.ranks[i]]++] = order.unsorted.links[i];
   }
+  std::swap(order.unsorted, order.sorted);
 }
 
 void list_contacts(SolveOrder& order) {
@@ -125,6 +129,12 @@ void make_units(Index parts, SolveOrder& order) {
     order.phases[i + 1] = order.phases[i] + static_cast<std::size_t>(in_phase[i]);
   }
   order.units.resize(order.phases.back());
+}
+
+/// Whether the links are sorted already, for as many threads. So they are in most steps of a scene at rest.
+bool are_sorted(const SolveOrder& order, Index parts, const ThreadTeam* team) {
+  const Index units = team == nullptr || parts == 1 ? 1 : 2 * parts;
+  return order.units.size() == static_cast<std::size_t>(units) && order.unsorted == order.sorted;
 }
 
 /// One thread takes all contacts as a unit: their order is the same, and more of them are side by side.
@@ -166,23 +176,27 @@ void place_units(SolveOrder& order) {
 void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodies,
                          const Vec3& gravity, SolveOrder& order, const BodyParts& parts,
                          ThreadTeam* team) {
-  make_room(pairs.size(), order.contacts, order.unsorted, order.ranks, order.links, order.grouped,
-            order.states);
+  make_room(pairs.size(), order.contacts, order.unsorted.links, order.unsorted.ranks,
+            order.sorted.links, order.sorted.ranks, order.links, order.ranks, order.states);
+  make_room(pairs.size() / 3, order.rows);  // of three links or more
   number_points(pairs, order);
-  make_units(parts.count, order);
   tie_links(pairs, bodies, gravity, parts, order, team);
-  colour_links_between_parts(parts.count, bodies.size(), order);
-  sort_links(order);
-  turn_rows_outwards(bodies, parts, order);
+  const bool sorted = are_sorted(order, parts.count, team);
+  if (!sorted) {
+    make_units(parts.count, order);
+    colour_links_between_parts(parts.count, bodies.size(), order);
+    sort_links(order);
+    find_rows(parts, order);
+  }
+  const bool turned = turn_rows_outwards(bodies, parts, order);
+  if (sorted && !turned) return;
   list_contacts(order);
   if (team == nullptr) unite(order);
-  if (order.links == order.grouped) return;  // most steps of a scene at rest
   order.states.resize(order.links.size());
   order.next_of_body.assign(bodies.size(), no_index);
   for_units(team, order, false, [&](std::size_t i) { form_groups(order, order.units[i]); });
   place_units(order);
   for_units(team, order, false, [&](std::size_t i) { place_points(pairs, order, order.units[i]); });
-  std::swap(order.grouped, order.links);
 }
 
 void keep_groups(const SolveOrder& order, ConstraintMirrors& mirrors, ThreadTeam* team) {

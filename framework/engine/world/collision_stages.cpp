@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <mutex>
 #include <optional>
 
 #include "cs550/clipping.hpp"
@@ -145,20 +146,33 @@ void build_manifolds(WorldState& world, Real h) {
   });
 }
 
-void count_contacts(WorldState& world) {
-  StepStats& stats = world.stats;
-  stats.pairs = static_cast<int>(world.pairs.size());
-  const auto pairs_with = [&](PairAnswer answer) {
-    return static_cast<int>(
-        std::count(world.pairs.answers.begin(), world.pairs.answers.end(), answer));
-  };
-  stats.kept = pairs_with(PairAnswer::Kept);
-  stats.retested = pairs_with(PairAnswer::Retested);
-  for (const PairSummary& summary : world.pairs.summaries) {
-    if (summary.points > 0) ++stats.contacts;
+/// The statistics of pairs from `first` to `last` − 1.
+StepStats count_contacts(const PairList& pairs, std::size_t first, std::size_t last) {
+  StepStats stats;
+  for (std::size_t i = first; i < last; ++i) {
+    const PairSummary& summary = pairs.summaries[i];
+    stats.kept += static_cast<int>(pairs.answers[i] == PairAnswer::Kept);
+    stats.retested += static_cast<int>(pairs.answers[i] == PairAnswer::Retested);
+    stats.contacts += static_cast<int>(summary.points > 0);
     stats.points += summary.points;
     stats.deepest_separation = std::min(stats.deepest_separation, -summary.depth);
   }
+  return stats;
+}
+
+void count_contacts(WorldState& world) {
+  StepStats& stats = world.stats;
+  stats.pairs = static_cast<int>(world.pairs.size());
+  std::mutex mutex;
+  for_pair_blocks(world, [&](std::size_t first, std::size_t last) {
+    const StepStats some = count_contacts(world.pairs, first, last);
+    const std::lock_guard lock(mutex);
+    stats.kept += some.kept;
+    stats.retested += some.retested;
+    stats.contacts += some.contacts;
+    stats.points += some.points;
+    stats.deepest_separation = std::min(stats.deepest_separation, some.deepest_separation);
+  });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "engine/world/overlap_recovery.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "engine/body_sweeps.hpp"
@@ -39,6 +40,20 @@ bool is_misplaced(const WorldState& world, std::size_t pair, Real h) {
          summary.depth > contact_margin(world, summary.body_a, summary.body_b, h);
 }
 
+/// @returns whether there are any
+bool find_misplaced_pairs(WorldState& world, Real h) {
+  PairList& pairs = world.pairs;
+  const Real spare = spare_margin(world);
+  std::atomic<bool> any = false;
+  for_pair_blocks(world, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      pairs.misplaced[i] = pairs.summaries[i].depth > spare && is_misplaced(world, i, h);
+      if (pairs.misplaced[i]) any.store(true, std::memory_order_relaxed);
+    }
+  });
+  return any;
+}
+
 /// A body that touches a recovering one recovers too: their impulses must stay equal and opposite.
 /// @returns whether a body was added
 bool spread(WorldState& world) {
@@ -75,19 +90,17 @@ bool recovers(const WorldState& world, const ContactConstraint& constraint) {
 }
 
 void find_misplaced_bodies(WorldState& world, Real h) {
-  world.recovery.any = false;
   world.recovery.recovers.assign(world.bodies.size(), 0);
-  PairList& pairs = world.pairs;
-  const Real spare = spare_margin(world);
+  world.recovery.any = find_misplaced_pairs(world, h);
+  if (!world.recovery.any) return;
+  const PairList& pairs = world.pairs;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    pairs.misplaced[i] = pairs.summaries[i].depth > spare && is_misplaced(world, i, h);
     if (!pairs.misplaced[i]) continue;
-    world.recovery.any = true;
     for (const Index body : {pairs.summaries[i].body_a, pairs.summaries[i].body_b}) {
       world.recovery.recovers[body] = is_dynamic(world, body);
     }
   }
-  while (world.recovery.any && spread(world)) {
+  while (spread(world)) {
   }
 }
 

@@ -19,7 +19,6 @@ void begin_step(WorldState& world) {
   world.began.clear();
   world.ended.clear();
   std::swap(world.ended, world.ended_by_removal);
-  world.solver_bodies.assign(world.bodies.size(), {});  // without displacement
   if (world.settings.check_stages) world.bodies_before = world.bodies;
 }
 
@@ -63,6 +62,7 @@ void drop_contacts(WorldState& world) {
   // The rest of the step must not look for the constraints.
   SolveOrder& order = world.solve_order;
   order.contacts.clear();
+  order.sorted = {};
   std::fill(order.first_point.begin(), order.first_point.end(), 0);
 }
 

@@ -252,13 +252,13 @@ void prepare(WorldState& world, const ContactStep& step) {
   if (world.settings.solver == SolverKind::Naive || world.constraints.empty()) return;
   gather_solver_bodies(world);
   keep_groups(world.solve_order, world.mirrors, world.team);
-  world.cold_start.is_fresh.assign(world.pairs.size(), 0);
+  world.cold_start.is_pair_cold.assign(world.pairs.size(), 0);
   for_groups_in_blocks(world,
                        [&](const ContactGroup& contacts, std::span<ContactConstraint> constraints) {
                          prepare_contacts(constraints, world.solver_bodies, step);
                          for (const Index contact : contacts) {
                            limit_carried_impulses(world, step, contact);
-                           note_if_fresh(world, contact);
+                           note_if_cold(world, contact, step.h);
                          }
                        });
   if (world.settings.warm_starting) guess_cold_impulses(world, step.h);
