@@ -181,12 +181,12 @@ struct ContactLink {
   bool operator==(const ContactLink&) const = default;
 };
 
-/// Links in the order of the pairs.
-struct UnsortedLinks {
+/// Links in the order of the pairs, and what the solve order sorts them by.
+struct RankedLinks {
   std::vector<ContactLink> links;
-  std::vector<Index> ranks;  ///< what the order sorts them by
+  std::vector<Index> ranks;
 
-  bool operator==(const UnsortedLinks&) const = default;
+  bool operator==(const RankedLinks&) const = default;
 };
 
 /// Neighbours among the sorted links that may be solved from either end (row_order.hpp).
@@ -243,11 +243,11 @@ struct SolveOrder {
 
   std::vector<SolveUnit> units;
   std::array<std::size_t, phase_count + 1> phases{};  ///< first unit of each, and number of units
-  UnsortedLinks unsorted;          ///< working storage: links of the present contacts
-  UnsortedLinks sorted;            ///< those that are sorted below
-  std::vector<ContactLink> links;  ///< sorted, with the rows as they are turned
+  RankedLinks unsorted;            ///< working storage: those of the present contacts
+  RankedLinks sorted_from;         ///< those that were sorted into `links`
+  std::vector<ContactLink> links;  ///< sorted by rank and colour, with the rows as they are turned
   std::vector<LinkRow> rows;       ///< of all parts
-  std::vector<Index> ranks;        ///< working storage: those of the unsorted links, with colours
+  std::vector<Index> ranks;        ///< working storage: ranks with colours
   std::vector<LinkState> states;
   std::vector<Index> next_of_body;        ///< the next link of each body
   std::vector<unsigned> colours_of_body;  ///< a bit for each colour of its links between parts

@@ -73,7 +73,7 @@ void tie_links(const PairList& pairs, std::span<const RigidBody> bodies, const V
     const bool links_neighbours = std::abs(normal.dot(gravity)) < across;
     return ranks_of_unit * link.unit + (links_neighbours ? colour_count : 0);
   };
-  UnsortedLinks& unsorted = order.unsorted;
+  RankedLinks& unsorted = order.unsorted;
   unsorted.ranks.resize(unsorted.links.size());
   constexpr std::size_t block = 32;
   for_blocks(team, unsorted.links.size(), block, [&](std::size_t first, std::size_t last) {
@@ -113,7 +113,7 @@ void sort_links(SolveOrder& order) {
   for (std::size_t i = 0; i < order.ranks.size(); ++i) {
     order.links[next[order.ranks[i]]++] = order.unsorted.links[i];
   }
-  std::swap(order.unsorted, order.sorted);
+  std::swap(order.unsorted, order.sorted_from);
 }
 
 void list_contacts(SolveOrder& order) {
@@ -131,10 +131,11 @@ void make_units(Index parts, SolveOrder& order) {
   order.units.resize(order.phases.back());
 }
 
-/// Whether the links are sorted already, for as many threads. So they are in most steps of a scene at rest.
+/// Whether links and units are those of the last step, as in most steps of a scene at rest.
 bool are_sorted(const SolveOrder& order, Index parts, const ThreadTeam* team) {
   const Index units = team == nullptr || parts == 1 ? 1 : 2 * parts;
-  return order.units.size() == static_cast<std::size_t>(units) && order.unsorted == order.sorted;
+  return order.units.size() == static_cast<std::size_t>(units) &&
+         order.unsorted == order.sorted_from;
 }
 
 /// One thread takes all contacts as a unit: their order is the same, and more of them are side by side.
@@ -177,7 +178,8 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
                          const Vec3& gravity, SolveOrder& order, const BodyParts& parts,
                          ThreadTeam* team) {
   make_room(pairs.size(), order.contacts, order.unsorted.links, order.unsorted.ranks,
-            order.sorted.links, order.sorted.ranks, order.links, order.ranks, order.states);
+            order.sorted_from.links, order.sorted_from.ranks, order.links, order.ranks,
+            order.states);
   make_room(pairs.size() / 3, order.rows);  // of three links or more
   number_points(pairs, order);
   tie_links(pairs, bodies, gravity, parts, order, team);

@@ -19,6 +19,7 @@ namespace cs550 {
 /// so on. Constraints that share a body keep their order, and the others do not affect each other: a pass over
 /// the groups gives the same bits as one over the contacts in the order above.
 /// @param gravity in the world frame; if it is zero, no contact comes last
+/// @param order that of the last step, or a new one. The result is the same: what has not changed is only kept.
 /// @param parts of the bodies
 /// @param team that will solve the units; without one they become a single unit, in the same order
 void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodies,

@@ -62,7 +62,7 @@ void drop_contacts(WorldState& world) {
   // The rest of the step must not look for the constraints.
   SolveOrder& order = world.solve_order;
   order.contacts.clear();
-  order.sorted = {};
+  order.sorted_from = {};
   std::fill(order.first_point.begin(), order.first_point.end(), 0);
 }
 
