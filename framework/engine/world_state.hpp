@@ -56,8 +56,9 @@ enum class PairAnswer : std::uint8_t {
 struct PairSummary {
   Index body_a = no_index;
   Index body_b = no_index;
-  Index points = 0;  ///< of the manifold
-  Real depth = 0;    ///< of the deepest point; 0 if none is below the surface (m)
+  Index points = 0;      ///< of the manifold
+  Real depth = 0;        ///< of the deepest point; 0 if none is below the surface (m)
+  bool bounces = false;  ///< whether the contact has restitution
 };
 
 /// Pairs that stay neighbours while a list is edited: those from `first` to before `last` go to `to`.
@@ -158,7 +159,7 @@ struct BodyParts {
   int age = 0;  ///< steps since the bodies were divided, if there are several parts
 
   bool renumbered = false;                    ///< whether the bodies are numbered part by part now
-  std::vector<Index> numbers;                 ///< of each body
+  std::vector<Index> numbers;                 ///< of each body; empty once they are divided again
   std::vector<Index> bodies_by_number;        ///< of each number
   std::array<Index, most_parts + 1> first{};  ///< number of each part, and the number of bodies
   std::vector<RigidBody> other_bodies;        ///< working storage: the world's in the other order
@@ -247,6 +248,7 @@ struct SolveOrder {
   RankedLinks sorted_from;         ///< those that were sorted into `links`
   std::vector<ContactLink> links;  ///< sorted by rank and colour, with the rows as they are turned
   std::vector<LinkRow> rows;       ///< of all parts
+  std::vector<Index> with_points;  ///< working storage: contacts in the order of the pairs
   std::vector<Index> ranks;        ///< working storage: ranks with colours
   std::vector<LinkState> states;
   std::vector<Index> next_of_body;        ///< the next link of each body
@@ -272,8 +274,8 @@ enum class TurnSize : char {
 
 /// A pair of bodies without impulses from the last step.
 struct ColdPair {
-  std::span<const Index> places;  ///< indices of its constraints, in solve_order
-  ContactConstraint middle;       ///< one constraint in their middle
+  Index contact = no_index;
+  ContactConstraint middle;  ///< one constraint in the middle of those of the contact
 };
 
 /// Working storage of guess_cold_impulses().

@@ -36,7 +36,8 @@ void push_apart(std::span<SolverBody> bodies, const ContactConstraint& constrain
 }
 
 /// One constraint in the middle of those of a pair, without mass.
-ContactConstraint middle_constraint(const WorldState& world, std::span<const Index> places) {
+ContactConstraint middle_constraint(const WorldState& world, Index contact) {
+  const std::span<const Index> places = world.solve_order.places_of(contact);
   ContactConstraint middle = world.constraints[places[0]];
   for (const Index place : places.subspan(1)) {
     const ContactConstraint& constraint = world.constraints[place];
@@ -54,27 +55,37 @@ Real gap_speed(const ContactConstraint& constraint, Real h) {
   return std::max(constraint.separation, Real(0)) / h;
 }
 
-bool is_fresh(const WorldState& world, std::span<const Index> places) {
+bool is_fresh(const WorldState& world, Index contact) {
+  const std::span<const Index> places = world.solve_order.places_of(contact);
   return std::all_of(places.begin(), places.end(),
                      [&](Index place) { return world.constraints[place].normal_impulse == 0; });
 }
 
-bool is_slow(const WorldState& world, std::span<const Index> places, Real h) {
-  const ContactConstraint middle = middle_constraint(world, places);
+bool is_slow(const WorldState& world, Index contact, Real h) {
+  const ContactConstraint middle = middle_constraint(world, contact);
   const Real slow = world.settings.restitution_threshold * world.settings.length_unit;
   const Real speed = approach(world.solver_bodies, middle);
   return std::abs(speed) < slow && speed + gap_speed(middle, h) < slow;
 }
 
+/// A constraint for each cold pair, in the order of the contacts.
 void list_cold_pairs(WorldState& world) {
-  world.cold_start.pairs.clear();
-  for_constraints_of_contacts(world, [&](Index contact, std::span<const Index> places) {
-    if (!world.cold_start.is_pair_cold[contact]) return;
-    ContactConstraint middle = middle_constraint(world, places);
-    middle.normal_mass =
-        constraint_mass(contact_jacobian(middle.n, middle.r_a, middle.r_b),
-                        world.solver_bodies[middle.body_a], world.solver_bodies[middle.body_b]);
-    world.cold_start.pairs.push_back({places, middle});
+  std::vector<ColdPair>& pairs = world.cold_start.pairs;
+  std::size_t count = 0;
+  for (const Index contact : world.solve_order.contacts) {
+    if (!world.cold_start.is_pair_cold[contact]) continue;
+    if (count == pairs.size()) pairs.emplace_back();
+    pairs[count++].contact = contact;
+  }
+  pairs.resize(count);
+  constexpr std::size_t block = 16;
+  for_blocks(world.team, count, block, [&](std::size_t first, std::size_t last) {
+    for (ColdPair& pair : std::span(pairs).subspan(first, last - first)) {
+      ContactConstraint& middle = pair.middle = middle_constraint(world, pair.contact);
+      middle.normal_mass =
+          constraint_mass(contact_jacobian(middle.n, middle.r_a, middle.r_b),
+                          world.solver_bodies[middle.body_a], world.solver_bodies[middle.body_b]);
+    }
   });
 }
 
@@ -161,8 +172,7 @@ void sweep(ColdStart& cold, Real tolerance, Real h) {
 }  // namespace
 
 void note_if_cold(WorldState& world, Index contact, Real h) {
-  const std::span<const Index> places = world.solve_order.places_of(contact);
-  const bool is_cold = is_fresh(world, places) && is_slow(world, places, h);
+  const bool is_cold = is_fresh(world, contact) && is_slow(world, contact, h);
   world.cold_start.is_pair_cold[contact] = static_cast<char>(is_cold);
 }
 
@@ -174,12 +184,12 @@ void guess_cold_impulses(WorldState& world, Real h) {
   predict_velocities(world, h);
   sweep(cold, enough * h * world.settings.gravity.norm(), h);
   for (const ColdPair& pair : cold.pairs) {
-    for (const Index place : pair.places) {
+    const std::span<const Index> places = world.solve_order.places_of(pair.contact);
+    for (const Index place : places) {
       world.constraints[place].normal_impulse =
-          pair.middle.normal_impulse / static_cast<Real>(pair.places.size());
+          pair.middle.normal_impulse / static_cast<Real>(places.size());
     }
   }
-  cold.pairs.clear();  // a copy of the world must not look into the arrays of this one
 }
 
 }  // namespace cs550

@@ -186,7 +186,7 @@ void arrange_contacts(WorldState& world) {
   arrange_constraints(world.pairs, world.bodies, gravity, world.solve_order, parts, team);
   const std::vector<Index>& contacts = world.solve_order.contacts;
   world.any_bounces = std::any_of(contacts.begin(), contacts.end(), [&](Index contact) {
-    return world.pairs.contacts[contact].restitution > 0;
+    return world.pairs.summaries[contact].bounces;
   });
 }
 

@@ -27,16 +27,19 @@ void make_room(std::size_t count, Arrays&... arrays) {
 /// Numbers the points, and lists the contacts that have any.
 void number_points(const PairList& pairs, SolveOrder& order) {
   order.first_point.resize(pairs.size() + 1);
-  std::vector<ContactLink>& links = order.unsorted.links;
-  links.clear();
+  order.with_points.resize(pairs.size());
   Index first = 0;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Index points = pairs.summaries[i].points;
     order.first_point[i] = first;
-    if (points > 0) links.push_back({.contact = static_cast<Index>(i), .points = points});
+    // The next contact replaces this one unless it counts. A branch would often be mispredicted.
+    order.with_points[count] = static_cast<Index>(i);
+    count += static_cast<std::size_t>(points > 0);
     first += points;
   }
   order.first_point.back() = first;
+  order.with_points.resize(count);
 }
 
 /// The unit of a contact between bodies of these parts.
@@ -64,20 +67,27 @@ void tie_links(const PairList& pairs, std::span<const RigidBody> bodies, const V
   const auto part_of = [&](Index body, Index other) {
     return parts.count == 1 ? 0 : parts.of_body[body != no_index ? body : other];
   };
-  const auto tie = [&](ContactLink& link) {
-    const PairSummary& pair = pairs.summaries[link.contact];
-    const Index a = link.body_a = movable(pair.body_a);
-    const Index b = link.body_b = movable(pair.body_b);
-    link.unit = unit_between(part_of(a, b), part_of(b, a), parts.count);
+  const auto link_of = [&](Index contact) {
+    const PairSummary& pair = pairs.summaries[contact];
+    const Index a = movable(pair.body_a);
+    const Index b = movable(pair.body_b);
+    const Index unit = unit_between(part_of(a, b), part_of(b, a), parts.count);
+    return ContactLink{contact, a, b, pair.points, unit};
+  };
+  const auto rank_of = [&](const ContactLink& link) {
     const Vec3& normal = pairs.contacts[link.contact].manifold.normal;
     const bool links_neighbours = std::abs(normal.dot(gravity)) < across;
     return ranks_of_unit * link.unit + (links_neighbours ? colour_count : 0);
   };
   RankedLinks& unsorted = order.unsorted;
-  unsorted.ranks.resize(unsorted.links.size());
+  unsorted.links.resize(order.with_points.size());
+  unsorted.ranks.resize(order.with_points.size());
   constexpr std::size_t block = 32;
-  for_blocks(team, unsorted.links.size(), block, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) unsorted.ranks[i] = tie(unsorted.links[i]);
+  for_blocks(team, order.with_points.size(), block, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      unsorted.links[i] = link_of(order.with_points[i]);
+      unsorted.ranks[i] = rank_of(unsorted.links[i]);
+    }
   });
 }
 
@@ -179,7 +189,7 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
                          ThreadTeam* team) {
   make_room(pairs.size(), order.contacts, order.unsorted.links, order.unsorted.ranks,
             order.sorted_from.links, order.sorted_from.ranks, order.links, order.ranks,
-            order.states);
+            order.with_points, order.states);
   make_room(pairs.size() / 3, order.rows);  // of three links or more
   number_points(pairs, order);
   tie_links(pairs, bodies, gravity, parts, order, team);

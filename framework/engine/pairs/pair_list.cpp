@@ -60,6 +60,7 @@ void PairList::summarise(std::size_t pair) {
   for (const ContactPoint& point : manifold.points) {
     summary.depth = std::max(summary.depth, -point.separation);
   }
+  summary.bounces = contacts[pair].restitution > 0;
 }
 
 void PairList::clear() {

@@ -170,6 +170,7 @@ void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, con
   parts.of_body.resize(bodies.size(), 0);
   if (parts.count > 1 && ++parts.age < steps_between_divisions) return;
   parts.age = 0;
+  parts.numbers.clear();
   const auto contacts = std::count_if(pairs.summaries.begin(), pairs.summaries.end(),
                                       [](const PairSummary& pair) { return pair.points > 0; });
   parts.count = part_count(static_cast<Index>(contacts));

@@ -16,8 +16,10 @@ bool pays(const WorldState& world) {
 
 bool may_move(const RigidBody& body) { return body.kind != BodyKind::Static && !body.asleep; }
 
-/// Those that stay where they are come last, with the bodies of the last part.
+/// Those that stay where they are come last, with the bodies of the last part. The numbers are kept until the bodies
+/// are divided again: one that has fallen asleep or woken up since only takes the place of another kind.
 void number_bodies(std::span<const RigidBody> bodies, BodyParts& parts) {
+  if (parts.numbers.size() == bodies.size()) return;
   const auto group_of = [&](std::size_t body) {
     return may_move(bodies[body]) ? parts.of_body[body] : parts.count;
   };

@@ -119,7 +119,8 @@ void rebuild_manifold(WorldState& world, std::size_t pair, Real h) {
   const SeparatingAxis& axis = world.pairs.axes[pair];
   const bool bounds_are_apart = axis.feature == AxisFeature::None;
   if (bounds_are_apart) return clear_manifold(world, pair);
-  const auto [body_a, body_b, points, depth] = world.pairs.summaries[pair];
+  const Index body_a = world.pairs.summaries[pair].body_a;
+  const Index body_b = world.pairs.summaries[pair].body_b;
   const Real margin = contact_margin(world, body_a, body_b, h);
   if (axis.separation > margin) {
     clear_manifold(world, pair);
