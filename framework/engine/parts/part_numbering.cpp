@@ -17,7 +17,7 @@ bool pays(const WorldState& world) {
 bool may_move(const RigidBody& body) { return body.kind != BodyKind::Static && !body.asleep; }
 
 /// Those that stay where they are come last, with the bodies of the last part. The numbers are kept until the bodies
-/// are divided again: one that has fallen asleep or woken up since only takes the place of another kind.
+/// are divided again. A body that has fallen asleep or woken up since then keeps its number, too.
 void number_bodies(std::span<const RigidBody> bodies, BodyParts& parts) {
   if (parts.numbers.size() == bodies.size()) return;
   const auto group_of = [&](std::size_t body) {
