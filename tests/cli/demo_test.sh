@@ -56,6 +56,20 @@ strict --quality accurate
 [ $code = 0 ] || wrong "the bound holds for the scene's own quality: exit code $code, expected 0"
 if grep -q "bound" printed; then wrong "no bound is stated for another quality"; fi
 
+# The first line of a body has the velocities that the scene gives it.
+cat >thrown.json <<'END'
+{ "schema": 1, "title": "A box is thrown", "steps": 1,
+  "bodies": [
+    { "name": "box", "position": [0, 0, 2], "orientation": { "axis": [1, 2, 3], "degrees": 40 },
+      "linear_velocity": [1, -2, 0.5], "angular_velocity": [0.25, 3, -4],
+      "shape": { "kind": "box", "half_extents": [0.5, 0.3, 0.2] } } ] }
+END
+"$program" thrown.json --no-picture --csv thrown.csv >printed 2>&1 || wrong "demo --csv failed"
+sed -n 2p thrown.csv >printed
+awk -F , '{ split("1 -2 0.5 0.25 3 -4", v, " ")
+            for (i = 1; i <= 6; ++i) { d = $(11 + i) - v[i]; if (d * d > 1e-10) exit 1 } }' printed ||
+  wrong "expected the velocities of the scene in the line of step 0"
+
 # An absent scene, and a title that is longer than a line.
 code=0
 "$program" stack11 >printed 2>&1 || code=$?

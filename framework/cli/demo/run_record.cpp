@@ -31,6 +31,23 @@ std::string columns(const Numbers& numbers) {
   return text;
 }
 
+struct Velocities {
+  Vec3 linear, angular;
+};
+
+Velocities velocities_from_momenta(const RigidBody& body) {
+  const Vec3 angular_momentum = body.pose.unrotate(body.angular_momentum);
+  return {body.inverse_mass * body.linear_momentum,
+          body.pose.rotate(body.inverse_inertia * angular_momentum)};
+}
+
+/// Until the first step, nothing has derived the velocities of a dynamic body.
+Velocities velocities(const World& world, const RigidBody& body) {
+  const bool are_derived = world.step_count() > 0 || body.kind != BodyKind::Dynamic;
+  if (are_derived) return {body.linear_velocity, body.angular_velocity};
+  return velocities_from_momenta(body);
+}
+
 }  // namespace
 
 RunRecord::RunRecord(const Scene& scene, const World& world)
@@ -143,10 +160,11 @@ void TrajectoryCsv::add(const World& world, const Scene& scene) {
     const RigidBody& body = world.bodies()[i];
     if (body.kind == BodyKind::Static) continue;
     const Quat& q = body.pose.orientation;
+    const auto [linear, angular] = velocities(world, body);
     file_.write(fmt::format("{},{:.9g},{},{}", world.step_count(), world.time(), i,
                             quoted(scene.body_names[i])) +
                 columns(body.pose.position) + columns(std::array{q.w(), q.x(), q.y(), q.z()}) +
-                columns(body.linear_velocity) + columns(body.angular_velocity) + '\n');
+                columns(linear) + columns(angular) + '\n');
   }
 }
 
