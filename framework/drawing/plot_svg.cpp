@@ -108,7 +108,7 @@ std::vector<Tick> logarithmic_ticks(const Range& range) {
     for (const int multiple : {1, 2, 5}) {
       const double at = exponent + std::log10(multiple);
       if (at < range.low || at > range.high || (multiple > 1 && !is_short)) continue;
-      result.push_back({at, is_short ? number_text(multiple * std::pow(10.0, exponent))
+      result.push_back({at, is_short ? number_text(multiple * std::pow(10.0, exponent), 6)
                                      : power_of_ten_text(exponent)});
     }
   }

@@ -68,6 +68,16 @@ TEST(Plot, AShortLogarithmicAxisHasTicksBetweenPowersOfTen) {
   for (const char* tick : {">0.5<", ">1<", ">2<", ">5<"}) EXPECT_GE(count(svg, tick), 1) << tick;
 }
 
+TEST(Plot, AShortLogarithmicAxisWritesThousandsWithoutAnExponent) {
+  Plot plot;
+  plot.logarithmic = true;
+  add_series(plot, "drift", {{0, 120}, {1, 6000}});
+  const std::string svg = write_svg(plot);
+  for (const char* tick : {">200<", ">500<", ">1000<", ">2000<", ">5000<"}) {
+    EXPECT_EQ(count(svg, tick), 1) << tick;
+  }
+}
+
 TEST(Plot, AConstantHasAnAxis) {
   Plot plot;
   add_series(plot, "energy", {{0, 5}, {1, 5}});
