@@ -6,7 +6,7 @@ import numpy as np
 
 # The defaults of the settings, from the table of chapter "The step and the architecture".
 STEP, SUBSTEPS, ITERATIONS, RELAX_ITERATIONS = 1 / 60, 6, 2, 1
-HERTZ, DAMPING_RATIO, MAX_PUSH_SPEED = 80, 12, 3
+HERTZ, DAMPING_RATIO, MAX_PUSH_SPEED = 70, 12, 3
 GRAVITY, DENSITY, FRICTION = np.array([0, 0, -9.81]), 1000, 0.6
 H = STEP / SUBSTEPS
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/test_bodies.hpp"
 
@@ -190,6 +191,27 @@ TEST(World, CopyContinuesToTheLastBit) {
     ASSERT_EQ(copy.state_hash(), world.state_hash()) << "step " << step;
     ASSERT_EQ(assigned.state_hash(), world.state_hash()) << "step " << step;
   }
+}
+
+TEST(World, AWorldThatWasMovedFromCanBeAssignedTo) {
+  World world = falling_hulls(3, 12);
+  World moved = std::move(world);
+  world = moved;  // NOLINT(bugprone-use-after-move): this is what is tested
+  run(world, 10);
+  run(moved, 10);
+  EXPECT_EQ(world.state_hash(), moved.state_hash());
+}
+
+TEST(World, RefusesAStepThatIsNoTime) {
+  World world = falling_hulls(3, 12);
+  run(world, 10);
+  const std::uint64_t before = world.state_hash();
+  for (const Real h : {Real(0), Real(-1) / 60, std::numeric_limits<Real>::infinity(),
+                       std::numeric_limits<Real>::quiet_NaN()}) {
+    EXPECT_THROW(world.step(h), std::invalid_argument) << h;
+  }
+  EXPECT_EQ(world.state_hash(), before);
+  EXPECT_EQ(world.step_count(), 10);
 }
 
 TEST(World, RestoredStateRepeatsWhatHappened) {

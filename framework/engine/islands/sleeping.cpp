@@ -152,6 +152,14 @@ void put_islands_to_sleep(WorldState& world) {
 
 }  // namespace
 
+bool move_alike(const WorldSettings& one, WorldSettings other) {
+  other.threads = one.threads;
+  other.adaptive_threads = one.adaptive_threads;
+  other.check_stages = one.check_stages;
+  other.audit_momentum = one.audit_momentum;
+  return one == other;
+}
+
 void wake_disturbed_bodies(WorldState& world) {
   Sleeping& sleeping = world.sleeping;
   sleeping.bodies.resize(world.slot_count());
@@ -160,7 +168,7 @@ void wake_disturbed_bodies(WorldState& world) {
     for (RigidBody& body : world.bodies) body.asleep = false;
     return;
   }
-  if (!(sleeping.settings == world.settings)) {
+  if (!move_alike(sleeping.settings, world.settings)) {
     sleeping.settings = world.settings;
     wake_all(world);
   }

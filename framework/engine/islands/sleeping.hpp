@@ -13,9 +13,12 @@
 
 namespace cs550 {
 
+/// Whether bodies move alike with both settings: threads and checks do not matter.
+bool move_alike(const WorldSettings& one, WorldSettings other);
+
 /// Wakes what has been disturbed since the last step: islands with a body that was moved, pushed or
 /// is subject to a force; islands on an immovable body that moves; all of them if a setting has
-/// changed. Call it at the start of a step.
+/// changed that decides how bodies move. Call it at the start of a step.
 void wake_disturbed_bodies(WorldState& world);
 
 /// Wakes islands that a body which is awake comes near to, and puts islands at rest to sleep. Call it

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "cs550/world.hpp"
+#include "engine/islands/sleeping.hpp"
 #include "engine/world_state.hpp"
 
 namespace cs550 {
@@ -96,8 +97,8 @@ void add_rest(Fnv1a& hash, const BodyRest& rest) {
 
 void add_sleeping(Fnv1a& hash, const WorldState& world) {
   add_pairs(hash, world.sleeping.pairs);
-  if (!world.settings.sleeping) return;                 // whoever sleeps wakes in the next step
-  hash.add(world.sleeping.settings == world.settings);  // if not, the next step wakes all
+  if (!world.settings.sleeping) return;  // whoever sleeps wakes in the next step
+  hash.add(move_alike(world.sleeping.settings, world.settings));  // if not, the next step wakes all
   for (const BodyRest& rest : world.sleeping.bodies) add_rest(hash, rest);
 }
 

@@ -101,6 +101,7 @@ World::World(const WorldSettings& settings) : state_(std::make_unique<WorldState
 }
 World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_)) {}
 World& World::operator=(const World& other) {
+  if (state_ == nullptr) state_ = std::make_unique<WorldState>();  // it was moved from
   if (this != &other) *state_ = *other.state_;
   return *this;
 }
@@ -156,6 +157,9 @@ const BodyDef& World::definition(BodyId id) const { return state_->definitions[i
 PosedShape World::posed_shape(BodyId id) const { return state_->posed_shape(id.index); }
 
 void World::step(Real h) {
+  if (!std::isfinite(h) || h <= 0) {
+    throw std::invalid_argument("World::step() needs a positive, finite time, for example 1/60 s");
+  }
   const int threads = std::clamp(state_->settings.threads, 1, most_threads);
   if (threads == 1) return advance(*state_, h);
   if (!state_->settings.adaptive_threads) return share_step(*state_, threads, h);

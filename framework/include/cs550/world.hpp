@@ -46,7 +46,8 @@ struct WorldSettings {
   /// Query a pair again only once its bodies have moved relative to each other. Depths then differ by at
   /// most 1/1000 of the smaller body's diameter.
   bool temporal_coherence = true;
-  /// Skip groups of touching bodies that are at rest, until something disturbs them.
+  /// Skip groups of touching bodies that are at rest, until something disturbs them: another body,
+  /// the program, or a setting that decides how bodies move.
   bool sleeping = false;
   /// Threads that share the work of a step, 1 to 16. Results are the same bits for any number. With more
   /// than one, the functions of the labs are called by several threads at once.
@@ -55,7 +56,7 @@ struct WorldSettings {
   /// then. If false, every step uses them.
   bool adaptive_threads = true;
 
-  Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
+  Real contact_hertz = 70;                 ///< stiffness of soft contacts (1/s)
   Real contact_damping_ratio = 12;         ///< ζ of soft contacts; 1 is critical
   Real baumgarte = Real(0.2);              ///< β: fraction of the error corrected per substep
   Real slop = Real(1e-3);                  ///< length units
@@ -185,7 +186,8 @@ class World {
  public:
   /// An empty world at time 0.
   explicit World(const WorldSettings& settings = {});
-  /// Copies and moves transfer the complete state.
+  /// Copies and moves transfer the complete state. A world that was moved from can only be assigned
+  /// to or destroyed.
   /// @{
   World(const World& other);
   World& operator=(const World& other);
@@ -218,8 +220,9 @@ class World {
   BodyId id_at(Index index) const;
   /// A body. Precondition: it is alive.
   const RigidBody& body(BodyId id) const;
-  /// For applying forces and impulses (add_force(), apply_impulse()) and for moving kinematic
-  /// bodies.
+  /// For applying forces and impulses (add_force(), apply_impulse()), for moving kinematic bodies,
+  /// and for giving any body another pose or velocity (set_velocity()). A body that sleeps wakes in
+  /// the next step, and from then on query() and ray_cast() find it at its new pose.
   RigidBody& body(BodyId id);
   /// The definition of a body, its shape, and its shape at the current pose.
   /// @{
@@ -228,7 +231,9 @@ class World {
   PosedShape posed_shape(BodyId id) const;
   /// @}
 
-  /// Advances the world by one step. @param h s, positive; 1/60 is usual
+  /// Advances the world by one step.
+  /// @param h s; 1/60 is usual
+  /// @throws std::invalid_argument if h is not positive and finite; nothing has changed then
   void step(Real h);
   std::int64_t step_count() const;  ///< steps since construction
   double time() const;              ///< simulated time (s)
