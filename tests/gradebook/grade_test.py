@@ -232,6 +232,16 @@ def test_a_judge_that_fails_gives_no_mark(folder):
     assert (row["status"], row["lab3"], row["lab5"]) == ("NOT GRADED", "", "60"), row
 
 
+def test_resume_removes_no_marks(folder):
+    small_class(folder / "class")
+    grade(folder / "class", "--out", folder / "out", "--labs", "3")
+    before = (folder / "out/grades.csv").read_text()
+    printed = grade(folder / "class", "--out", folder / "out", "--labs", "1", "--resume", code=2)
+    assert "marks of lab 3, which --labs leaves out" in printed, printed
+    assert (folder / "out/grades.csv").read_text() == before
+    grade(folder / "class", "--out", folder / "out", "--labs", "1,3", "--resume")
+
+
 def test_records_are_not_overwritten_without_resume(folder):
     small_class(folder / "class")
     grade(folder / "class", "--out", folder / "out", "--labs", "3")

@@ -228,6 +228,22 @@ TEST(GradesCsv, ListsMissingStudentsAndEscapesNames) {
             "'=cmd,,,,not on the roster,40.00,24,\n");
 }
 
+TEST(GradesCsv, NotesWhatAnInstructorMayWantToLookAt) {
+  LabRecord broken = lab_record(0, 0, 0);
+  broken.compiled = false;
+  LabRecord slow = lab_record(24, 0, 0);
+  for (const char* status : {"timeout", "crashed", "timeout", "failed"}) {
+    slow.tests.emplace_back().status = status;
+  }
+  std::vector<Record> records{record_of("ada", broken), record_of("bob", slow)};
+  const std::vector<Student> students = assign(parse_roster("id\nada\nbob\n", "r"), records);
+  const std::string text = grades_csv(mark_class(students, {3}, course_of("")), {3});
+  EXPECT_NE(text.find("lab 3: does not compile"), std::string::npos) << text;
+  EXPECT_NE(text.find("lab 3: 1 test crashed; lab 3: 2 tests ended at the limit of time"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Records, SurviveARoundTrip) {
   Record record = record_of("ada", lab_record(24, 0, 12));
   record.ignored = {{"framework/", "not in a lab's folder", 312}};

@@ -18,6 +18,7 @@
 #include "cli/system/terminal.hpp"
 #include "files/interruption.hpp"
 #include "gradebook/command/settings.hpp"
+#include "gradebook/marks/mark.hpp"
 #include "gradebook/marks/time_text.hpp"
 #include "gradebook/reports/write_reports.hpp"
 #include "gradebook/run/class_run.hpp"
@@ -149,6 +150,18 @@ void check_place(const fs::path& out, const std::vector<fs::path>& submissions) 
   }
 }
 
+/// A resumed run replaces the records of its submissions, with the labs that it grades.
+void check_labs(const std::vector<int>& labs, const std::vector<Record>& records,
+                const fs::path& out) {
+  for (const int lab : labs_of(records)) {
+    if (std::count(labs.begin(), labs.end(), lab) > 0) continue;
+    throw std::invalid_argument(
+        fmt::format("{} has marks of lab {}, which --labs leaves out: --resume would remove them.\n"
+                    "  Add lab {} to --labs, or choose another --out.",
+                    out.string(), lab, lab));
+  }
+}
+
 }  // namespace
 
 std::vector<int> parse_labs(const std::string& text, const std::vector<int>& known) {
@@ -205,6 +218,7 @@ bool grade(const GradeRequest& request) {
                              "  To continue an interrupted run, or to add submissions, add " +
                              "--resume.\n  To grade everything again, choose another --out.");
   }
+  check_labs(labs, folder.records(), request.out);
   keep_settings(settings, request.out);
   const Judge judge{request.judge,
                     request.root / "labs",

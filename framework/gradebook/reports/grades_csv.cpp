@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "gradebook/text/escape.hpp"
 
@@ -37,16 +39,39 @@ std::string damaged_ones(const Student& student) {
   return notes;
 }
 
+/// "2 tests crashed"; empty if there are none with that status.
+std::string count_of(const LabRecord& lab, const std::string& status, const std::string& what) {
+  const auto count = std::count_if(lab.tests.begin(), lab.tests.end(),
+                                   [&](const TestResult& test) { return test.status == status; });
+  if (count == 0) return {};
+  return fmt::format("{} test{} {}", count, count == 1 ? "" : "s", what);
+}
+
+/// What an instructor may want to look at before publishing a mark.
+std::vector<std::string> troubles_of(const LabRecord& lab) {
+  if (!lab.submitted) return {};
+  if (!lab.compiled) return {"does not compile"};
+  std::vector<std::string> troubles = {
+      count_of(lab, "crashed", "crashed"),
+      count_of(lab, "timeout", "ended at the limit of time: grade again if the machine was busy")};
+  std::erase(troubles, "");
+  return troubles;
+}
+
 std::string notes_of(const StudentMark& mark) {
   const std::string trouble = trouble_of(mark.student);
   std::string notes = trouble.empty() ? damaged_ones(mark.student) : trouble;
-  if (mark.has_scattered_labs()) {
-    notes += fmt::format("{}{}", notes.empty() ? "" : "; ", milestones_need_one_submission);
-  }
+  const auto add = [&](const std::string& note) {
+    notes += fmt::format("{}{}", notes.empty() ? "" : "; ", note);
+  };
+  if (mark.has_scattered_labs()) add(milestones_need_one_submission);
   for (const LabMark& lab : mark.labs) {
     for (const std::string& note : lab.notes) {
-      if (note == "not submitted") continue;
-      notes += fmt::format("{}lab {}: {}", notes.empty() ? "" : "; ", lab.lab, plain_line(note));
+      if (note != "not submitted") add(fmt::format("lab {}: {}", lab.lab, plain_line(note)));
+    }
+    if (lab.lab_record() == nullptr) continue;
+    for (const std::string& note : troubles_of(*lab.lab_record())) {
+      add(fmt::format("lab {}: {}", lab.lab, note));
     }
   }
   return notes;
