@@ -312,6 +312,21 @@ def test_an_interrupted_run_continues(folder):
     assert not (out / "work").exists()
 
 
+def test_a_report_of_an_interrupted_run_says_so(folder):
+    for i in range(12):
+        pack(folder / "class" / f"s{i:02}.zip", {HILL: f"// {i} fake: sleeps 0.1"})
+    out = folder / "out"
+    run = subprocess.Popen(command(folder / "class", "--out", out, "--labs", "3", "--jobs", 1), start_new_session=True,
+                           env={**os.environ, "CS550_ROOT": str(ROOT)}, stdout=subprocess.DEVNULL)
+    while not list((out / "records").glob("*.json")):
+        time.sleep(0.02)
+    os.killpg(run.pid, signal.SIGINT)
+    run.wait()
+    assert "this run was interrupted" in grade("--report", out)
+    grade(folder / "class", "--out", out, "--labs", "3", "--resume")
+    assert "this run was interrupted" not in grade("--report", out)
+
+
 def test_a_second_grader_is_refused(folder):
     pack(folder / "ada.zip", {HILL: "// fake: sleeps 3"})
     out = folder / "out"

@@ -220,6 +220,7 @@ bool grade(const GradeRequest& request) {
   }
   check_labs(labs, folder.records(), request.out);
   keep_settings(settings, request.out);
+  folder.begin_run();
   const Judge judge{request.judge,
                     request.root / "labs",
                     fs::absolute(request.out) / "work",
@@ -251,6 +252,7 @@ bool grade(const GradeRequest& request) {
                              counted(outcome.runs, "lab"));
     return false;
   }
+  folder.end_run();
   print_outcome(outcome, std::chrono::steady_clock::now() - start);
   const std::vector<Record> records = folder.records();
   write_reports(request.out, records, settings.roster, settings.course);

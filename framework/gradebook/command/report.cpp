@@ -30,6 +30,16 @@ std::vector<Record> records_in(const std::vector<fs::path>& folders) {
   return merged(all);
 }
 
+void print_unfinished(const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
+    if (!RecordFolder(folder).is_unfinished()) continue;
+    std::cout << fmt::format(
+        "{}: this run was interrupted, or is still going on. Submissions that are not graded yet\n"
+        "  are reported as missing. To continue it, add --resume to its command.\n",
+        folder.string());
+  }
+}
+
 /// The key is for the instructor alone: it stays with the records that have names.
 void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
   const fs::path file = folder / "pseudonyms.csv";
@@ -72,6 +82,7 @@ void report(const ReportRequest& request) {
   write_reports(request.out, records, settings.roster, settings.course);
   print_students_to_look_at(settings, records);
   print_entries_about_nobody(settings, records);
+  print_unfinished(request.folders);
   std::cout << fmt::format("Reports on {} submissions are in {}\n", records.size(),
                            request.out.string());
   print_expired(RecordFolder(request.folders.front()), settings.course);

@@ -15,6 +15,13 @@ namespace cs550::gradebook {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The name of a file that is there during a run.
+constexpr const char* unfinished = "unfinished";
+
+}  // namespace
+
 FolderLock::FolderLock(const fs::path& folder) {
   std::error_code error;
   // Records are for the instructor alone. A folder that exists keeps its permissions.
@@ -60,6 +67,14 @@ std::vector<fs::path> RecordFolder::older_than(int days) const {
   std::erase_if(files, [&](const fs::path& file) { return fs::last_write_time(file) >= limit; });
   return files;
 }
+
+void RecordFolder::begin_run() const {
+  files::write_file(folder_ / unfinished, "This run of ./cs550 grade has not finished.\n");
+}
+
+void RecordFolder::end_run() const { fs::remove(folder_ / unfinished); }
+
+bool RecordFolder::is_unfinished() const { return fs::exists(folder_ / unfinished); }
 
 std::optional<LabRecord> RecordFolder::result(const std::string& key) const {
   const fs::path file = result_file(key);

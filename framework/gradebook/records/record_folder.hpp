@@ -40,6 +40,13 @@ class RecordFolder {
   /// The files of records that were written more than so many days ago.
   std::vector<std::filesystem::path> older_than(int days) const;
 
+  /// A run is unfinished from its beginning until its end, also if it is interrupted.
+  /// @{
+  void begin_run() const;
+  void end_run() const;
+  bool is_unfinished() const;
+  /// @}
+
   /// The result of a lab's files, by a key that names everything it depends on.
   std::optional<LabRecord> result(const std::string& key) const;
   void store_result(const std::string& key, const LabRecord& lab) const;
