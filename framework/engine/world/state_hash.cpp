@@ -97,8 +97,9 @@ void add_rest(Fnv1a& hash, const BodyRest& rest) {
 
 void add_sleeping(Fnv1a& hash, const WorldState& world) {
   add_pairs(hash, world.sleeping.pairs);
-  if (!world.settings.sleeping) return;  // whoever sleeps wakes in the next step
-  hash.add(move_alike(world.sleeping.settings, world.settings));  // if not, the next step wakes all
+  if (!world.settings.sleeping) return;  // the next step wakes all sleepers
+  // If the settings differ, the next step wakes all sleepers, too.
+  hash.add(move_alike(world.sleeping.settings, world.settings));
   for (const BodyRest& rest : world.sleeping.bodies) add_rest(hash, rest);
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "engine/islands/sleeping.hpp"
 #include "engine/pairs/near_pairs.hpp"
@@ -158,7 +159,9 @@ PosedShape World::posed_shape(BodyId id) const { return state_->posed_shape(id.i
 
 void World::step(Real h) {
   if (!std::isfinite(h) || h <= 0) {
-    throw std::invalid_argument("World::step() needs a positive, finite time, for example 1/60 s");
+    throw std::invalid_argument(
+        "World::step() needs a positive, finite number of seconds, such as 1/60; found " +
+        std::to_string(h));
   }
   const int threads = std::clamp(state_->settings.threads, 1, most_threads);
   if (threads == 1) return advance(*state_, h);

@@ -72,12 +72,6 @@ std::string counted(int number, const std::string& noun) {
   return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
 }
 
-int timeouts(const LabRecord& lab) {
-  return static_cast<int>(
-      std::count_if(lab.tests.begin(), lab.tests.end(),
-                    [](const TestResult& test) { return test.status == "timeout"; }));
-}
-
 /// What a run leaves for the instructor to look at.
 void print_troubles(const std::vector<Record>& records) {
   for (const Record& record : records) {
@@ -96,7 +90,7 @@ void print_troubles(const std::vector<Record>& records) {
         std::cout << fmt::format("my_tests.cpp NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
                                  lab.own_tests->not_graded);
       }
-      if (const int late = timeouts(lab); late > 0) {
+      if (const int late = lab.tests_with("timeout"); late > 0) {
         std::cout << fmt::format("timeout: {}, lab {}: {} ended at the limit of time\n",
                                  record.name, lab.lab, counted(late, "test"));
       }

@@ -61,8 +61,9 @@ struct LabRecord {
 
   int points() const;
   int earned() const;
-  double seconds() const;  ///< of compilation and tests
-  bool is_graded() const;  ///< whether the grader failed in no part of it
+  double seconds() const;                           ///< of compilation and tests
+  int tests_with(const std::string& status) const;  ///< the number with that status
+  bool is_graded() const;                           ///< whether the grader failed in no part of it
   /// Whether grading the same files again would give the same: a timeout may be that of a busy machine.
   bool is_final() const;
 };

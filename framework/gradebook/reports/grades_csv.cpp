@@ -39,22 +39,18 @@ std::string damaged_ones(const Student& student) {
   return notes;
 }
 
-/// "2 tests crashed"; empty if there are none with that status.
-std::string count_of(const LabRecord& lab, const std::string& status, const std::string& what) {
-  const auto count = std::count_if(lab.tests.begin(), lab.tests.end(),
-                                   [&](const TestResult& test) { return test.status == status; });
-  if (count == 0) return {};
-  return fmt::format("{} test{} {}", count, count == 1 ? "" : "s", what);
-}
-
 /// What an instructor may want to look at before publishing a mark.
 std::vector<std::string> troubles_of(const LabRecord& lab) {
   if (!lab.submitted) return {};
   if (!lab.compiled) return {"does not compile"};
-  std::vector<std::string> troubles = {
-      count_of(lab, "crashed", "crashed"),
-      count_of(lab, "timeout", "ended at the limit of time: grade again if the machine was busy")};
-  std::erase(troubles, "");
+  std::vector<std::string> troubles;
+  const auto add = [&](const char* status, const char* what) {
+    const int count = lab.tests_with(status);
+    if (count == 0) return;
+    troubles.push_back(fmt::format("{} test{} {}", count, count == 1 ? "" : "s", what));
+  };
+  add("crashed", "crashed");
+  add("timeout", "ended at the limit of time: grade again if the machine was busy");
   return troubles;
 }
 
