@@ -6,7 +6,7 @@ import numpy as np
 
 # The defaults of the settings, from the table of chapter "The step and the architecture".
 STEP, SUBSTEPS, ITERATIONS, RELAX_ITERATIONS = 1 / 60, 6, 2, 1
-HERTZ, DAMPING_RATIO, MAX_PUSH_SPEED = 70, 12, 3
+HERTZ, DAMPING_RATIO, MAX_PUSH_SPEED, OVER_RELAXATION = 80, 12, 3, 1.3
 GRAVITY, DENSITY, FRICTION = np.array([0, 0, -9.81]), 1000, 0.6
 H = STEP / SUBSTEPS
 
@@ -87,6 +87,7 @@ class Contact:
         tangents = (self.u, self.t)
         self.m_t = np.linalg.inv([[self.response(p, q) for q in tangents] for p in tangents])
         self.sigma = np.linalg.eigvalsh(self.m_t)[0]
+        self.loaded = False  # by the last warm start
         self.normal = self.n @ old.n * old.normal if old else 0
         carried = old.friction[0] * old.u + old.friction[1] * old.t if old else np.zeros(3)
         self.friction = np.array([carried @ self.u, carried @ self.t])
@@ -109,13 +110,15 @@ class Contact:
         self.b.apply_impulse(impulse, self.r_b)
 
     def warm_start(self):
+        self.loaded = self.normal > 0
         self.apply(self.normal * self.n + self.friction[0] * self.u + self.friction[1] * self.t)
 
     def solve_normal(self, use_bias):
         d = self.separation()
         rate, mass_scale, impulse_scale = self.soft if d <= 0 and use_bias else (0, 1, 0)
         bias = d / H if d > 0 else max(rate * d, -MAX_PUSH_SPEED)
-        change = -mass_scale * self.m * (self.n @ self.velocity() + bias) - impulse_scale * self.normal
+        mass = OVER_RELAXATION * self.m if self.loaded and not use_bias else self.m
+        change = -mass_scale * mass * (self.n @ self.velocity() + bias) - impulse_scale * self.normal
         new = max(0, self.normal + change)
         self.apply((new - self.normal) * self.n)
         self.normal = new

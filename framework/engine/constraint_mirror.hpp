@@ -44,6 +44,8 @@ struct ConstraintMirror {
   std::vector<ConstraintRow> rows;
   std::vector<Index> last_group;  ///< of each body: the last group that moves it; working storage
   std::vector<LaneNumbers> numbers;  ///< of each row in turn, laid out by the passes
+  std::vector<Real> loads;           ///< where no fast form keeps them: λ_n of the last warm start
+  std::vector<Real> masses;          ///< working storage: normal masses during over-relaxed passes
 };
 
 /// The mirrors of the units of a solve order.

@@ -214,13 +214,13 @@ void serialize(Archive& archive, WorldSettings& settings) {
   auto& [gravity, length_unit, substeps, iterations, relax_iterations, pass_order, solver,
          contact_model, rotation, warm_starting, temporal_coherence, sleeping, threads,
          adaptive_threads, contact_hertz, contact_damping_ratio, baumgarte, slop, max_push_speed,
-         restitution_threshold, restitution_iterations, rolling_resistance, check_stages,
-         audit_momentum] = settings;
+         restitution_threshold, restitution_iterations, over_relaxation, rolling_resistance,
+         check_stages, audit_momentum] = settings;
   archive(gravity, length_unit, substeps, iterations, relax_iterations, pass_order, solver,
           contact_model, rotation, warm_starting, temporal_coherence, sleeping, threads,
           adaptive_threads, contact_hertz, contact_damping_ratio, baumgarte, slop, max_push_speed,
-          restitution_threshold, restitution_iterations, rolling_resistance, check_stages,
-          audit_momentum);
+          restitution_threshold, restitution_iterations, over_relaxation, rolling_resistance,
+          check_stages, audit_momentum);
 }
 
 template <class Archive, class T, int Capacity>

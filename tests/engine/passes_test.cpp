@@ -46,6 +46,7 @@ namespace {
 struct System {
   std::vector<SolverBody> bodies;
   std::vector<ContactConstraint> constraints;
+  std::vector<bool> loaded = {};  ///< by the last warm start
 };
 
 SolverBody random_body(Random& random, bool movable) {
@@ -96,25 +97,33 @@ System random_system(Random& random, const ContactStep& step) {
     const Index b = random.integer(0, bodies - 1);
     if (a != b) system.constraints.push_back(random_constraint(random, a, b));
   }
+  system.loaded.assign(system.constraints.size(), false);
   prepare_contacts(system.constraints, system.bodies, step);
   return system;
 }
 
 void warm_start_one_by_one(System& system) {
-  for (const ContactConstraint& constraint : system.constraints) {
+  for (std::size_t i = 0; i < system.constraints.size(); ++i) {
+    const ContactConstraint& constraint = system.constraints[i];
     warm_start(constraint, system.bodies[constraint.body_a], system.bodies[constraint.body_b]);
+    system.loaded[i] = constraint.normal_impulse > 0;
   }
 }
 
-/// L7.8 as its contract specifies it, with the functions of L7.6 and L7.7.
-void solve_one_by_one(System& system, const ContactStep& step) {
+/// L7.8 as its contract specifies it, with the functions of L7.6 and L7.7. The normals of loaded constraints
+/// are over-relaxed.
+void solve_one_by_one(System& system, const ContactStep& step, Real over_relaxation) {
   const std::size_t count = system.constraints.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    ContactConstraint& constraint = system.constraints[step.backwards ? count - 1 - i : i];
+  for (std::size_t visit = 0; visit < count; ++visit) {
+    const std::size_t i = step.backwards ? count - 1 - visit : visit;
+    ContactConstraint& constraint = system.constraints[i];
     SolverBody& a = system.bodies[constraint.body_a];
     SolverBody& b = system.bodies[constraint.body_b];
+    const Real mass = constraint.normal_mass;
     if (step.backwards) solve_friction(constraint, a, b);
+    if (system.loaded[i]) constraint.normal_mass = mass * over_relaxation;
     solve_normal(constraint, a, b, step);
+    constraint.normal_mass = mass;
     if (!step.backwards) solve_friction(constraint, a, b);
   }
 }
@@ -132,7 +141,7 @@ void run_one_by_one(System& system, ContactStep step, const Passes& passes) {
   if (passes.warm_start) warm_start_one_by_one(system);
   for (int pass = 0; pass < passes.count; ++pass) {
     step.backwards = passes.goes_backwards(pass);
-    solve_one_by_one(system, step);
+    solve_one_by_one(system, step, passes.over_relaxation);
   }
   if (!passes.mark_impacts) return;
   for (ContactConstraint& constraint : system.constraints) constraint.mark_impact();
@@ -222,7 +231,9 @@ TEST(Passes, LeaveTheBitsOfOneConstraintAfterTheOther) {
     for (const bool use_bias : {true, false}) {
       for (const Passes& passes :
            {Passes{false, 1}, Passes{false, 1, true}, Passes{true, 3}, Passes{true, 3, true, false},
-            Passes{false, 0, false, true, true}, Passes{false, 2, true, true, true}}) {
+            Passes{false, 0, false, true, true}, Passes{false, 2, true, true, true},
+            Passes{.warm_start = true, .count = 2, .over_relaxation = Real(1.3)},
+            Passes{.count = 2, .over_relaxation = Real(1.3)}}) {
         expect_equal_forms(step_of(model, use_bias), passes, tried);
       }
     }
@@ -338,11 +349,65 @@ TEST(Passes, GoOnWhereTheLastPassesEnded) {
   System one_by_one = system;
   ConstraintMirror mirror;
   for (const Passes& passes :
-       {Passes{true, 0}, Passes{false, 2}, Passes{false, 1, false, true, true}, Passes{true, 1},
+       {Passes{true, 0}, Passes{false, 2},
+        Passes{.count = 1, .mark_impacts = true, .over_relaxation = Real(1.3)}, Passes{true, 1},
         Passes{false, 0, false, true, true}}) {
     run_passes(mirror, system.constraints, system.bodies, step, passes);
     run_one_by_one(one_by_one, step, passes);
     expect_same_bits(system, one_by_one);
+  }
+}
+
+/// A ball whose contact with the floor is at its lowest point approaches with 1 m/s.
+System falling_ball(Real load) {
+  SolverBody ball;
+  ball.inverse_mass = 1;
+  ball.world_inverse_inertia = Mat3::Identity();
+  ball.v = -Vec3::UnitZ();
+  ContactConstraint constraint;
+  constraint.body_a = 1;
+  constraint.body_b = 0;
+  constraint.n = Vec3::UnitZ();
+  constraint.u = Vec3::UnitX();
+  constraint.r_b = -Vec3::UnitZ();
+  constraint.normal_impulse = load;
+  System system{{ball, SolverBody{}}, {constraint}};
+  system.loaded.assign(1, false);
+  prepare_contacts(system.constraints, system.bodies, step_of(ContactModel::Soft, false));
+  return system;
+}
+
+/// The change of an impulse is ω times as large, and so is that of the velocity: (1 − ω)·v is left. The warm
+/// start adds the load times the inverse mass of 1/kg.
+TEST(Passes, OverRelaxationReversesAPartOfTheApproachOfALoadedContact) {
+  const Real load = Real(0.25);
+  for (const auto& [form, run] : forms()) {
+    SCOPED_TRACE(form);
+    for (const Real factor : {Real(1), Real(1.3), Real(1.5)}) {
+      SCOPED_TRACE(factor);
+      for (const bool loaded : {false, true}) {
+        System ball = falling_ball(loaded ? load : 0);
+        ConstraintMirror mirror;
+        const Passes passes{.warm_start = true, .count = 1, .over_relaxation = factor};
+        run(mirror, ball.constraints, ball.bodies, step_of(ContactModel::Soft, false), passes);
+        const Real left = loaded ? (1 - factor) * (load - 1) : 0;
+        EXPECT_NEAR(ball.bodies[0].v.z(), left, 1e-6);
+        EXPECT_EQ(ball.constraints[0].normal_mass, 1);
+      }
+    }
+  }
+}
+
+TEST(Passes, LoadsAreForgottenWithTheConstraints) {
+  for (const auto& [form, run] : forms()) {
+    SCOPED_TRACE(form);
+    System ball = falling_ball(Real(0.25));
+    const ContactStep step = step_of(ContactModel::Soft, false);
+    ConstraintMirror mirror;
+    run(mirror, ball.constraints, ball.bodies, step, {.warm_start = true});
+    mirror.stale = true;
+    run(mirror, ball.constraints, ball.bodies, step, {.count = 1, .over_relaxation = Real(1.5)});
+    EXPECT_NEAR(ball.bodies[0].v.z(), 0, 1e-6);
   }
 }
 

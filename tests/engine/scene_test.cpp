@@ -56,7 +56,7 @@ TEST(Scene, ReadsEveryWorldSetting) {
       "relax_iterations": 6, "pass_order": "step_by_step", "solver": "naive", "contact_model": "baumgarte",
       "rotation": "explicit", "warm_starting": false, "temporal_coherence": false,
       "sleeping": true, "threads": 3, "adaptive_threads": false, "contact_hertz": 10, "contact_damping_ratio": 2, "baumgarte": 0.1, "slop": 0.002, "max_push_speed": 4,
-      "restitution_threshold": 1.5, "restitution_iterations": 9, "rolling_resistance": 0.01,
+      "restitution_threshold": 1.5, "restitution_iterations": 9, "over_relaxation": 1.5, "rolling_resistance": 0.01,
       "check_stages": true,
       "audit_momentum": true},
       "max_penetration": 0.5, "bodies": [{)" +
@@ -87,6 +87,7 @@ TEST(Scene, ReadsEveryWorldSetting) {
   EXPECT_EQ(settings.max_push_speed, 4);
   EXPECT_EQ(settings.restitution_threshold, Real(1.5));
   EXPECT_EQ(settings.restitution_iterations, 9);
+  EXPECT_EQ(settings.over_relaxation, Real(1.5));
   EXPECT_EQ(settings.rolling_resistance, Real(0.01));
   EXPECT_TRUE(settings.check_stages);
   EXPECT_TRUE(settings.audit_momentum);

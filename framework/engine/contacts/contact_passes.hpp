@@ -20,6 +20,9 @@ struct Passes {
   bool mark_impacts =
       false;  ///< whether constraints are marked at the end: ContactConstraint::mark_impact()
   bool store = true;  ///< whether the constraints get the impulses at the end, not only the mirror
+  /// ω: a constraint that the last warm start loaded changes its normal impulse by ω times as much. Others do
+  /// not: ω times the impulse that stops an impact would throw the body back.
+  Real over_relaxation = 1;
 
   /// The direction of a pass, counted from 0.
   bool goes_backwards(int pass) const { return backwards != (alternate && pass % 2 == 1); }
@@ -30,13 +33,14 @@ struct Passes {
     return {.count = 1,
             .backwards = goes_backwards(pass),
             .mark_impacts = mark_impacts && last,
-            .store = store && last};
+            .store = store && last,
+            .over_relaxation = over_relaxation};
   }
 };
 
 /// warm_start() for every constraint, if asked for, then solve_contacts() for each pass, then mark_impact() for
 /// every constraint, if asked for.
-/// @param mirror of the constraints; used by the fast form only
+/// @param mirror of the constraints; remembers the loads of the last warm start until it is stale
 void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);
 

@@ -42,6 +42,7 @@ WorldSettings read_settings(SceneReader world) {
   world.read("max_push_speed", settings.max_push_speed, Range::NotNegative);
   world.read("restitution_threshold", settings.restitution_threshold, Range::NotNegative);
   world.read("restitution_iterations", settings.restitution_iterations, 0, most_passes);
+  world.read("over_relaxation", settings.over_relaxation, 1, 1.9);
   world.read("rolling_resistance", settings.rolling_resistance, Range::NotNegative);
 
   world.read("check_stages", settings.check_stages);

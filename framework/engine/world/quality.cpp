@@ -11,7 +11,7 @@ template <class Settings>
 auto determined(Settings& settings) {
   return std::tie(settings.substeps, settings.iterations, settings.relax_iterations,
                   settings.pass_order, settings.contact_hertz, settings.contact_damping_ratio,
-                  settings.rolling_resistance);
+                  settings.over_relaxation, settings.rolling_resistance);
 }
 
 WorldSettings settings_of(Quality quality) {
@@ -30,6 +30,7 @@ WorldSettings game_settings() {
   settings.pass_order = PassOrder::StepByStep;
   settings.contact_hertz = 40;
   settings.contact_damping_ratio = 30;
+  settings.over_relaxation = Real(1.3);
   settings.rolling_resistance = Real(3e-3);
   return settings;
 }

@@ -159,7 +159,9 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
 Passes relax_passes(const WorldState& world) {
   const WorldSettings& settings = world.settings;
   Passes passes = passes_after(world, settings.iterations, settings.relax_iterations);
-  if (world.impacts.any && passes.count > 0) {
+  if (!world.impacts.any) {
+    passes.over_relaxation = settings.over_relaxation;
+  } else if (passes.count > 0) {
     passes.count = std::max(passes.count, 2);
     passes.alternate = true;
   }

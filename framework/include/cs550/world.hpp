@@ -56,13 +56,16 @@ struct WorldSettings {
   /// then. If false, every step uses them.
   bool adaptive_threads = true;
 
-  Real contact_hertz = 70;                 ///< stiffness of soft contacts (1/s)
+  Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
   Real contact_damping_ratio = 12;         ///< ζ of soft contacts; 1 is critical
   Real baumgarte = Real(0.2);              ///< β: fraction of the error corrected per substep
   Real slop = Real(1e-3);                  ///< length units
   Real max_push_speed = 3;                 ///< length units per second
   Real restitution_threshold = Real(0.5);  ///< length units per second
   int restitution_iterations = 8;  ///< sweeps over impacts: apply_restitution(), Baumgarte's passes
+  /// ω of successive over-relaxation: relax passes change the normal impulse of a contact that the warm
+  /// start loaded by ω times what would stop its approach. From 1 (none) to 1.9.
+  Real over_relaxation = Real(1.3);
   /// Soft contacts with a warm start resist rolling and spinning with a torque of at most this lever
   /// (length units) times the normal force.
   Real rolling_resistance = 0;
@@ -81,7 +84,8 @@ enum class Quality : std::uint8_t {
 };
 
 /// Default settings with the members that a quality determines: substeps, iterations,
-/// relax_iterations, pass_order, contact_hertz, contact_damping_ratio, rolling_resistance.
+/// relax_iterations, pass_order, contact_hertz, contact_damping_ratio, over_relaxation,
+/// rolling_resistance.
 /// @{
 WorldSettings accurate_settings();
 WorldSettings game_settings();

@@ -53,6 +53,7 @@ void describe(WorldSettings& settings, ControlVisitor& visit) {
                settings.restitution_threshold, 0, 10);
   visit.whole({"restitution_iterations", "restitution iterations", ""},
               settings.restitution_iterations, 1, 50);
+  visit.number({"over_relaxation", "over-relaxation", ""}, settings.over_relaxation, 1, Real(1.9));
   visit.number({"rolling_resistance", "rolling resistance", "lengths"}, settings.rolling_resistance,
                0, Real(0.1));
 

@@ -70,19 +70,19 @@ inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodie
   for (const PairGroup& group : mirror.groups) {
     GroupBodies group_bodies(group, bodies);
     WidePair pair = group_bodies.load();
-    for (const WideConstraint& constraint : rows_of(group, mirror)) warm_start(constraint, pair);
+    for (WideConstraint& constraint : rows_of(group, mirror)) warm_start(constraint, pair);
     group_bodies.store(pair);
   }
 }
 
 /// solve_contacts().
 [[gnu::flatten]] inline void solve_forwards(ConstraintMirror& mirror, std::span<SolverBody> bodies,
-                                            const ContactStep& step) {
+                                            const ContactStep& step, Real over_relaxation) {
   for (const PairGroup& group : mirror.groups) {
     GroupBodies group_bodies(group, bodies);
     WidePair pair = group_bodies.load();
     for (WideConstraint& constraint : rows_of(group, mirror)) {
-      solve_normal(constraint, pair, step);
+      solve_normal(constraint, pair, step, over_relaxation);
       solve_friction(constraint, pair);
     }
     group_bodies.store(pair);
@@ -91,14 +91,14 @@ inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodie
 
 /// solve_contacts() with step.backwards.
 [[gnu::flatten]] inline void solve_backwards(ConstraintMirror& mirror, std::span<SolverBody> bodies,
-                                             const ContactStep& step) {
+                                             const ContactStep& step, Real over_relaxation) {
   for (auto group = mirror.groups.rbegin(); group != mirror.groups.rend(); ++group) {
     GroupBodies group_bodies(*group, bodies);
     WidePair pair = group_bodies.load();
     const std::span<WideConstraint> rows = rows_of(*group, mirror);
     for (auto constraint = rows.rbegin(); constraint != rows.rend(); ++constraint) {
       solve_friction(*constraint, pair);
-      solve_normal(*constraint, pair, step);
+      solve_normal(*constraint, pair, step, over_relaxation);
     }
     group_bodies.store(pair);
   }
@@ -110,6 +110,7 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
   if (mirror.stale) {
     find_groups(constraints, bodies, mirror);
     mirror.numbers.resize(mirror.rows.size() * numbers_per_row);
+    for (WideConstraint& row : wide_constraints(mirror)) row.flags = all_lanes(0);
     mirror.stale = false;
     mirror.stale_numbers = true;
   }
@@ -127,9 +128,9 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
   if (passes.warm_start) warm_start_all(mirror, bodies);
   for (int pass = 0; pass < passes.count; ++pass) {
     if (passes.goes_backwards(pass)) {
-      solve_backwards(mirror, bodies, step);
+      solve_backwards(mirror, bodies, step, passes.over_relaxation);
     } else {
-      solve_forwards(mirror, bodies, step);
+      solve_forwards(mirror, bodies, step, passes.over_relaxation);
     }
   }
   if (!passes.store || (passes.count == 0 && !passes.mark_impacts)) return;

@@ -18,9 +18,33 @@ struct WideConstraint {
   WideReal separation, friction, restitution, normal_mass;
   WideMat2 tangent_mass;
   WideReal bias_rate, mass_scale, impulse_scale, approach_velocity;
-  WideReal flag;  ///< the bits of impact_handled
+  WideReal flags;  ///< impact_handled, and whether the last warm start loaded it
   WideReal normal_impulse, tangent_u, tangent_v;
 };
+
+/// The flag impact_handled is the first byte of its number, and true is 1. The other flag is in the same number:
+/// one more would spread a row over one more cache line.
+/// @{
+static_assert(std::endian::native == std::endian::little);
+inline constexpr int handled_bit = 1;
+inline constexpr int loaded_bit = 2;
+/// @}
+
+inline PartMask bits_of(const WideReal& flags, std::size_t part) {
+  return __builtin_bit_cast(PartMask, flags.part[part]);
+}
+inline WideReal only(const WideReal& flags, int bit) {
+  return by_part([&](std::size_t i) { return __builtin_bit_cast(Part, bits_of(flags, i) & bit); });
+}
+/// Adds a bit to the lanes of the mask.
+inline WideReal with(const WideReal& flags, int bit, const WideMask& where) {
+  return by_part([&](std::size_t i) {
+    return __builtin_bit_cast(Part, bits_of(flags, i) | (where.part[i] & bit));
+  });
+}
+inline WideMask has(const WideReal& flags, int bit) {
+  return mask_by_part([&](std::size_t i) { return (bits_of(flags, i) & bit) != 0; });
+}
 
 inline constexpr std::size_t numbers_per_row = sizeof(WideConstraint) / sizeof(LaneNumbers);
 
@@ -72,26 +96,25 @@ inline void load_impulses(const PerLane<ContactConstraint>& constraints, WideCon
   const FourReals four = FourReals::load(constraints, [](const ContactConstraint& constraint) {
     return reinterpret_cast<const std::byte*>(&constraint) + before_impulses;
   });
-  copy.flag = four.first;
+  copy.flags = with(four.first, loaded_bit, has(copy.flags, loaded_bit));
   copy.normal_impulse = four.second;
   copy.tangent_u = four.third;
   copy.tangent_v = four.fourth;
 }
 
-/// ContactConstraint::mark_impact(). The flag is the first byte of its number, and true is 1.
+inline void mark_loads(WideConstraint& copy) {
+  copy.flags = with(only(copy.flags, handled_bit), loaded_bit, copy.normal_impulse > all_lanes(0));
+}
+
+/// ContactConstraint::mark_impact().
 inline void mark_impacts(WideConstraint& copy) {
-  static_assert(std::endian::native == std::endian::little);
-  const WideMask pushes = copy.normal_impulse > all_lanes(0);
-  copy.flag = by_part([&](std::size_t i) {
-    const auto bits = __builtin_bit_cast(PartMask, copy.flag.part[i]);
-    return __builtin_bit_cast(Part, bits | (pushes.part[i] & 1));
-  });
+  copy.flags = with(copy.flags, handled_bit, copy.normal_impulse > all_lanes(0));
 }
 
 inline void store_impulses(const WideConstraint& copy,
                            const PerLane<ContactConstraint>& constraints) {
-  FourReals{copy.flag, copy.normal_impulse, copy.tangent_u, copy.tangent_v}.store(
-      constraints, [](ContactConstraint& constraint) {
+  FourReals{only(copy.flags, handled_bit), copy.normal_impulse, copy.tangent_u, copy.tangent_v}
+      .store(constraints, [](ContactConstraint& constraint) {
         return reinterpret_cast<std::byte*>(&constraint) + before_impulses;
       });
 }

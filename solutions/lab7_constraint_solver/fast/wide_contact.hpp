@@ -26,12 +26,13 @@ struct WidePair {
   }
 };
 
-/// warm_start().
-inline void warm_start(const WideConstraint& constraint, WidePair& pair) {
+/// warm_start(). The constraint remembers whether it has a load.
+inline void warm_start(WideConstraint& constraint, WidePair& pair) {
   const WideVec3 impulse = constraint.normal_impulse * constraint.n +
                            constraint.tangent_u * constraint.u +
                            constraint.tangent_v * constraint.n.cross(constraint.u);
   pair.apply(constraint, impulse);
+  mark_loads(constraint);
 }
 
 struct WideBias {
@@ -67,11 +68,20 @@ inline WideBias contact_bias(const WideConstraint& constraint, WideReal separati
   return bias;
 }
 
+/// normal_mass, as over-relaxation multiplies it.
+inline WideReal relaxed_mass(const WideConstraint& constraint, Real over_relaxation) {
+  if (over_relaxation == 1) return constraint.normal_mass;
+  return select(has(constraint.flags, loaded_bit),
+                constraint.normal_mass * all_lanes(over_relaxation), constraint.normal_mass);
+}
+
 /// solve_normal().
-inline void solve_normal(WideConstraint& constraint, WidePair& pair, const ContactStep& step) {
+inline void solve_normal(WideConstraint& constraint, WidePair& pair, const ContactStep& step,
+                         Real over_relaxation) {
   const WideBias bias = contact_bias(constraint, pair.separation(constraint), step);
   const WideReal jv = constraint.n.dot(pair.relative_velocity(constraint));
-  const WideReal impulse = -bias.mass_scale * constraint.normal_mass * (jv + bias.velocity) -
+  const WideReal mass = relaxed_mass(constraint, over_relaxation);
+  const WideReal impulse = -bias.mass_scale * mass * (jv + bias.velocity) -
                            bias.impulse_scale * constraint.normal_impulse;
   const WideReal before = constraint.normal_impulse;
   constraint.normal_impulse = larger(before + impulse, all_lanes(0));
