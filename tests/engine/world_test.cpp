@@ -41,6 +41,11 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
   refused([nan](BodyDef& def) { def.linear_velocity.y() = nan; });
   refused([](BodyDef& def) { def.pose.orientation = Quat(0, 0, 0, 0); });
   refused([](BodyDef& def) { def.mass = Real(0); });
+  refused([](BodyDef& def) { def.mass = Real(1e-39); });  // 1/I is beyond the range of Real
+  refused([](BodyDef& def) {                              // I is
+    def.shape = box_shape(Vec3::Constant(Real(100)));
+    def.mass = Real(3e38);
+  });
   refused([](BodyDef& def) { def.density = -1; });
   refused([nan](BodyDef& def) { def.friction = nan; });
   refused([](BodyDef& def) { def.restitution = Real(1.5); });

@@ -46,6 +46,12 @@ RigidBody make_body(const BodyDef& def) {
   return body;
 }
 
+/// Whether the moments of inertia and their reciprocals are within the range of Real.
+bool can_turn(const RigidBody& body) {
+  return body.inertia.allFinite() && body.inverse_inertia.allFinite() &&
+         (body.inverse_inertia.diagonal().array() > 0).all();
+}
+
 /// The lowest free index, so that the same calls give the same order of bodies.
 std::size_t free_place(const WorldState& world) {
   std::size_t place = 0;
@@ -116,6 +122,8 @@ const WorldSettings& World::settings() const { return state_->settings; }
 BodyId World::add_body(const BodyDef& def) {
   check_definition(def);
   const RigidBody body = make_body(def);
+  require(def.kind != BodyKind::Dynamic || can_turn(body),
+          "a mass with which its moments of inertia and their reciprocals are finite");
   const std::size_t place = free_place(*state_);
   if (place == state_->slot_count()) {
     state_->bodies.emplace_back();
