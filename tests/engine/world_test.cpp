@@ -155,6 +155,20 @@ TEST(World, IdNamesOneBodyOnly) {
   EXPECT_FALSE(world.is_alive({77, 0}));
 }
 
+TEST(World, RefusesTheIdOfABodyThatIsNotAlive) {
+  World world;
+  const BodyId removed = world.add_body(body_at(unit_box(), Vec3::Zero()));
+  world.remove_body(removed);
+  world.add_body(body_at(unit_box(), {5, 0, 0}));  // at the same index
+  for (const BodyId id : {removed, BodyId{}, BodyId{77, 0}}) {
+    EXPECT_THROW(world.body(id), std::invalid_argument);
+    EXPECT_THROW(std::as_const(world).body(id), std::invalid_argument);
+    EXPECT_THROW(world.shape(id), std::invalid_argument);
+    EXPECT_THROW(world.definition(id), std::invalid_argument);
+    EXPECT_THROW(world.posed_shape(id), std::invalid_argument);
+  }
+}
+
 TEST(World, BodiesComeAndGoAtAnyTime) {
   Random random(11);
   World world;

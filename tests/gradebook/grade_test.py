@@ -447,6 +447,37 @@ def test_a_regrade_is_compared(folder):
     assert "Lab3.FirstOfEqualVerticesWins: failed -> passed (+2 points)" in printed, printed
 
 
+def test_judges_are_built_after_the_arguments_are_checked(folder):
+    pack(folder / "ada.zip", {HILL: "// good"})
+    root = folder / "project"
+    (root / "build/test/bin").mkdir(parents=True)
+    for name in ("labs", "tests", "framework", "CMakeLists.txt"):
+        (root / name).symlink_to(ROOT / name)
+    for name, script in {"build/test/bin/grade_lab": f'exec {FAKE} "$@"',
+                         "cs550": f'echo "$*" >>{folder}/built\n[ ! -e {folder}/broken ]'}.items():
+        (root / name).write_text(f"#!/bin/sh\n{script}\n")
+        (root / name).chmod(0o755)
+
+    def grade_with_own_judges(*arguments, code=0):
+        run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120,
+                             check=False, env={**os.environ, "CS550_ROOT": str(root)})
+        assert run.returncode == code, f"{arguments}: exit code {run.returncode}\n{run.stdout}{run.stderr}"
+        return run.stderr
+
+    out = folder / "out"
+    grade_with_own_judges(folder / "nobody.zip", "--out", out, code=1)
+    grade_with_own_judges(folder / "ada.zip", "--out", out, "--labs", "9", code=2)
+    grade_with_own_judges(folder / "ada.zip", code=2)
+    assert not (folder / "built").exists(), "judges were built for arguments that make no sense"
+    (folder / "broken").touch()
+    assert "could not be built" in grade_with_own_judges(folder / "ada.zip", "--out", out, code=1)
+    (folder / "broken").unlink()
+    grade_with_own_judges(folder / "ada.zip", "--out", out, "--labs", "3")
+    assert (folder / "built").read_text() == "build test judges\n" * 2
+    grade_with_own_judges("--report", out)
+    assert (folder / "built").read_text().count("\n") == 2, "reports need no judge"
+
+
 def test_sources_are_exported_for_copy_detectors(folder):
     small_class(folder / "class")
     printed = grade(folder / "class", "--export-jplag", folder / "sources")

@@ -66,7 +66,16 @@ TEST(Marks, TheClockIsTheOneThatTheCourseNames) {
   record.claimed_date = "yesterday";
   const LabMark unknown = mark_of(record, course);
   EXPECT_DOUBLE_EQ(unknown.mark, 72);
-  EXPECT_NE(unknown.notes.at(0).find("unknown"), std::string::npos);
+  EXPECT_NE(unknown.notes.back().find("unknown"), std::string::npos);
+}
+
+TEST(Marks, ALabWithPointsOfItsOwnSaysHowTheTestsCount) {
+  const Record record = record_of("ada", lab_record(24, 0, 12));
+  const LabMark mark = mark_of(record, "[lab.3]\npoints = 100\n");
+  EXPECT_DOUBLE_EQ(mark.mark, 60);
+  ASSERT_EQ(mark.notes.size(), 1U);
+  EXPECT_EQ(mark.notes[0], "the tests give 36 of 60 points, which count as 60 of 100");
+  EXPECT_TRUE(mark_of(record, "").notes.empty()) << "60 points are the tests' own";
 }
 
 TEST(Marks, ASubmissionOfUnknownTimeIsNotLate) {
@@ -75,7 +84,7 @@ TEST(Marks, ASubmissionOfUnknownTimeIsNotLate) {
   const LabMark mark = mark_of(record, late_course);
   EXPECT_DOUBLE_EQ(mark.mark, 72);
   EXPECT_EQ(mark.late_days, 0);
-  EXPECT_NE(mark.notes.at(0).find("unknown"), std::string::npos);
+  EXPECT_NE(mark.notes.back().find("unknown"), std::string::npos);
   EXPECT_FALSE(record_from_json(to_json(record), "ada.json").file_time);
 }
 

@@ -242,6 +242,20 @@ TEST(Compare, PrintsWhatChanged) {
             "1 of 2 submissions changed.\n");
 }
 
+TEST(Compare, NamesALabThatOnlyOneFolderHasOnce) {
+  Record lab4 = record_of("ada", lab_record(24, 0, 0));
+  lab4.labs[0].lab = 4;
+  Record both = record_of("bob", lab_record(24, 0, 0));
+  both.labs.push_back(lab4.labs[0]);
+  EXPECT_EQ(comparison({record_of("ada", lab_record(24, 0, 0)), both}, {lab4, both}),
+            "ada, lab 3: 24 of 60 -> no record\nada, lab 4: no record -> 24 of 60\n"
+            "1 of 2 submissions changed.\n");
+  EXPECT_EQ(comparison({record_of("ada", lab_record(24, 0, 0))}, {lab4}),
+            "lab 3: only in the first folder, not compared\n"
+            "lab 4: only in the second folder, not compared\n"
+            "0 of 1 submissions changed.\n");
+}
+
 Record with_engine(Record record, const std::vector<const char*>& statuses) {
   record.engine = LabRecord{};
   record.engine->submitted = record.engine->compiled = true;
@@ -280,6 +294,20 @@ TEST(Reports, ClassPageShowsHowManyReachEachMilestone) {
   const std::vector<Record> without{records[2]};
   EXPECT_EQ(class_page(mark_class(assign({}, without), {3}, course), {3}, course).find("ilestone"),
             std::string::npos);
+}
+
+TEST(Reports, ClassPageCountsTheStudentsOfTheRoster) {
+  const std::vector<Record> records{record_of("ada", lab_record(24, 0, 0)),
+                                    record_of("nobody", lab_record(24, 0, 0))};
+  std::vector<Student> roster(3);
+  for (std::size_t i = 0; i < roster.size(); ++i)
+    roster[i].id = i == 0 ? "ada" : fmt::format("s{}", i);
+  const Course course = course_of("");
+  const std::string text =
+      class_page(mark_class(assign(roster, records), {3}, course), {3}, course);
+  EXPECT_NE(text.find("3 students, 2 without a submission. 1 name is not on the roster."),
+            std::string::npos);
+  EXPECT_NE(text.find("2 submissions, 2 missing"), std::string::npos);
 }
 
 TEST(Merge, LabsOfOneSubmissionComeTogether) {

@@ -52,6 +52,15 @@ bool can_turn(const RigidBody& body) {
          (body.inverse_inertia.diagonal().array() > 0).all();
 }
 
+/// The index of a body that is alive.
+std::size_t living(const World& world, BodyId id) {
+  if (world.is_alive(id)) return static_cast<std::size_t>(id.index);
+  throw std::invalid_argument(
+      "no body of this world has the index " + std::to_string(id.index) + " and the generation " +
+      std::to_string(id.generation) +
+      ": it has been removed, or the id is of another world; is_alive() tells");
+}
+
 /// The lowest free index, so that the same calls give the same order of bodies.
 std::size_t free_place(const WorldState& world) {
   std::size_t place = 0;
@@ -159,11 +168,13 @@ bool World::is_alive(BodyId id) const {
 int World::body_count() const { return state_->alive_count; }
 std::span<const RigidBody> World::bodies() const { return state_->bodies; }
 BodyId World::id_at(Index index) const { return state_->id_at(index); }
-const RigidBody& World::body(BodyId id) const { return state_->bodies[id.index]; }
-RigidBody& World::body(BodyId id) { return state_->bodies[id.index]; }
+const RigidBody& World::body(BodyId id) const { return state_->bodies[living(*this, id)]; }
+RigidBody& World::body(BodyId id) { return state_->bodies[living(*this, id)]; }
 const ShapePtr& World::shape(BodyId id) const { return definition(id).shape; }
-const BodyDef& World::definition(BodyId id) const { return state_->definitions[id.index]; }
-PosedShape World::posed_shape(BodyId id) const { return state_->posed_shape(id.index); }
+const BodyDef& World::definition(BodyId id) const { return state_->definitions[living(*this, id)]; }
+PosedShape World::posed_shape(BodyId id) const {
+  return state_->posed_shape(static_cast<Index>(living(*this, id)));
+}
 
 void World::step(Real h) {
   if (!std::isfinite(h) || h <= 0) {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
+#include "gradebook/marks/mark.hpp"
 #include "gradebook/reports/shown.hpp"
 
 namespace cs550::gradebook {
@@ -87,17 +87,24 @@ std::string engine_changes(const Record& before, const Record& after) {
   return fmt::format("{}, milestones: {} -> {}\n{}", after.name, was, is, milestones);
 }
 
-std::set<int> labs_of(const Record& a, const Record& b) {
-  std::set<int> labs;
-  for (const LabRecord& lab : a.labs) labs.insert(lab.lab);
-  for (const LabRecord& lab : b.labs) labs.insert(lab.lab);
-  return labs;
+/// The labs of the first list that are not in the second: one line for the class, not one for every student.
+std::string labs_only_in(const std::vector<int>& labs, const std::vector<int>& others,
+                         const std::string& folder) {
+  std::string text;
+  for (const int lab : labs) {
+    if (std::count(others.begin(), others.end(), lab) > 0) continue;
+    text += fmt::format("lab {}: only in the {} folder, not compared\n", lab, folder);
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string comparison(const std::vector<Record>& before, const std::vector<Record>& after) {
-  std::string text;
+  const std::vector<int> old_labs = labs_of(before);
+  const std::vector<int> new_labs = labs_of(after);
+  std::string text =
+      labs_only_in(old_labs, new_labs, "first") + labs_only_in(new_labs, old_labs, "second");
   int compared = 0;
   int changed = 0;
   for (const Record& record : after) {
@@ -108,7 +115,8 @@ std::string comparison(const std::vector<Record>& before, const std::vector<Reco
     }
     ++compared;
     std::string changes;
-    for (const int lab : labs_of(*was, record)) {
+    for (const int lab : new_labs) {
+      if (std::count(old_labs.begin(), old_labs.end(), lab) == 0) continue;
       changes += lab_changes(record.name, lab, was->lab(lab), record.lab(lab));
     }
     changes += engine_changes(*was, record);

@@ -15,6 +15,7 @@
 
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
+#include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "files/interruption.hpp"
 #include "gradebook/command/settings.hpp"
@@ -41,10 +42,19 @@ std::string project_version(const fs::path& root) {
   }
 }
 
+/// The program that was named, else the project's own, which is built if it is not up to date.
+fs::path judge_of(const GradeRequest& request) {
+  if (!request.judge.empty()) return request.judge;
+  if (!cli::build("test", "judges")) {
+    throw std::runtime_error("the judges could not be built. The messages above have the reason.");
+  }
+  return cli::built_program("test", "grade_lab");
+}
+
 /// The isolation of submissions on this machine. @throws std::runtime_error if it does not work, or
 /// would not keep a submission from stealing points
-std::string isolation_in_force(const GradeRequest& request) {
-  std::string kind = cli::output_of({request.judge, "--probe", request.isolation});
+std::string isolation_in_force(const fs::path& judge, const std::string& wanted) {
+  std::string kind = cli::output_of({judge, "--probe", wanted});
   while (!kind.empty() && kind.back() == '\n') kind.pop_back();
   return kind;
 }
@@ -204,7 +214,6 @@ bool grade(const GradeRequest& request) {
     for (FoundSubmission& submission : found.submissions) submission.time = time;
   }
 
-  const std::string isolation = isolation_in_force(request);
   const FolderLock lock(request.out);
   const RecordFolder folder(request.out);
   if (!request.resume && folder.has_records()) {
@@ -213,14 +222,16 @@ bool grade(const GradeRequest& request) {
                              "--resume.\n  To grade everything again, choose another --out.");
   }
   check_labs(labs, folder.records(), request.out);
+  const fs::path program = judge_of(request);
+  const std::string isolation = isolation_in_force(program, request.isolation);
   keep_settings(settings, request.out);
   folder.begin_run();
-  const Judge judge{request.judge,
+  const Judge judge{program,
                     request.root / "labs",
                     fs::absolute(request.out) / "work",
                     project_version(request.root),
                     isolation,
-                    versions_of(request.judge, labs)};
+                    versions_of(program, labs)};
   std::optional<Temporary> work(judge.work);
   const auto start = std::chrono::steady_clock::now();
   // Where the solutions have been removed (gradescope/setup.sh), the reference has been graded

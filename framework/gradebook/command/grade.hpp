@@ -19,7 +19,7 @@ struct GradeRequest {
   bool resume = false;
   std::filesystem::path roster, course;  ///< may be empty
   std::filesystem::path metadata;        ///< Gradescope's, of the only submission; may be empty
-  std::filesystem::path judge;           ///< the program grade_lab
+  std::filesystem::path judge;           ///< the program grade_lab; empty: the project's own
   std::string isolation = "auto";
 };
 

@@ -6,7 +6,7 @@ graded=$(mktemp -d)
 trap 'rm -rf "$graded"' EXIT
 # Gradescope adds up points of labs; milestones have none.
 submission=$1 results=$2 metadata=${3-}
-set -- --out "$graded/out" --labs "$(cat labs.txt)" --no-milestones
+set -- --judge build/test/bin/grade_lab --out "$graded/out" --labs "$(cat labs.txt)" --no-milestones
 [ ! -e course.toml ] || set -- "$@" --course course.toml
 [ ! -e "$metadata" ] || set -- "$@" --gradescope-metadata "$metadata"
 CS550_ROOT=$PWD build/test/bin/cs550_grade "$submission" "$@"

@@ -129,6 +129,11 @@ LabMark mark_record(const Student& student, const Record& record, const LabRecor
   if (!mark.is_graded) mark.notes.push_back("NOT GRADED: " + lab.not_graded);
   apply_regrades(mark, student, lab, course);
   mark.mark = mark.of == 0 ? 0 : mark.earned * mark.points / mark.of;
+  if (mark.points != mark.of) {
+    mark.notes.push_back(fmt::format("the tests give {} of {} points, which count as {} of {}",
+                                     mark.earned, mark.of, points_text(mark.mark),
+                                     points_text(mark.points)));
+  }
   apply_own_tests(mark, lab, course);
   apply_late_policy(mark, student, course);
   return mark;

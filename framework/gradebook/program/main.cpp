@@ -53,11 +53,6 @@ int grade_submissions(gradebook::GradeRequest request) {
     throw std::invalid_argument("grade needs --out DIR, a folder for records and reports");
   }
   request.root = project_root();
-  if (request.judge.empty()) request.judge = built_program("test", "grade_lab");
-  if (!fs::exists(request.judge)) {
-    throw std::runtime_error(request.judge.string() + " is missing. It grades a lab; build it:\n" +
-                             "  ./cs550 build test judges");
-  }
   return gradebook::grade(request) ? Good : Failed;
 }
 
@@ -119,7 +114,7 @@ void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
       ->option_text("KIND")
       ->check(CLI::IsMember({"auto", "bubblewrap", "plain"}));
   app.add_option("--judge", request.judge,
-                 "program that grades one lab; by default build/test/bin/grade_lab")
+                 "program that grades one lab; by default the project's own, built now")
       ->option_text("FILE")
       ->check(CLI::ExistingFile);
 }

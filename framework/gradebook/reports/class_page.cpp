@@ -184,15 +184,26 @@ std::string isolations(const std::vector<StudentMark>& marks) {
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
+/// "18 students, 2 without a submission. 1 name is not on the roster."
+std::string class_size(const std::vector<StudentMark>& marks) {
+  const auto strangers = std::count_if(
+      marks.begin(), marks.end(), [](const StudentMark& mark) { return !mark.student.on_roster; });
+  const auto missing = std::count_if(marks.begin(), marks.end(),
+                                     [](const StudentMark& mark) { return mark.is_missing(); });
+  const auto students = static_cast<std::ptrdiff_t>(marks.size()) - strangers;
+  std::string text = fmt::format("{} student{}, {} without a submission.", students,
+                                 students == 1 ? "" : "s", missing);
+  if (strangers == 1) text += " 1 name is not on the roster.";
+  if (strangers > 1) text += fmt::format(" {} names are not on the roster.", strangers);
+  return text;
+}
+
 }  // namespace
 
 std::string class_page(const std::vector<StudentMark>& marks, const std::vector<int>& labs,
                        const Course& course) {
   const ClassStatistics statistics = statistics_of(marks, labs);
-  const auto missing = std::count_if(marks.begin(), marks.end(),
-                                     [](const StudentMark& mark) { return mark.is_missing(); });
-  std::string body = fmt::format("<h1>{}</h1>\n<p>{} students, {} without a submission.</p>\n",
-                                 html(course.title), marks.size(), missing);
+  std::string body = "<h1>" + html(course.title) + "</h1>\n<p>" + class_size(marks) + "</p>\n";
   if (const std::string kinds = isolations(marks); !kinds.empty()) {
     body += "<p class=\"faint\">Isolation of submissions: " + html(kinds) + ".</p>\n";
   }

@@ -42,7 +42,11 @@ LabStatistics lab_statistics(const std::vector<StudentMark>& marks, int lab) {
     result.not_compiled += mark->lab_record()->compiled ? 0 : 1;
   }
   result.submissions = static_cast<int>(percents.size());
-  result.missing = static_cast<int>(marks.size()) - result.submissions;
+  result.missing =
+      static_cast<int>(std::count_if(marks.begin(), marks.end(), [lab](const auto& mark) {
+        const LabMark* of_lab = mark.lab(lab);
+        return mark.student.on_roster && (of_lab == nullptr || of_lab->record == nullptr);
+      }));
   result.mean = mean_of(percents);
   result.median = median_of(percents);
   return result;

@@ -222,13 +222,16 @@ class World {
   std::span<const RigidBody> bodies() const;
   /// The id of the body at an index of bodies().
   BodyId id_at(Index index) const;
-  /// A body. Precondition: it is alive.
+  /// A body.
+  /// @throws std::invalid_argument if it is not alive
   const RigidBody& body(BodyId id) const;
   /// For applying forces and impulses (add_force(), apply_impulse()), for moving kinematic bodies,
   /// and for giving any body another pose or velocity (set_velocity()). A body that sleeps wakes in
   /// the next step, and from then on query() and ray_cast() find it at its new pose.
+  /// @throws std::invalid_argument if the body is not alive
   RigidBody& body(BodyId id);
   /// The definition of a body, its shape, and its shape at the current pose.
+  /// @throws std::invalid_argument if the body is not alive
   /// @{
   const ShapePtr& shape(BodyId id) const;
   const BodyDef& definition(BodyId id) const;
