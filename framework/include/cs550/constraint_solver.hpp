@@ -25,7 +25,7 @@ struct ContactJacobian {
 
 /// How penetration is corrected.
 enum class ContactModel : std::uint8_t {
-  Baumgarte,  ///< the document's bias: a fraction β of the error per step, restitution in the bias
+  Baumgarte,  ///< the document's bias: a fraction β of the error per substep, restitution in the bias
   Soft,       ///< a damped spring (Catto 2024), then relax passes, then apply_restitution()
 };
 

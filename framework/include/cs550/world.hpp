@@ -80,7 +80,7 @@ struct WorldSettings {
 /// The named settings: how many passes a step takes, and how exact its result is.
 enum class Quality : std::uint8_t {
   Accurate,  ///< the defaults of WorldSettings: the bounds of the tests hold
-  Game,      ///< half as many passes; penetration and drift no worse than Box3D's
+  Game,      ///< half as many substeps; no deeper penetration than Box3D's
 };
 
 /// Default settings with the members that a quality determines: substeps, iterations,
