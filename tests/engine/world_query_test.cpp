@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "cs550/world.hpp"
 #include "engine/test_bodies.hpp"
@@ -107,6 +109,22 @@ TEST(WorldQuery, RemovedBodiesAreNotFound) {
   world.remove_body(id);
   EXPECT_TRUE(world.query(everything).empty());
   EXPECT_FALSE(world.ray_cast({-5, 0, 0}, Vec3::UnitX(), 10));
+}
+
+TEST(WorldQuery, DirectionOfARayHasAnyLengthButZero) {
+  World world;
+  world.add_body(body_at(box_shape(Vec3::Constant(Real(0.5))), {5, 0, 0}));
+  for (const Real length : {Real(1e-30), Real(1), Real(1e30)}) {
+    const auto hit = world.ray_cast({0, 0, 0}, {length, 0, 0}, 10);
+    ASSERT_TRUE(hit) << "length " << length;
+    EXPECT_NEAR(hit->distance, 4.5, 1e-6);
+  }
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  EXPECT_THROW(world.ray_cast({0, 0, 0}, {0, 0, 0}, 10), std::invalid_argument);
+  EXPECT_THROW(world.ray_cast({0, 0, 0}, {nan, 0, 0}, 10), std::invalid_argument);
+  EXPECT_THROW(world.ray_cast({nan, 0, 0}, {1, 0, 0}, 10), std::invalid_argument);
+  EXPECT_THROW(world.ray_cast({0, 0, 0}, {1, 0, 0}, -1), std::invalid_argument);
+  EXPECT_THROW(world.ray_cast({0, 0, 0}, {1, 0, 0}, nan), std::invalid_argument);
 }
 
 TEST(WorldQuery, BoxFindsTheBodiesWhoseBoundsItMeets) {

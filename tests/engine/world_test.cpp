@@ -46,6 +46,9 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
     def.shape = box_shape(Vec3::Constant(Real(100)));
     def.mass = Real(3e38);
   });
+  refused([](BodyDef& def) { def.mass = Real(1e19); });
+  refused([](BodyDef& def) { def.linear_velocity.x() = Real(1e17); });
+  refused([](BodyDef& def) { def.angular_velocity.z() = Real(1e20); });
   refused([](BodyDef& def) { def.density = -1; });
   refused([nan](BodyDef& def) { def.friction = nan; });
   refused([](BodyDef& def) { def.restitution = Real(1.5); });
@@ -167,6 +170,56 @@ TEST(World, RefusesTheIdOfABodyThatIsNotAlive) {
     EXPECT_THROW(world.definition(id), std::invalid_argument);
     EXPECT_THROW(world.posed_shape(id), std::invalid_argument);
   }
+  EXPECT_THROW(world.id_at(-1), std::invalid_argument);
+  EXPECT_THROW(world.id_at(1), std::invalid_argument);
+}
+
+TEST(World, RefusesSettingsOutsideTheirRange) {
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  const std::pair<const char*, void (*)(WorldSettings&, Real)> settings[] = {
+      {"gravity", [](WorldSettings& s, Real x) { s.gravity.y() = x; }},
+      {"length_unit", [](WorldSettings& s, Real x) { s.length_unit = x; }},
+      {"contact_hertz", [](WorldSettings& s, Real x) { s.contact_hertz = x; }},
+      {"contact_damping_ratio", [](WorldSettings& s, Real x) { s.contact_damping_ratio = x; }},
+      {"slop", [](WorldSettings& s, Real x) { s.slop = x; }},
+      {"over_relaxation", [](WorldSettings& s, Real x) { s.over_relaxation = x; }}};
+  for (const auto& [name, set] : settings) {
+    for (const Real value : {nan, Real(-1e30)}) {
+      World world;
+      const BodyId box = world.add_body(body_at(unit_box(), {0, 0, 3}));
+      set(world.settings(), value);
+      try {
+        world.step(step_length);
+        ADD_FAILURE() << name << " = " << value << " was accepted";
+      } catch (const std::invalid_argument& refused) {
+        EXPECT_NE(std::string(refused.what()).find(name), std::string::npos) << refused.what();
+      }
+      EXPECT_EQ(world.body(box).pose.position.z(), 3) << "nothing has changed";
+      EXPECT_EQ(world.step_count(), 0);
+    }
+  }
+  for (const int count : {-1, 0, 1001}) {
+    World world;
+    world.settings().substeps = count;
+    EXPECT_THROW(world.step(step_length), std::invalid_argument);
+  }
+}
+
+// With the same impulses for longer and shorter substeps the top moves by 0.04 m/s for as long as it stands.
+TEST(World, StepsOfDifferentLengthLetATowerRest) {
+  World world;
+  world.add_body(floor_body());
+  BodyId top;
+  for (int i = 0; i < 8; ++i) {
+    top = world.add_body(body_at(unit_box(), {0, 0, Real(0.5) + static_cast<Real>(i)}));
+  }
+  Random random(3);
+  Real fastest = 0;
+  for (int i = 0; i < 1200; ++i) {
+    world.step(step_length * random.real(Real(0.8), Real(1.2)));
+    if (i >= 600) fastest = std::max(fastest, world.body(top).linear_velocity.norm());
+  }
+  EXPECT_LT(fastest, Real(0.01));
 }
 
 TEST(World, BodiesComeAndGoAtAnyTime) {

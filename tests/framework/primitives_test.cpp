@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <stdexcept>
+
 #include "helpers/fixtures.hpp"
 
 namespace cs550::test {
@@ -33,6 +36,20 @@ TEST(Primitives, HaveTheCountsAndVolumesOfTheSolids) {
     EXPECT_EQ(result.shape->mesh.face_count(), solid.merged_faces) << solid.what;
     EXPECT_NEAR(result.shape->volume, solid.volume, 1e-6 * solid.volume) << solid.what;
   }
+}
+
+TEST(Primitives, RefuseLengthsAndCountsThatMakeNoSolid) {
+  const Real infinite = std::numeric_limits<Real>::infinity();
+  EXPECT_THROW(box_soup({1, -1, 1}), std::invalid_argument);
+  EXPECT_THROW(box_soup({1, infinite, 1}), std::invalid_argument);
+  EXPECT_THROW(tetrahedron_soup(0), std::invalid_argument);
+  EXPECT_THROW(prism_soup(2, 1, 1), std::invalid_argument);
+  EXPECT_THROW(prism_soup(1 << 30, 1, 1), std::invalid_argument);
+  EXPECT_THROW(prism_soup(6, -1, 1), std::invalid_argument);
+  EXPECT_THROW(pyramid_soup(4, 1, 0), std::invalid_argument);
+  EXPECT_THROW(icosphere_soup(-1, 1), std::invalid_argument);
+  EXPECT_THROW(icosphere_soup(20, 1), std::invalid_argument);
+  EXPECT_THROW(icosphere_soup(1, -1), std::invalid_argument);
 }
 
 TEST(Primitives, IcosphereVerticesLieOnTheSphere) {

@@ -52,6 +52,11 @@ void note_if_cold(WorldState& world, Index contact, Real h);
 /// @param h substep (s)
 void guess_cold_impulses(WorldState& world, Real h);
 
+/// Makes the impulses of all contact points those of substeps of another length: a load is a force, so its
+/// impulse grows with the time.
+/// @param h substep (s)
+void fit_impulses(WorldState& world, Real h);
+
 /// Copies the accumulated impulses to the contact points, for the next step's warm start, and notes which
 /// contacts touch.
 void store_impulses(WorldState& world);

@@ -3,6 +3,7 @@
 /// the contact points and carried from the old manifold to the new one.
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/contacts/contact_constraints.hpp"
 
@@ -55,6 +56,17 @@ Matches match_points(const Manifold& before, const Manifold& now) {
 /// v of the frame (n, u, v).
 Vec3 second_tangent(const Manifold& manifold) { return manifold.normal.cross(manifold.tangent); }
 
+void scale_impulses(PairList& pairs, Real factor) {
+  for (Contact& contact : pairs.contacts) {
+    for (ContactPoint& point : contact.manifold.points) {
+      point.normal_impulse *= factor;
+      point.tangent_impulse *= factor;
+    }
+  }
+  const double square = static_cast<double>(factor) * static_cast<double>(factor);
+  for (double& energy : pairs.impulse_energy) energy *= square;
+}
+
 }  // namespace
 
 void carry_impulses(const Manifold& before, Manifold& now) {
@@ -71,6 +83,12 @@ void carry_impulses(const Manifold& before, Manifold& now) {
         last.tangent_impulse.x() * before.tangent + last.tangent_impulse.y() * v_before;
     point.tangent_impulse = {impulse.dot(now.tangent), impulse.dot(v_now)};
   }
+}
+
+void fit_impulses(WorldState& world, Real h) {
+  const Real before = std::exchange(world.substep_length, h);
+  if (before == h || before == 0) return;
+  for (PairList* pairs : {&world.pairs, &world.sleeping.pairs}) scale_impulses(*pairs, h / before);
 }
 
 void store_impulses(WorldState& world) {

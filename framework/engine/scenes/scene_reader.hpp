@@ -10,6 +10,7 @@
 
 #include "cs550/excerpt.hpp"
 #include "cs550/math.hpp"
+#include "engine/number_range.hpp"
 
 namespace cs550 {
 
@@ -19,9 +20,6 @@ class SceneFault : public std::runtime_error {
   SceneFault(const std::string& path, const std::string& complaint)
       : std::runtime_error((path.empty() ? "/" : path) + ": " + complaint) {}
 };
-
-/// What a number may be.
-enum class Range { Any, NotNegative, Positive, ZeroToOne };
 
 /// The names of an enumeration's values.
 template <class Enum>

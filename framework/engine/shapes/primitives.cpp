@@ -1,13 +1,26 @@
 #include "cs550/primitives.hpp"
 
+#include <cmath>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <utility>
 
 namespace cs550 {
 namespace {
 
 constexpr double two_pi = 6.283185307179586476925;
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+bool is_positive(Real length) { return std::isfinite(length) && length > 0; }
+
+void require_polygon(int sides, Real radius) {
+  require(sides >= 3 && sides <= 10000, "a regular polygon needs from 3 to 10,000 sides");
+  require(is_positive(radius), "a regular polygon needs a positive, finite radius");
+}
 
 /// The corners of a regular polygon about the z axis, counter-clockwise seen from above.
 std::vector<Vec3> ring(int sides, Real radius, Real z) {
@@ -64,6 +77,8 @@ double unit_interval(std::mt19937& generator) { return static_cast<double>(gener
 }  // namespace
 
 TriangleSoup box_soup(const Vec3& half_extents) {
+  require(half_extents.allFinite() && half_extents.minCoeff() > 0,
+          "a box needs positive, finite half extents");
   TriangleSoup soup;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
@@ -79,11 +94,14 @@ TriangleSoup box_soup(const Vec3& half_extents) {
 }
 
 TriangleSoup tetrahedron_soup(Real side) {
+  require(is_positive(side), "a tetrahedron needs a positive, finite side");
   return {{{0, 0, 0}, {side, 0, 0}, {0, side, 0}, {0, 0, side}},
           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
 TriangleSoup prism_soup(int sides, Real radius, Real half_height) {
+  require_polygon(sides, radius);
+  require(is_positive(half_height), "a prism needs a positive, finite half height");
   TriangleSoup soup{ring(sides, radius, -half_height), {}};
   const std::vector<Vec3> top = ring(sides, radius, half_height);
   soup.vertices.insert(soup.vertices.end(), top.begin(), top.end());
@@ -98,6 +116,8 @@ TriangleSoup prism_soup(int sides, Real radius, Real half_height) {
 }
 
 TriangleSoup pyramid_soup(int sides, Real radius, Real height) {
+  require_polygon(sides, radius);
+  require(is_positive(height), "a pyramid needs a positive, finite height");
   TriangleSoup soup{ring(sides, radius, 0), {}};
   const Index apex = sides;
   soup.vertices.emplace_back(0, 0, height);
@@ -126,6 +146,8 @@ TriangleSoup split_at_middles(const TriangleSoup& coarse) {
 }
 
 TriangleSoup icosphere_soup(int subdivisions, Real radius) {
+  require(subdivisions >= 0 && subdivisions <= 8, "an icosphere needs from 0 to 8 subdivisions");
+  require(is_positive(radius), "an icosphere needs a positive, finite radius");
   TriangleSoup soup = icosahedron();
   for (Vec3& vertex : soup.vertices) vertex.normalize();
   for (int i = 0; i < subdivisions; ++i) {

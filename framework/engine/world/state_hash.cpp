@@ -125,6 +125,7 @@ std::uint64_t World::state_hash() const {
   add_sleeping(hash, *state_);
   add_parts(hash, state_->parts);
   for (const Index body : state_->moved) hash.add(body);
+  hash.add(state_->substep_length);
   if (state_->settings.pass_order == PassOrder::StepByStep) hash.add(state_->step_count % 2);
   return hash.value();
 }

@@ -41,7 +41,7 @@ void apply_gravity(WorldState& world) {
 
 /// The naive solver sees separations only as they are when the step begins, so it gets one substep.
 int substep_count(const WorldSettings& settings) {
-  return settings.solver == SolverKind::Naive ? 1 : std::max(1, settings.substeps);
+  return settings.solver == SolverKind::Naive ? 1 : settings.substeps;
 }
 
 void clear_forces(WorldState& world) {
@@ -77,15 +77,16 @@ void skip_stage(WorldState& world, Stage stage, const NotImplemented& missing) {
 }
 
 void advance(WorldState& world, Real h) {
+  const int substeps = substep_count(world.settings);
+  const ContactStep step = contact_step(world.settings, h / static_cast<Real>(substeps));
   begin_step(world);
+  fit_impulses(world, step.h);
   wake_disturbed_bodies(world);
   run_stage(world, Stage::Integrate, refresh_velocities);
   detect_collisions(world, h);
   update_sleep(world);
   find_misplaced_bodies(world, h);
 
-  const int substeps = substep_count(world.settings);
-  const ContactStep step = contact_step(world.settings, h / static_cast<Real>(substeps));
   run_stage(world, Stage::Prepare, arrange_contacts);
   {
     const PartNumbering numbering(world);

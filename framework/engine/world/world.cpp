@@ -8,6 +8,7 @@
 
 #include "engine/islands/sleeping.hpp"
 #include "engine/pairs/near_pairs.hpp"
+#include "engine/world/settings_ranges.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -50,6 +51,14 @@ RigidBody make_body(const BodyDef& def) {
 bool can_turn(const RigidBody& body) {
   return body.inertia.allFinite() && body.inverse_inertia.allFinite() &&
          (body.inverse_inertia.diagonal().array() > 0).all();
+}
+
+/// A step squares momenta.
+constexpr Real largest_mass = Real(1e18);
+
+bool has_finite_energy(const RigidBody& body) {
+  return std::isfinite(kinetic_energy(body)) && std::isfinite(body.linear_momentum.squaredNorm()) &&
+         std::isfinite(body.angular_momentum.squaredNorm());
 }
 
 /// The index of a body that is alive.
@@ -131,8 +140,12 @@ const WorldSettings& World::settings() const { return state_->settings; }
 BodyId World::add_body(const BodyDef& def) {
   check_definition(def);
   const RigidBody body = make_body(def);
-  require(def.kind != BodyKind::Dynamic || can_turn(body),
-          "a mass with which its moments of inertia and their reciprocals are finite");
+  if (def.kind == BodyKind::Dynamic) {
+    require(can_turn(body),
+            "a mass with which its moments of inertia and their reciprocals are finite");
+    require(body.mass <= largest_mass, "a mass of at most 1e18 kg");
+    require(has_finite_energy(body), "velocities with which its kinetic energy is finite");
+  }
   const std::size_t place = free_place(*state_);
   if (place == state_->slot_count()) {
     state_->bodies.emplace_back();
@@ -162,12 +175,17 @@ void World::remove_body(BodyId id) {
 
 bool World::is_alive(BodyId id) const {
   return id.index >= 0 && id.index < static_cast<Index>(state_->slot_count()) &&
-         state_->slots[id.index].alive && id == id_at(id.index);
+         state_->slots[id.index].alive && id == state_->id_at(id.index);
 }
 
 int World::body_count() const { return state_->alive_count; }
 std::span<const RigidBody> World::bodies() const { return state_->bodies; }
-BodyId World::id_at(Index index) const { return state_->id_at(index); }
+BodyId World::id_at(Index index) const {
+  if (index >= 0 && index < static_cast<Index>(state_->slot_count())) return state_->id_at(index);
+  throw std::invalid_argument("World::id_at() needs an index of bodies(), which has " +
+                              std::to_string(state_->slot_count()) + "; found " +
+                              std::to_string(index));
+}
 const RigidBody& World::body(BodyId id) const { return state_->bodies[living(*this, id)]; }
 RigidBody& World::body(BodyId id) { return state_->bodies[living(*this, id)]; }
 const ShapePtr& World::shape(BodyId id) const { return definition(id).shape; }
@@ -182,7 +200,8 @@ void World::step(Real h) {
         "World::step() needs a positive, finite number of seconds, such as 1/60; found " +
         std::to_string(h));
   }
-  const int threads = std::clamp(state_->settings.threads, 1, most_threads);
+  check(state_->settings);
+  const int threads = state_->settings.threads;
   if (threads == 1) return advance(*state_, h);
   if (!state_->settings.adaptive_threads) return share_step(*state_, threads, h);
   share_step_if_faster(*state_, threads, h);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "engine/world_state.hpp"
 
@@ -42,7 +43,14 @@ std::optional<RayHit> ray_against(const PosedShape& body, const Vec3& origin, co
 
 std::optional<RayHit> World::ray_cast(const Vec3& origin, const Vec3& direction,
                                       Real length) const {
-  const Vec3 unit = direction.normalized();
+  const bool is_ray =
+      origin.allFinite() && direction.allFinite() && !direction.isZero(0) && length >= 0;
+  if (!is_ray) {
+    throw std::invalid_argument(
+        "World::ray_cast() needs a finite origin, a finite direction that is not zero, and a "
+        "length of 0 or more");
+  }
+  const Vec3 unit = direction.stableNormalized();  // its square may be outside the range of Real
   std::optional<RayHit> nearest;
   state_->tree.ray_cast(origin, unit, length, [&](Index body, Real reach) {
     const auto hit = ray_against(state_->posed_shape(body), origin, unit, reach);

@@ -1,6 +1,8 @@
 #pragma once
 /// @file primitives.hpp
-/// Generators of simple shapes, and convex hulls of point clouds.
+/// Generators of simple shapes, and convex hulls of point clouds. The generators throw
+/// std::invalid_argument for a length that is not positive and finite, and for a count outside its
+/// range; the message names it.
 
 #include <span>
 #include <string>
@@ -22,15 +24,16 @@ TriangleSoup box_soup(const Vec3& half_extents);
 /// The tetrahedron with corners (0,0,0), (s,0,0), (0,s,0) and (0,0,s). @param side s (m)
 TriangleSoup tetrahedron_soup(Real side);
 /// A right prism over a regular polygon, centred at the origin, with its axis along z.
-/// @param sides ≥ 3 @param radius of the corners about the axis (m) @param half_height m
+/// @param sides 3–10,000 @param radius of the corners about the axis (m) @param half_height m
 TriangleSoup prism_soup(int sides, Real radius, Real half_height);
 /// A pyramid over a regular polygon in the plane z = 0, with its apex on the z axis.
-/// @param sides ≥ 3 @param radius of the base's corners about the axis (m) @param height m
+/// @param sides 3–10,000 @param radius of the base's corners about the axis (m) @param height m
 TriangleSoup pyramid_soup(int sides, Real radius, Real height);
 /// Every triangle split into four at the middles of its edges. The surface does not change.
 TriangleSoup split_at_middles(const TriangleSoup& coarse);
 /// An approximation of a sphere about the origin: an icosahedron with each triangle split into four
 /// `subdivisions` times. It has 10·4^subdivisions + 2 vertices.
+/// @param subdivisions 0–8 @param radius m
 TriangleSoup icosphere_soup(int subdivisions, Real radius);
 
 /// A triangle soup, or an error message.

@@ -17,8 +17,9 @@ enum class BodyKind : std::uint8_t {
 ///
 /// The **state** of a dynamic body is {pose, linear_momentum, angular_momentum}. Velocities and
 /// world_inverse_inertia are **derived** from the state, by refresh_velocity() and nothing else, so
-/// that momentum is conserved by construction. The state of a kinematic body is its pose and its
-/// velocities.
+/// that momentum is conserved by construction: a world overwrites them in each step. The state of a
+/// kinematic body is its pose and its velocities. Kind, mass and inertia stay as
+/// make_dynamic_body() or make_immovable_body() set them.
 struct RigidBody {
   BodyKind kind = BodyKind::Dynamic;  ///< how it moves
   bool asleep = false;  ///< set by the world: at rest, and skipped until something disturbs it

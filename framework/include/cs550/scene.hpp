@@ -23,8 +23,8 @@ struct Scene {
   Real max_penetration = 0;             ///< bound on penetration, checked by tests (m)
 };
 
-/// Limits on the size of a scene. They are checked before the work that they bound, so that a typing
-/// error in a generator is rejected at once.
+/// Limits on the size of a scene. They are checked before the work that they bound, so that a
+/// typing error in a generator is rejected at once.
 struct SceneLimits {
   int bodies = 50000;         ///< of the whole scene
   int hull_points = 20000;    ///< of one point cloud or mesh file
@@ -58,14 +58,14 @@ SceneResult load_scene(const std::filesystem::path& file,
 /// name lists the shipped scenes.
 SceneResult find_scene(const std::string& name_or_path);
 
-/// Why there is no such scene, with a list of those that are shipped; empty if there is one. Nothing is
-/// loaded.
+/// Why there is no such scene, with a list of those that are shipped; empty if there is one.
+/// Nothing is loaded.
 std::string fault_of_scene_name(const std::string& name_or_path);
 
 /// The names of the shipped scenes, sorted.
 std::vector<std::string> shipped_scenes();
 
-/// A world with the bodies of a scene, at time 0.
+/// A world with the bodies of a scene, at time 0. Body i of the scene is World::id_at(i).
 World make_world(const Scene& scene);
 
 }  // namespace cs550

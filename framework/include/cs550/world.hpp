@@ -29,45 +29,54 @@ enum class PassOrder : std::uint8_t {
 };
 
 /// The settings of a world, which may be changed between steps. Lengths and speeds are multiples of
-/// the length unit where noted.
+/// the length unit where noted. World::step() refuses numbers outside their ranges. Those without a
+/// range in their comment are finite, positive (or 0 where that has a meaning), and at most 10⁶.
 struct WorldSettings {
   Vec3 gravity = {0, 0, Real(-9.81)};  ///< m/s²; the z axis points up
-  Real length_unit = 1;                ///< the size of a typical body (m)
+  /// The size of a typical body (m). It scales margins, slop and thresholds, but not the stiffness
+  /// of contacts: bodies sink in in proportion to g/(2π·contact_hertz)², whatever their size.
+  /// Bodies of a centimetre need ten times as many substeps as bodies of a metre, and ten times the
+  /// stiffness.
+  Real length_unit = 1;
 
-  int substeps = 6;    ///< per step
-  int iterations = 2;  ///< solver passes with bias per substep without impacts
-  /// Relax passes (without bias) per substep of soft contacts; at least 2 where something bounces.
+  int substeps = 6;    ///< per step, 1–1000
+  int iterations = 2;  ///< solver passes with bias per substep without impacts, 0–1000
+  /// Relax passes (without bias) per substep of soft contacts, 0–1000; at least 2 where something
+  /// bounces.
   int relax_iterations = 1;
   PassOrder pass_order = PassOrder::StepByStep;                ///< constraint solver only
   SolverKind solver = SolverKind::Constraint;                  ///< the contact solver
   ContactModel contact_model = ContactModel::Soft;             ///< how penetration is corrected
   RotationMethod rotation = RotationMethod::ImplicitMidpoint;  ///< how bodies are rotated
   bool warm_starting = true;  ///< start from the accumulated impulses of the last step
-  /// Query a pair again only once its bodies have moved relative to each other. Depths then differ by at
-  /// most 1/1000 of the smaller body's diameter.
+  /// Query a pair again only once its bodies have moved relative to each other. Depths then differ
+  /// by at most 1/1000 of the smaller body's diameter.
   bool temporal_coherence = true;
   /// Skip groups of touching bodies that are at rest, until something disturbs them: another body,
   /// the program, or a setting that decides how bodies move.
   bool sleeping = false;
-  /// Threads that share the work of a step, 1 to 16. Results are the same bits for any number. With more
-  /// than one, the functions of the labs are called by several threads at once.
+  /// Threads that share the work of a step, 1 to 16. Results are the same bits for any number. With
+  /// more than one, the functions of the labs are called by several threads at once.
   int threads = 1;
   /// Use several threads only while steps are faster with them. The world measures that now and
   /// then. If false, every step uses them.
   bool adaptive_threads = true;
 
-  Real contact_hertz = 80;                 ///< stiffness of soft contacts (1/s)
-  Real contact_damping_ratio = 12;         ///< ζ of soft contacts; 1 is critical
-  Real baumgarte = Real(0.2);              ///< β: fraction of the error corrected per substep
-  Real slop = Real(1e-3);                  ///< length units
-  Real max_push_speed = 3;                 ///< length units per second
+  /// Stiffness of soft contacts (1/s). At 80 a body on one of a twentieth of its mass never comes
+  /// to rest: take more substeps.
+  Real contact_hertz = 80;
+  Real contact_damping_ratio = 12;  ///< ζ of soft contacts; 1 is critical
+  Real baumgarte = Real(0.2);       ///< β, 0–1: fraction of the error corrected per substep
+  Real slop = Real(1e-3);           ///< length units
+  Real max_push_speed = 3;          ///< length units per second
   Real restitution_threshold = Real(0.5);  ///< length units per second
-  int restitution_iterations = 8;  ///< sweeps over impacts: apply_restitution(), Baumgarte's passes
-  /// ω of successive over-relaxation: relax passes change the normal impulse of a contact that the warm
-  /// start loaded by ω times what would stop its approach. From 1 (none) to 1.9.
+  /// Sweeps over impacts, 0–1000: apply_restitution(), Baumgarte's passes.
+  int restitution_iterations = 8;
+  /// ω of successive over-relaxation: relax passes change the normal impulse of a contact that the
+  /// warm start loaded by ω times what would stop its approach. From 1 (none) to 1.9.
   Real over_relaxation = Real(1.3);
-  /// Soft contacts with a warm start resist rolling and spinning with a torque of at most this lever
-  /// (length units) times the normal force.
+  /// Soft contacts with a warm start resist rolling and spinning with a torque of at most this
+  /// lever (length units) times the normal force.
   Real rolling_resistance = 0;
 
   bool check_stages = false;    ///< check the postconditions of each stage
@@ -109,7 +118,7 @@ struct BodyDef {
   ShapePtr shape;                     ///< required
   Real density = 1000;                ///< kg/m³
   std::optional<Real> mass;           ///< kg; overrides the density
-  Pose pose;                          ///< initial pose
+  Pose pose;                          ///< initial, of the centre of mass (see source_origin)
   Vec3 linear_velocity = {0, 0, 0};   ///< initial, world (m/s)
   Vec3 angular_velocity = {0, 0, 0};  ///< initial, world (rad/s)
   Real friction = Real(0.6);          ///< μ; a pair uses the geometric mean
@@ -206,12 +215,14 @@ class World {
   const WorldSettings& settings() const;
   /// @}
 
-  /// Adds a body. May be called between steps.
+  /// Adds a body. May be called between steps. References to bodies, and what bodies() and
+  /// contacts() returned, are invalid afterwards.
   /// @throws std::invalid_argument if the shape is missing, or if a number is not finite or has no
   ///         physical meaning; the message names it
   BodyId add_body(const BodyDef& def);
   /// Removes a body and its contacts. May be called between steps. The id of a removed body is
-  /// ignored.
+  /// ignored. What contacts() returned is invalid afterwards; ended() names the contacts after the
+  /// next step.
   void remove_body(BodyId id);
   /// Whether the body has not been removed.
   bool is_alive(BodyId id) const;
@@ -220,17 +231,20 @@ class World {
 
   /// The body array, including the slots of removed bodies: check is_alive(id_at(i)).
   std::span<const RigidBody> bodies() const;
-  /// The id of the body at an index of bodies().
+  /// The id of the body at an index of bodies(). @throws std::invalid_argument for another index
   BodyId id_at(Index index) const;
   /// A body.
   /// @throws std::invalid_argument if it is not alive
   const RigidBody& body(BodyId id) const;
-  /// For applying forces and impulses (add_force(), apply_impulse()), for moving kinematic bodies,
-  /// and for giving any body another pose or velocity (set_velocity()). A body that sleeps wakes in
-  /// the next step, and from then on query() and ray_cast() find it at its new pose.
+  /// For applying forces and impulses (add_force(), apply_impulse()), and for giving any body
+  /// another pose or velocity (set_velocity()). A kinematic body carries others by its velocity:
+  /// one that is only given another pose moves from under them. Kind and mass stay as they were
+  /// made, and the velocities of a dynamic body follow from its momenta in the next step. A body
+  /// that sleeps wakes in that step, and from then on query() and ray_cast() find it at its new
+  /// pose. Numbers must be finite: is_finite() tells.
   /// @throws std::invalid_argument if the body is not alive
   RigidBody& body(BodyId id);
-  /// The definition of a body, its shape, and its shape at the current pose.
+  /// The definition of a body, with its initial pose; its shape; and its shape at the current pose.
   /// @throws std::invalid_argument if the body is not alive
   /// @{
   const ShapePtr& shape(BodyId id) const;
@@ -239,8 +253,10 @@ class World {
   /// @}
 
   /// Advances the world by one step.
-  /// @param h s; 1/60 is usual
-  /// @throws std::invalid_argument if h is not positive and finite; nothing has changed then
+  /// @param h s; 1/60 is usual. It may vary, and stored impulses follow, but piles rest best if it
+  /// is constant.
+  /// @throws std::invalid_argument if h is not positive and finite, or a setting is outside its
+  ///         range; nothing has changed then
   void step(Real h);
   std::int64_t step_count() const;  ///< steps since construction
   double time() const;              ///< simulated time (s)
@@ -248,22 +264,27 @@ class World {
   /// The pairs that the broad phase found, sorted by body. A pair with an empty manifold is not
   /// touching.
   std::span<const Contact> contacts() const;
-  /// The pairs of bodies that are asleep, with each other and with bodies that do not move. They are
-  /// not in contacts().
+  /// The pairs of bodies that are asleep, with each other and with bodies that do not move. They
+  /// are not in contacts().
   std::span<const Contact> sleeping_contacts() const;
   /// The axis of each pair of contacts(), in the same order, as the last query found it. With
   /// temporal_coherence that may have been in an earlier step.
   std::span<const SeparatingAxis> axes() const;
   std::span<const ContactEvent> began() const;  ///< pairs that began to touch in the last step
-  std::span<const ContactEvent> ended() const;  ///< pairs that ceased to touch in the last step
-  const StepStats& stats() const;               ///< of the last step
-  /// Missing stages and violated postconditions of the last step; empty in a finished engine.
+  /// Pairs that ceased to touch in the last step, or because a body was removed before it: check
+  /// is_alive().
+  std::span<const ContactEvent> ended() const;
+  const StepStats& stats() const;  ///< of the last step
+  /// Missing stages of the last step and, with settings().check_stages, violated postconditions;
+  /// empty in a finished engine.
   std::span<const StageProblem> problems() const;
 
   /// The nearest face that a ray hits from outside.
   /// @param origin world frame (m)
-  /// @param direction world frame, any length
-  /// @param length m
+  /// @param direction world frame, any length but 0
+  /// @param length m, 0 or more
+  /// @throws std::invalid_argument if one of them is not finite (the length may be infinite) or
+  ///         outside its range
   std::optional<RayHit> ray_cast(const Vec3& origin, const Vec3& direction, Real length) const;
   /// The bodies with bounds that overlap a box, sorted by index.
   std::vector<BodyId> query(const Bounds& bounds) const;
@@ -280,7 +301,7 @@ class World {
 
   /// The momentum error |ΔP − J| over the run, relative to Σ|P| plus the weight that acts in one
   /// step. J is the impulse of gravity, of applied forces and of immovable bodies. Only rounding
-  /// should remain. Requires settings().audit_momentum from the first step on.
+  /// should remain. Requires settings().audit_momentum from the first step on; 0 without it.
   double momentum_error() const;
 
  private:
