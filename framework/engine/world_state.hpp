@@ -339,8 +339,7 @@ struct WorldState {
   MomentumAudit audit;
   std::int64_t step_count = 0;
   double time = 0;
-  Real substep_length =
-      0;  ///< of the last step (s): the impulses of contact points are for that time
+  Real substep_length = 0;  ///< of the last step (s), for which the contact points' impulses are
 
   // Working storage of a step, kept so that a steady-state step does not allocate.
   std::vector<SolverBody> solver_bodies;

@@ -478,6 +478,25 @@ def test_judges_are_built_after_the_arguments_are_checked(folder):
     assert (folder / "built").read_text().count("\n") == 2, "reports need no judge"
 
 
+def test_arguments_that_cannot_be_meant_are_refused(folder):
+    pack(folder / "ada.zip", {HILL: "// good"})
+    out = folder / "out"
+    assert "lab 1" in grade(folder / "ada.zip", "--out", out, "--labs", "3", "--milestones", code=2)
+    assert "empty list" in grade(folder / "ada.zip", "--out", out, "--labs", "", code=2)
+    grade(folder / "ada.zip", "--out", out, "--labs", "3")
+    assert "take no submissions" in grade(folder / "ada.zip", "--report", out, code=2)
+    assert "has no records" in grade("--compare", out, folder, code=1)
+    assert "there is no folder" in grade("--gradescope-zip", folder / "none/a.zip", "--labs", "3", code=1)
+
+
+def test_a_lab_that_no_run_graded_is_named(folder):
+    small_class(folder / "class")
+    grade(folder / "class", "--out", folder / "out", "--labs", "3")
+    printed = grade(folder / "class/ada.zip", "--out", folder / "out", "--labs", "3,5", "--resume")
+    assert "bob, lab 5: counts as 0, but no run graded it" in printed, printed
+    assert "ada, lab 5" not in printed, printed
+
+
 def test_sources_are_exported_for_copy_detectors(folder):
     small_class(folder / "class")
     printed = grade(folder / "class", "--export-jplag", folder / "sources")

@@ -78,6 +78,41 @@ TEST(Marks, ALabWithPointsOfItsOwnSaysHowTheTestsCount) {
   EXPECT_TRUE(mark_of(record, "").notes.empty()) << "60 points are the tests' own";
 }
 
+TEST(Marks, ALabThatNoRunGradedForAStudentSaysSo) {
+  const Record record = record_of("ada", lab_record(24, 0, 12));
+  const Student student{"ada", "", "", "", {}, true, {&record}};
+  const StudentMark mark = mark_student(student, {3, 6}, course_of(""));
+  EXPECT_EQ(mark.labs[1].notes, std::vector<std::string>{note_not_asked_for});
+  const std::string text = grades_csv({mark}, {3, 6});
+  EXPECT_NE(text.find("lab 6: " + std::string(note_not_asked_for)), std::string::npos) << text;
+
+  Record asked = record;
+  asked.labs.push_back(LabRecord{});
+  asked.labs[1].lab = 6;
+  const Student other{"ada", "", "", "", {}, true, {&asked}};
+  EXPECT_EQ(mark_student(other, {3, 6}, course_of("")).labs[1].notes,
+            std::vector<std::string>{note_not_submitted});
+}
+
+TEST(Marks, ALabThatTheGraderFailedToGradeDoesNotBlameTheCompiler) {
+  Record record = record_of("ada", lab_record(0, 0, 0));
+  record.labs[0].compiled = false;
+  record.labs[0].not_graded = "cannot read /secret/result.json";
+  const Student student{"ada", "", "", "", {}, true, {&record}};
+  const std::string text = grades_csv({mark_student(student, {3}, course_of(""))}, {3});
+  EXPECT_EQ(text.find("does not compile"), std::string::npos) << text;
+  EXPECT_NE(text.find("cannot read /secret"), std::string::npos) << "the instructor learns why";
+}
+
+TEST(Marks, ARegradeOfATestThatPassedHasNoEffect) {
+  const Record record = record_of("ada", lab_record(24, 0, 12));
+  const LabMark mark = mark_of(record,
+                               "[[regrade]]\nstudent = 'ada'\nlab = 3\nstatus = 'granted'\n"
+                               "test = 'Lab3.FirstOfEqualVerticesWins'\nnote = 'n'\n");
+  EXPECT_DOUBLE_EQ(mark.mark, 36);
+  EXPECT_NE(mark.notes.back().find("no effect"), std::string::npos) << mark.notes.back();
+}
+
 TEST(Marks, ASubmissionOfUnknownTimeIsNotLate) {
   Record record = handed_in(40 * day);
   record.file_time.reset();

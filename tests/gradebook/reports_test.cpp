@@ -296,6 +296,25 @@ TEST(Reports, ClassPageShowsHowManyReachEachMilestone) {
             std::string::npos);
 }
 
+TEST(Feedback, ListsTestsInTheOrderOfTheSteps) {
+  Record record = record_of("ada", lab_record(24, 24, 12));
+  record.labs[0].tests[0].step = "L3.10";
+  record.labs[0].tests[1].step = "L3.2";
+  const std::string text = feedback_markdown(mark_of(record, course_of("")), course_of(""));
+  EXPECT_LT(text.find("L3.2 "), text.find("L3.10 ")) << text;
+}
+
+TEST(Feedback, DoesNotShowWhyTheGraderFailed) {
+  Record record = record_of("ada", lab_record(24, 24, 12));
+  record.labs[0].own_tests = OwnTests{};
+  record.labs[0].own_tests->not_graded = "cannot read /secret/mistakes";
+  const Course course = course_of("[lab.3]\nown_tests = 5\n");
+  const StudentMark mark = mark_of(record, course);
+  EXPECT_EQ(feedback_markdown(mark, course).find("secret"), std::string::npos);
+  EXPECT_EQ(feedback_html(mark, course).find("secret"), std::string::npos);
+  EXPECT_NE(feedback_markdown(mark, course).find("NOT GRADED"), std::string::npos);
+}
+
 TEST(Reports, ClassPageCountsTheStudentsOfTheRoster) {
   const std::vector<Record> records{record_of("ada", lab_record(24, 0, 0)),
                                     record_of("nobody", lab_record(24, 0, 0))};

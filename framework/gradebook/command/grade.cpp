@@ -91,6 +91,10 @@ void print_troubles(const std::vector<Record>& records) {
     if (record.engine && !record.engine->not_graded.empty()) {
       std::cout << fmt::format("no milestones: {}: {}\n", record.name, record.engine->not_graded);
     }
+    if (const int late = record.engine ? record.engine->tests_with("timeout") : 0; late > 0) {
+      std::cout << fmt::format("timeout: {}: {} ended at the limit of time\n", record.name,
+                               counted(late, "milestone"));
+    }
     for (const LabRecord& lab : record.labs) {
       if (!lab.not_graded.empty()) {
         std::cout << fmt::format("NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
@@ -154,15 +158,21 @@ void check_place(const fs::path& out, const std::vector<fs::path>& submissions) 
   }
 }
 
-/// A resumed run replaces the records of its submissions, with the labs that it grades.
-void check_labs(const std::vector<int>& labs, const std::vector<Record>& records,
-                const fs::path& out) {
-  for (const int lab : labs_of(records)) {
+/// Refuses to replace records, or to remove marks: a resumed run replaces the records of its submissions, with the
+/// labs that it grades.
+void check_records(const RecordFolder& folder, const std::vector<int>& labs,
+                   const GradeRequest& request) {
+  if (!request.resume && folder.has_records()) {
+    throw std::runtime_error(request.out.string() + " has records already.\n" +
+                             "  To continue an interrupted run, or to add submissions, add " +
+                             "--resume.\n  To grade everything again, choose another --out.");
+  }
+  for (const int lab : labs_of(folder.records())) {
     if (std::count(labs.begin(), labs.end(), lab) > 0) continue;
     throw std::invalid_argument(
         fmt::format("{} has marks of lab {}, which --labs leaves out: --resume would remove them.\n"
                     "  Add lab {} to --labs, or choose another --out.",
-                    out.string(), lab, lab));
+                    request.out.string(), lab, lab));
   }
 }
 
@@ -203,27 +213,28 @@ bool grade(const GradeRequest& request) {
   const Settings settings = read_settings(request.root, request.course, request.roster,
                                           request.resume ? request.out : fs::path());
   const std::vector<int> labs = parse_labs(request.labs, numbers_of(settings.catalogue));
+  if (request.milestones.value_or(false) && labs.front() != 1) {
+    throw std::invalid_argument("--milestones needs lab 1 in --labs: an engine begins with it");
+  }
   Discovery found = find_submissions(request.submissions, settings.catalogue);
   if (found.submissions.empty()) throw std::runtime_error("no submission was found");
   for (const IgnoredFile& file : found.skipped) {
     std::cout << fmt::format("skipped: {}: {}\n", file.path, file.reason);
   }
 
+  std::cout << std::flush;  // a log should have this before the run, which may take an hour
+
   if (!request.metadata.empty()) {
     const long time = submission_time(request.metadata);
     for (FoundSubmission& submission : found.submissions) submission.time = time;
   }
 
-  const FolderLock lock(request.out);
   const RecordFolder folder(request.out);
-  if (!request.resume && folder.has_records()) {
-    throw std::runtime_error(request.out.string() + " has records already.\n" +
-                             "  To continue an interrupted run, or to add submissions, add " +
-                             "--resume.\n  To grade everything again, choose another --out.");
-  }
-  check_labs(labs, folder.records(), request.out);
+  check_records(folder, labs, request);
   const fs::path program = judge_of(request);
   const std::string isolation = isolation_in_force(program, request.isolation);
+  const FolderLock lock(request.out);
+  check_records(folder, labs, request);  // another grader may have finished meanwhile
   keep_settings(settings, request.out);
   folder.begin_run();
   const Judge judge{program,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <stdexcept>
 
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
@@ -17,6 +18,9 @@ namespace fs = std::filesystem;
 
 void make_gradescope_zip(const fs::path& root, const std::string& labs, const fs::path& course,
                          const fs::path& out) {
+  if (const fs::path folder = fs::absolute(out).parent_path(); !fs::is_directory(folder)) {
+    throw std::runtime_error("there is no folder " + folder.string() + " to write the zip to");
+  }
   const Catalogue catalogue = read_catalogue(root);
   const std::string text = course.empty() ? "" : cli::read_text(course);
   const Course settings = parse_course(text, course.string(), catalogue);
@@ -45,7 +49,7 @@ void make_gradescope_zip(const fs::path& root, const std::string& labs, const fs
   cli::output_of({"cmake", "-E", "tar", "cf", fs::absolute(out).string(), "--format=zip", "."},
                  stage.path());
   std::cout << fmt::format(
-      "{} is the autograder of lab {}. Upload it to Gradescope, with Ubuntu 24.04 as its base "
+      "{} is the autograder of --labs {}. Upload it to Gradescope, with Ubuntu 24.04 as its base "
       "image.\n"
       "It has the solutions: give it to nobody else.\n",
       out.string(), numbers);

@@ -18,15 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Record> records_in(const std::vector<fs::path>& folders) {
+std::vector<Record> merged_records(const std::vector<fs::path>& folders) {
   std::vector<std::vector<Record>> all;
-  for (const fs::path& folder : folders) {
-    all.push_back(RecordFolder(folder).records());
-    if (all.back().empty()) {
-      throw std::runtime_error(folder.string() + " has no records. Expected " +
-                               (folder / "records").string() + "/NAME.json");
-    }
-  }
+  for (const fs::path& folder : folders) all.push_back(records_in(folder));
   return merged(all);
 }
 
@@ -52,6 +46,13 @@ void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
 
 }  // namespace
 
+std::vector<Record> records_in(const fs::path& folder) {
+  std::vector<Record> records = RecordFolder(folder).records();
+  if (!records.empty()) return records;
+  throw std::runtime_error(folder.string() + " has no records. Expected " +
+                           (folder / "records").string() + "/NAME.json");
+}
+
 void report(const ReportRequest& request) {
   std::error_code is_new;
   const bool in_place =
@@ -61,7 +62,7 @@ void report(const ReportRequest& request) {
   }
   Settings settings =
       read_settings(request.root, request.course, request.roster, request.folders.front());
-  std::vector<Record> records = records_in(request.folders);
+  std::vector<Record> records = merged_records(request.folders);
   const FolderLock lock(request.out);
   if (request.pseudonyms) {
     if (settings.course.secret.empty()) {

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "gradebook/records/record.hpp"
+
 namespace cs550::gradebook {
 
 struct ReportRequest {
@@ -14,6 +16,9 @@ struct ReportRequest {
   std::filesystem::path roster, course;        ///< may be empty: the first folder's copies
   bool pseudonyms = false;
 };
+
+/// The records of a folder. Throws std::runtime_error if there are none.
+std::vector<Record> records_in(const std::filesystem::path& folder);
 
 /// Throws std::invalid_argument for a request that makes no sense.
 void report(const ReportRequest& request);

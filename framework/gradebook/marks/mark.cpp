@@ -49,6 +49,10 @@ void apply_regrades(LabMark& mark, const Student& student, const LabRecord& lab,
         break;
       case RegradeRequest::Status::Granted:
         if (!granted.insert(request.test).second) break;
+        if (test->earned == test->points) {
+          mark.notes.push_back("regrade of " + request.test + " has no effect: the test passed");
+          break;
+        }
         mark.earned += test->points - test->earned;
         mark.notes.push_back("regrade of " + request.test + " granted");
         break;
@@ -102,7 +106,7 @@ void apply_own_tests(LabMark& mark, const LabRecord& lab, const Course& course) 
   if (!lab.own_tests) return;
   const OwnTests& own = *lab.own_tests;
   if (!own.not_graded.empty()) {
-    mark.notes.push_back("my_tests.cpp NOT GRADED: " + own.not_graded);
+    mark.notes.emplace_back("my_tests.cpp NOT GRADED: the grader failed");
     return;
   }
   if (!own.compiled || own.fails_reference) {
@@ -126,7 +130,7 @@ LabMark mark_record(const Student& student, const Record& record, const LabRecor
   mark.of = lab.points();
   mark.points = course.lab(lab.lab).points;
   mark.is_graded = lab.not_graded.empty();
-  if (!mark.is_graded) mark.notes.push_back("NOT GRADED: " + lab.not_graded);
+  if (!mark.is_graded) mark.notes.emplace_back("NOT GRADED: the grader failed");
   apply_regrades(mark, student, lab, course);
   mark.mark = mark.of == 0 ? 0 : mark.earned * mark.points / mark.of;
   if (mark.points != mark.of) {
@@ -158,7 +162,11 @@ LabMark best_mark(const Student& student, int lab, const Course& course) {
     chosen.emplace();
     chosen->lab = lab;
     chosen->points = course.lab(lab).points;
-    chosen->notes.emplace_back("not submitted");
+    const bool was_asked_for =
+        student.records.empty() ||
+        std::any_of(student.records.begin(), student.records.end(),
+                    [lab](const Record* record) { return record->lab(lab) != nullptr; });
+    chosen->notes.emplace_back(was_asked_for ? note_not_submitted : note_not_asked_for);
   }
   return *chosen;
 }

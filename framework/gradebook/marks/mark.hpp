@@ -51,6 +51,11 @@ struct StudentMark {
 inline constexpr const char* milestones_need_one_submission =
     "milestones need all labs in one submission: ./cs550 submit without a number packs them";
 
+/// Notes on a lab without a submission.
+inline constexpr const char* note_not_submitted = "not submitted";
+inline constexpr const char* note_not_asked_for =
+    "counts as 0, but no run graded it for this student: --labs left it out";
+
 /// The labs of all records, ascending.
 std::vector<int> labs_of(const std::vector<Record>& records);
 

@@ -32,9 +32,9 @@ struct GradeOptions {
 };
 
 int print_comparison(const std::vector<fs::path>& folders) {
-  const std::vector<gradebook::Record> before = gradebook::RecordFolder(folders[0]).records();
-  const std::vector<gradebook::Record> after = gradebook::RecordFolder(folders[1]).records();
-  std::cout << gradebook::comparison(before, after);
+  std::vector<std::vector<gradebook::Record>> records;
+  for (const fs::path& folder : folders) records.push_back(gradebook::records_in(folder));
+  std::cout << gradebook::comparison(records[0], records[1]);
   return Good;
 }
 
@@ -58,6 +58,10 @@ int grade_submissions(gradebook::GradeRequest request) {
 
 int run_grade(const GradeOptions& options) {
   try {
+    const bool reads_records = !options.compare.empty() || !options.report.empty();
+    if (reads_records && !options.grading.submissions.empty()) {
+      throw std::invalid_argument("--report and --compare read records, and take no submissions");
+    }
     if (!options.compare.empty()) return print_comparison(options.compare);
     if (!options.report.empty()) return make_reports(options);
     if (options.pseudonyms) {
@@ -89,7 +93,10 @@ void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
       ->option_text("DIR")
       ->check(files::fault_of_path);
   app.add_option("--labs", request.labs, "labs to grade, such as 3, 1-7 or 1,3-5; by default all")
-      ->option_text("LIST");
+      ->option_text("LIST")
+      ->check([](const std::string& list) {
+        return list.empty() ? std::string("an empty list; leave --labs out for all labs") : "";
+      });
   app.add_option("--jobs", request.jobs, "labs graded at the same time; by default one per core")
       ->option_text("N")
       ->check(CLI::Range(1, 256));

@@ -34,7 +34,7 @@ std::string test_table(const LabRecord& lab, const Course& course) {
   std::string rows;
   int hidden_points = 0;
   int hidden_earned = 0;
-  for (const TestResult& test : lab.tests) {
+  for (const TestResult& test : by_step(lab.tests)) {
     if (!test.hidden || lists_hidden_tests(course)) {
       rows += test_row(test);
     } else {

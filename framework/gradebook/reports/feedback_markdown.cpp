@@ -11,7 +11,7 @@ std::string test_rows(const LabRecord& lab, const Course& course) {
   std::string text = "| Step | Test | Points | Result |\n|---|---|---|---|\n";
   int hidden_points = 0;
   int hidden_earned = 0;
-  for (const TestResult& test : lab.tests) {
+  for (const TestResult& test : by_step(lab.tests)) {
     if (test.hidden && !lists_hidden_tests(course)) {
       hidden_points += test.points;
       hidden_earned += test.earned;
@@ -29,7 +29,7 @@ std::string test_rows(const LabRecord& lab, const Course& course) {
 
 std::string failures(const LabRecord& lab) {
   std::string text;
-  for (const TestResult& test : lab.tests) {
+  for (const TestResult& test : by_step(lab.tests)) {
     if (test.status == "passed" || shown_message(test).empty()) continue;
     text += fmt::format("\n### {}\n\n{}", markdown(test.name), markdown_block(test.message));
   }

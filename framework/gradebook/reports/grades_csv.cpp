@@ -42,8 +42,12 @@ std::string damaged_ones(const Student& student) {
 /// What an instructor may want to look at before publishing a mark.
 std::vector<std::string> troubles_of(const LabRecord& lab) {
   if (!lab.submitted) return {};
+  if (!lab.not_graded.empty()) return {"the grader: " + plain_line(lab.not_graded)};
   if (!lab.compiled) return {"does not compile"};
   std::vector<std::string> troubles;
+  if (lab.own_tests && !lab.own_tests->not_graded.empty()) {
+    troubles.push_back("the grader, of my_tests.cpp: " + plain_line(lab.own_tests->not_graded));
+  }
   const auto add = [&](const char* status, const char* what) {
     const int count = lab.tests_with(status);
     if (count == 0) return;
@@ -61,9 +65,15 @@ std::string notes_of(const StudentMark& mark) {
     notes += fmt::format("{}{}", notes.empty() ? "" : "; ", note);
   };
   if (mark.has_scattered_labs()) add(milestones_need_one_submission);
+  if (const int late =
+          mark.engine.record == nullptr ? 0 : mark.engine.record->engine->tests_with("timeout");
+      late > 0) {
+    add(fmt::format("{} milestone{} ended at the limit of time: grade again with more", late,
+                    late == 1 ? "" : "s"));
+  }
   for (const LabMark& lab : mark.labs) {
     for (const std::string& note : lab.notes) {
-      if (note != "not submitted") add(fmt::format("lab {}: {}", lab.lab, plain_line(note)));
+      if (note != note_not_submitted) add(fmt::format("lab {}: {}", lab.lab, plain_line(note)));
     }
     if (lab.lab_record() == nullptr) continue;
     for (const std::string& note : troubles_of(*lab.lab_record())) {

@@ -27,6 +27,7 @@ footer { margin-top: 2.5rem; font-size: .85rem; }
 table { border-collapse: collapse; min-width: 100%; font-size: .94rem; }
 th, td { text-align: left; padding: .3rem .6rem; border-bottom: 1px solid var(--line); vertical-align: top;
   overflow-wrap: normal; }
+td:not(.number) { overflow-wrap: anywhere; }
 th { color: var(--faint); font-weight: 600; }
 .number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 .good { color: var(--good); }

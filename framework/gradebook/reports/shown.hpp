@@ -3,6 +3,7 @@
 /// What a report for a student shows of a test.
 
 #include <string>
+#include <vector>
 
 #include "gradebook/course/course.hpp"
 #include "gradebook/marks/mark.hpp"
@@ -13,6 +14,9 @@ namespace cs550::gradebook {
 inline std::string shown_message(const TestResult& test) {
   return test.hidden ? std::string() : test.message;
 }
+
+/// The tests of a lab in the order of its steps; those of one step as they are.
+std::vector<TestResult> by_step(std::vector<TestResult> tests);
 
 /// Whether feedback lists the hidden tests, by name and points, or only their sum.
 inline bool lists_hidden_tests(const Course& course) {

@@ -45,7 +45,11 @@ def by_judge(options, sources):
         subprocess.run([options.build / "bin/grade_lab", str(options.lab), "--submission", submission,
                         "--work", Path(scratch) / "work", "--results", results, "--wall", str(SECONDS_PER_TEST),
                         "--lab-time", str(SECONDS_PER_LAB), "--isolation", options.isolation], check=True)
-        return {test["name"]: test["earned"] for test in json.loads(results.read_text())["tests"]}
+        return json.loads(results.read_text())["tests"]
+
+
+def points_of(tests):
+    return {test["name"]: test["earned"] for test in tests}
 
 
 def differences(name, here, there):
@@ -58,12 +62,16 @@ def compare_given_code(options):
     """The reference and the starter, which earn everything and nothing."""
     for name, folder, expected in (("reference", "solutions", 60), ("stub", "labs", 0)):
         here = in_process(options.build / "bin" / f"lab{options.lab}_{name}")
-        there = by_judge(options, sources_of(folder, options.lab))
+        tests = by_judge(options, sources_of(folder, options.lab))
+        there = points_of(tests)
         points = sum(there.values())
         print(f"{name}: {points} points, {len(there)} tests", flush=True)
         yield from differences(name, here, there)
         if points != expected:
             yield f"{name} earns {points} points, not {expected}"
+        for test in tests:
+            if expected == 0 and "not implemented" not in test["message"]:
+                yield f"{name} {test['name']} does not say that a step is not written: {test['message']}"
 
 
 def compare_mutants(options):
@@ -75,7 +83,7 @@ def compare_mutants(options):
         sources = sources_of("solutions", options.lab)
         for path, text in run_mutants.mutated_sources(mutant).items():
             sources[path.name] = '#include "cs550/not_implemented.hpp"\n' + text
-        there = by_judge(options, sources)
+        there = points_of(by_judge(options, sources))
         print(f"{mutant['name']}: {sum(there.values())} points", flush=True)
         yield from differences(mutant["name"], mutant_in_process(reference, mutant), there)
 

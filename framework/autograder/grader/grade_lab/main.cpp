@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <regex>
 #include <stdexcept>
 #include <string>
 
@@ -83,6 +84,12 @@ nlohmann::json graded_tests(const std::string& lab_name) {
   return nlohmann::json::parse(stream).at("tests");
 }
 
+/// A message without the line that names the file of its picture, which no reader of the record has.
+std::string without_picture(const std::string& message) {
+  static const std::regex line(R"((^|\n) *picture +[^\n]*\.svg(?=\n|$))");
+  return std::regex_replace(message, line, "");
+}
+
 /// One test of the record, from its line in the manifest and its row in the judge's results.
 Json record_of(int lab, const Json& test, const nlohmann::json& rows, bool compiled) {
   const std::string name = test.at("name");
@@ -99,7 +106,8 @@ Json record_of(int lab, const Json& test, const nlohmann::json& rows, bool compi
   record["earned"] = row.at("earned");
   record["status"] = row.value("ended_as", row.at("status").get<std::string>());
   record["seconds"] = row.at("seconds");
-  record["message"] = readable_text(row.at("message").get<std::string>(), longest_message_shown);
+  record["message"] =
+      readable_text(without_picture(row.at("message").get<std::string>()), longest_message_shown);
   return record;
 }
 

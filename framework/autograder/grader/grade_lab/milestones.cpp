@@ -1,6 +1,7 @@
 #include "autograder/grader/grade_lab/milestones.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -42,6 +43,8 @@ std::vector<std::string> milestones_until(int lab) {
   return names;
 }
 
+bool is_over(const Order& order) { return std::chrono::steady_clock::now() >= order.deadline; }
+
 /// Compiles the labs into `order.libraries`, with starters for those that are missing.
 Compilation assemble(const Options& options, const fs::path& folder, Order& order) {
   Compilation all;
@@ -61,12 +64,14 @@ Compilation assemble(const Options& options, const fs::path& folder, Order& orde
     if (number > options.lab) continue;
     all.succeeded = false;
     all.errors += (all.errors.empty() ? "" : "\n") + std::string("lab ") + std::to_string(number) +
-                  " does not compile; its starter takes its place";
+                  (is_over(order) ? " was not compiled, since the time for the whole lab is over"
+                                  : " does not compile") +
+                  "; its starter takes its place";
   }
   return all;
 }
 
-Json record_of(const std::string& name, const nlohmann::json& rows) {
+Json record_of(const std::string& name, const nlohmann::json& rows, const Order& order) {
   Json record{{"name", "Milestone." + name},
               {"step", "L" + std::to_string(lab_number(name))},
               {"points", 0},
@@ -75,7 +80,12 @@ Json record_of(const std::string& name, const nlohmann::json& rows) {
               {"hidden", false},
               {"seconds", 0.0},
               {"message", "the judge ended during this milestone"}};
-  if (!rows.contains(name) || rows[name]["status"] == "running") return record;
+  if (!rows.contains(name) || rows[name]["status"] == "running") {
+    if (!is_over(order)) return record;
+    record["status"] = "timeout";
+    record["message"] = "the time for the whole lab is over";
+    return record;
+  }
   const nlohmann::json& row = rows[name];
   record["status"] = row.value("ended_as", row.at("status").get<std::string>());
   record["seconds"] = row.at("seconds");
@@ -95,7 +105,7 @@ Json run_milestones(const Options& options) {
     filter += (filter.empty() ? "Milestone." : ":Milestone.") + name;
   const nlohmann::json rows = run_judge(order, names.size(), filter, work);
   Json tests = Json::array();
-  for (const std::string& name : names) tests.push_back(record_of(name, rows));
+  for (const std::string& name : names) tests.push_back(record_of(name, rows, order));
   return {{"lab", 0},
           {"isolation", to_string(order.isolation)},
           {"compiler", CS550_COMPILER_NAME},

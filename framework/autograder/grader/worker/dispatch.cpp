@@ -42,6 +42,7 @@ std::string serve_substeps(void* /*given*/, serialisation::ByteReader& reader) {
   int count = 0;
   archive_substeps_input(reader, world);
   reader(step, count);
+  world.pairs.summaries.resize(world.pairs.size());  // a stage that is not written yet clears them
   run_substeps(world, step, count);
   serialisation::ByteWriter writer;
   writer(Reply::Returned, world.unwritten.any());
