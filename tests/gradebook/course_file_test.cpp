@@ -42,6 +42,26 @@ TEST(CourseFile, EveryExampleWorksByItself) {
   }
 }
 
+TEST(CourseFile, RefusesDatesThatCannotBeMeant) {
+  const std::string lab =
+      "[lab.3]\ndue = 2026-10-12T23:59:00+02:00\nsolution_released = 2026-10-20T08:00:00+02:00\n";
+  const auto extension = [](const char* date) {
+    return std::string("[[extension]]\nstudent = 'ada'\nlab = 3\nreason = 'r'\ndue = ") + date +
+           "\n";
+  };
+  const std::string good = extension("2026-10-14T23:59:00+02:00");
+  EXPECT_EQ(fault_of(lab + good), "");
+  EXPECT_NE(fault_of(lab + good + good).find("another one"), std::string::npos);
+  EXPECT_NE(fault_of(lab + extension("2026-10-01T23:59:00+02:00")).find("before the lab's due"),
+            std::string::npos);
+  EXPECT_NE(fault_of(lab + extension("2026-11-01T23:59:00+02:00")).find("after solution_released"),
+            std::string::npos);
+  EXPECT_NE(fault_of("[lab.3]\ndue = 2026-10-12T23:59:00+02:00\n"
+                     "solution_released = 2026-10-02T08:00:00+02:00\n")
+                .find("before due"),
+            std::string::npos);
+}
+
 TEST(CourseFile, AllExamplesTogetherAreAFile) {
   std::string all;
   for (const CourseTable& table : course_tables()) all += std::string(table.example) + "\n\n";

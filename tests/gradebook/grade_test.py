@@ -489,6 +489,18 @@ def test_arguments_that_cannot_be_meant_are_refused(folder):
     assert "there is no folder" in grade("--gradescope-zip", folder / "none/a.zip", "--labs", "3", code=1)
 
 
+def test_a_run_is_resumed_with_its_own_secret(folder):
+    pack(folder / "ada.zip", {HILL: "// good"})
+    for name, secret in (("a.toml", "one"), ("b.toml", "two")):
+        (folder / name).write_text(f"secret = '{secret}'\n")
+    out = folder / "out"
+    grade(folder / "ada.zip", "--out", out, "--labs", "3", "--course", folder / "a.toml")
+    printed = grade(folder / "ada.zip", "--out", out, "--labs", "3", "--resume", "--course", folder / "b.toml", code=2)
+    assert "another secret" in printed, printed
+    assert "one" in (out / "course.toml").read_text(), "the settings of the run were replaced"
+    grade(folder / "ada.zip", "--out", out, "--labs", "3", "--resume", "--course", folder / "a.toml")
+
+
 def test_a_lab_that_no_run_graded_is_named(folder):
     small_class(folder / "class")
     grade(folder / "class", "--out", folder / "out", "--labs", "3")

@@ -158,6 +158,16 @@ void check_place(const fs::path& out, const std::vector<fs::path>& submissions) 
   }
 }
 
+/// Refuses another secret than that of the run that is resumed: part of the class would have other seeds.
+void check_secret(const Settings& settings, const GradeRequest& request) {
+  if (!request.resume || !RecordFolder(request.out).has_records()) return;
+  const Settings before = read_settings(request.root, {}, {}, request.out);
+  if (before.course.secret == settings.course.secret) return;
+  throw std::invalid_argument(request.out.string() +
+                              " was graded with another secret, so with other seeds.\n"
+                              "  Keep the secret of its course.toml, or choose another --out.");
+}
+
 /// Refuses to replace records, or to remove marks: a resumed run replaces the records of its submissions, with the
 /// labs that it grades.
 void check_records(const RecordFolder& folder, const std::vector<int>& labs,
@@ -212,6 +222,7 @@ bool grade(const GradeRequest& request) {
   make_full_disk_an_error();
   const Settings settings = read_settings(request.root, request.course, request.roster,
                                           request.resume ? request.out : fs::path());
+  check_secret(settings, request);
   const std::vector<int> labs = parse_labs(request.labs, numbers_of(settings.catalogue));
   if (request.milestones.value_or(false) && labs.front() != 1) {
     throw std::invalid_argument("--milestones needs lab 1 in --labs: an engine begins with it");

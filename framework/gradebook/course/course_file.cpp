@@ -9,6 +9,7 @@
 
 #include "cli/system/files.hpp"
 #include "gradebook/course/course_check.hpp"
+#include "gradebook/course/course_dates.hpp"
 
 namespace cs550::gradebook {
 namespace {
@@ -109,7 +110,9 @@ Course parse_course(const std::string& text, const std::string& file, const Cata
   try {
     const toml::table table = toml::parse(text, file);
     check_course(table, file, catalogue);
-    return to_course(table);
+    Course course = to_course(table);
+    check_dates(course, file);
+    return course;
   } catch (const toml::parse_error& error) {
     throw CourseError(
         fmt::format("{}:{}: this is not TOML: {}\n  An example that works:\n"
