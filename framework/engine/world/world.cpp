@@ -57,8 +57,7 @@ bool can_turn(const RigidBody& body) {
 constexpr Real largest_mass = Real(1e18);
 
 bool has_finite_energy(const RigidBody& body) {
-  return std::isfinite(kinetic_energy(body)) && std::isfinite(body.linear_momentum.squaredNorm()) &&
-         std::isfinite(body.angular_momentum.squaredNorm());
+  return std::isfinite(kinetic_energy(body)) && std::isfinite(body.linear_momentum.squaredNorm());
 }
 
 /// The index of a body that is alive.
