@@ -296,6 +296,20 @@ TEST(Reports, ClassPageShowsHowManyReachEachMilestone) {
             std::string::npos);
 }
 
+TEST(Feedback, SaysWhichOfSeveralSubmissionsCounts) {
+  Record first = record_of("ada", lab_record(24, 0, 0));
+  Record second = record_of("ada", lab_record(24, 24, 0));
+  first.source = "ada-lab3.zip";
+  second.name = "ada-2";
+  second.source = "ada-lab3-again.zip";
+  const ScratchFolder scratch;
+  write_reports(scratch / "out", {first, second}, {}, course_of(""));
+  const std::string of_first = cli::read_text(scratch / "out/feedback/ada.html");
+  EXPECT_NE(of_first.find("not what counts: that is ada-lab3-again.zip"), std::string::npos);
+  const std::string of_second = cli::read_text(scratch / "out/feedback/ada-2.html");
+  EXPECT_EQ(of_second.find("not what counts"), std::string::npos);
+}
+
 TEST(Feedback, ListsTestsInTheOrderOfTheSteps) {
   Record record = record_of("ada", lab_record(24, 24, 12));
   record.labs[0].tests[0].step = "L3.10";
@@ -326,7 +340,7 @@ TEST(Reports, ClassPageCountsTheStudentsOfTheRoster) {
       class_page(mark_class(assign(roster, records), {3}, course), {3}, course);
   EXPECT_NE(text.find("3 students, 2 without a submission. 1 name is not on the roster."),
             std::string::npos);
-  EXPECT_NE(text.find("2 submissions, 2 missing"), std::string::npos);
+  EXPECT_NE(text.find("2 submitted, 2 missing"), std::string::npos);
 }
 
 TEST(Merge, LabsOfOneSubmissionComeTogether) {

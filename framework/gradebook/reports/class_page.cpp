@@ -40,7 +40,7 @@ std::string lab_cards(const std::vector<LabStatistics>& labs) {
   for (const LabStatistics& lab : labs) {
     cards += fmt::format(
         "<div class=\"card\"><h3>Lab {}</h3>\n<p>mean {:.0f}%, median {:.0f}%</p>\n"
-        "<p class=\"faint\">{} submissions, {} missing, {} do not compile</p>\n{}</div>\n",
+        "<p class=\"faint\">{} submitted, {} missing, {} do not compile</p>\n{}</div>\n",
         lab.lab, lab.mean, lab.median, lab.submissions, lab.missing, lab.not_compiled,
         bar_chart(lab.histogram, {"0", "10", "20", "30", "40", "50", "60", "70", "80", "90+"},
                   fmt::format("Lab {}: number of students per 10% of the points", lab.lab)));

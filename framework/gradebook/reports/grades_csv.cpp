@@ -68,8 +68,8 @@ std::string notes_of(const StudentMark& mark) {
   if (const int late =
           mark.engine.record == nullptr ? 0 : mark.engine.record->engine->tests_with("timeout");
       late > 0) {
-    add(fmt::format("{} milestone{} ended at the limit of time: grade again with more", late,
-                    late == 1 ? "" : "s"));
+    add(fmt::format("{} milestone{} ended at the limit of time: grade again with a larger one",
+                    late, late == 1 ? "" : "s"));
   }
   for (const LabMark& lab : mark.labs) {
     for (const std::string& note : lab.notes) {

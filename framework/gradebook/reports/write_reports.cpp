@@ -17,11 +17,22 @@ std::vector<int> labs_in(const Record& record) {
   return labs;
 }
 
-void write_for_record(const std::filesystem::path& folder, const Student& student,
-                      const Record& record, const Course& course) {
-  Student alone = student;
+/// The mark of one of a student's records by itself, with a note on labs for which another one counts.
+StudentMark mark_of(const StudentMark& whole, const Record& record, const Course& course) {
+  Student alone = whole.student;
   alone.records = {&record};
-  const StudentMark mark = mark_student(alone, labs_in(record), course);
+  StudentMark mark = mark_student(alone, labs_in(record), course);
+  for (LabMark& lab : mark.labs) {
+    const LabMark* counted = whole.lab(lab.lab);
+    const bool counts = counted->record == nullptr || counted->record == &record;
+    if (!counts) lab.notes.push_back("not what counts: that is " + counted->record->source);
+  }
+  return mark;
+}
+
+void write_for_record(const std::filesystem::path& folder, const StudentMark& whole,
+                      const Record& record, const Course& course) {
+  const StudentMark mark = mark_of(whole, record, course);
   files::write_file(folder / "gradescope" / (record.name + ".json"), gradescope_json(mark, course));
   files::write_file(folder / "junit" / (record.name + ".xml"), junit_xml(record));
   files::write_file(folder / "classroom" / (record.name + ".json"), classroom_json(record));
@@ -37,7 +48,7 @@ void write_reports(const std::filesystem::path& folder, const std::vector<Record
   const std::vector<StudentMark> marks = mark_class(assign(roster, records), labs, course);
   for (const StudentMark& mark : marks) {
     for (const Record* record : mark.student.records) {
-      write_for_record(folder, mark.student, *record, course);
+      write_for_record(folder, mark, *record, course);
     }
   }
   files::write_file(folder / "grades.csv", grades_csv(marks, labs));
