@@ -206,7 +206,7 @@ TEST(World, RefusesSettingsOutsideTheirRange) {
 }
 
 // With the same impulses for longer and shorter substeps the top moves by 0.04 m/s for as long as it stands.
-TEST(World, StepsOfDifferentLengthLetATowerRest) {
+TEST(World, StepsOfDifferentLengthDoNotShakeATower) {
   World world;
   world.add_body(floor_body());
   BodyId top;

@@ -1,6 +1,5 @@
 #include "cs550/world.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -8,57 +7,13 @@
 
 #include "engine/islands/sleeping.hpp"
 #include "engine/pairs/near_pairs.hpp"
+#include "engine/world/new_body.hpp"
 #include "engine/world/settings_ranges.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(std::string("a body needs ") + what);
-}
-
-void check_definition(const BodyDef& def) {
-  require(def.shape != nullptr, "a shape");
-  require(def.pose.position.allFinite(), "a finite position");
-  require(std::abs(def.pose.orientation.norm() - 1) < Real(1e-3),
-          "a unit quaternion as its orientation");
-  require(def.linear_velocity.allFinite() && def.angular_velocity.allFinite(), "finite velocities");
-  if (def.mass) {
-    require(std::isfinite(*def.mass) && *def.mass > 0, "a positive, finite mass");
-  } else {
-    require(std::isfinite(def.density) && def.density > 0, "a positive, finite density");
-  }
-  require(std::isfinite(def.friction) && def.friction >= 0, "a friction of 0 or more");
-  require(def.restitution >= 0 && def.restitution <= 1, "a restitution from 0 to 1");
-}
-
-RigidBody make_body(const BodyDef& def) {
-  RigidBody body;
-  if (def.kind == BodyKind::Dynamic) {
-    const Real density = def.mass ? *def.mass / def.shape->volume : def.density;
-    body =
-        make_dynamic_body(density * def.shape->volume, density * def.shape->unit_inertia, def.pose);
-  } else {
-    body = make_immovable_body(def.kind, def.pose);
-  }
-  set_velocity(body, def.linear_velocity, def.angular_velocity);
-  return body;
-}
-
-/// Whether the moments of inertia and their reciprocals are within the range of Real.
-bool can_turn(const RigidBody& body) {
-  return body.inertia.allFinite() && body.inverse_inertia.allFinite() &&
-         (body.inverse_inertia.diagonal().array() > 0).all();
-}
-
-/// A step squares momenta.
-constexpr Real largest_mass = Real(1e18);
-
-bool has_finite_energy(const RigidBody& body) {
-  return std::isfinite(kinetic_energy(body)) && std::isfinite(body.linear_momentum.squaredNorm());
-}
 
 /// The index of a body that is alive.
 std::size_t living(const World& world, BodyId id) {
@@ -137,14 +92,7 @@ WorldSettings& World::settings() { return state_->settings; }
 const WorldSettings& World::settings() const { return state_->settings; }
 
 BodyId World::add_body(const BodyDef& def) {
-  check_definition(def);
   const RigidBody body = make_body(def);
-  if (def.kind == BodyKind::Dynamic) {
-    require(can_turn(body),
-            "a mass with which its moments of inertia and their reciprocals are finite");
-    require(body.mass <= largest_mass, "a mass of at most 1e18 kg");
-    require(has_finite_energy(body), "velocities with which its kinetic energy is finite");
-  }
   const std::size_t place = free_place(*state_);
   if (place == state_->slot_count()) {
     state_->bodies.emplace_back();

@@ -29,8 +29,8 @@ enum class PassOrder : std::uint8_t {
 };
 
 /// The settings of a world, which may be changed between steps. Lengths and speeds are multiples of
-/// the length unit where noted. World::step() refuses numbers outside their ranges. Those without a
-/// range in their comment are finite, positive (or 0 where that has a meaning), and at most 10⁶.
+/// the length unit where noted. World::step() refuses numbers outside their ranges: those
+/// without a range in their comment may be from 0 to 10⁶, and a length unit or a stiffness not 0.
 struct WorldSettings {
   Vec3 gravity = {0, 0, Real(-9.81)};  ///< m/s²; the z axis points up
   /// The size of a typical body (m). It scales margins, slop and thresholds, but not the stiffness
@@ -292,11 +292,11 @@ class World {
   const AabbTree& broad_phase() const;
 
   /// A hash of everything that one step leaves to the next, bit for bit (FNV-1a): poses, momenta,
-  /// velocities of kinematic bodies, pending forces; the pairs with their contact points,
-  /// impulses, hints and kept answers; the parts of a world of many contacts; the boxes in the
-  /// tree; with settings.sleeping, what decides when bodies fall asleep. Worlds with equal
-  /// settings, definitions of bodies and hashes continue identically, up to a collision of 64-bit
-  /// hashes.
+  /// velocities of kinematic bodies, pending forces; the pairs with their contact points, impulses,
+  /// hints and kept answers; the length of a substep; the parts of a world of many contacts; the
+  /// boxes in the tree; with settings.sleeping, what decides when bodies fall asleep. Worlds with
+  /// equal settings, definitions of bodies and hashes continue identically, up to a collision of
+  /// 64-bit hashes.
   std::uint64_t state_hash() const;
 
   /// The momentum error |ΔP − J| over the run, relative to Σ|P| plus the weight that acts in one

@@ -1,0 +1,67 @@
+#include "engine/world/new_body.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace cs550 {
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(std::string("a body needs ") + what);
+}
+
+void check_definition(const BodyDef& def) {
+  require(def.shape != nullptr, "a shape");
+  require(def.pose.position.allFinite(), "a finite position");
+  require(std::abs(def.pose.orientation.norm() - 1) < Real(1e-3),
+          "a unit quaternion as its orientation");
+  require(def.linear_velocity.allFinite() && def.angular_velocity.allFinite(), "finite velocities");
+  if (def.mass) {
+    require(std::isfinite(*def.mass) && *def.mass > 0, "a positive, finite mass");
+  } else {
+    require(std::isfinite(def.density) && def.density > 0, "a positive, finite density");
+  }
+  require(std::isfinite(def.friction) && def.friction >= 0, "a friction of 0 or more");
+  require(def.restitution >= 0 && def.restitution <= 1, "a restitution from 0 to 1");
+}
+
+/// Whether the moments of inertia and their reciprocals are within the range of Real.
+bool can_turn(const RigidBody& body) {
+  return body.inertia.allFinite() && body.inverse_inertia.allFinite() &&
+         (body.inverse_inertia.diagonal().array() > 0).all();
+}
+
+/// A step squares momenta.
+constexpr Real largest_mass = Real(1e18);
+
+bool has_finite_energy(const RigidBody& body) {
+  return std::isfinite(kinetic_energy(body)) && std::isfinite(body.linear_momentum.squaredNorm());
+}
+
+void check_range(const RigidBody& body) {
+  require(can_turn(body),
+          "a mass with which its moments of inertia and their reciprocals are finite");
+  require(body.mass <= largest_mass, "a mass of at most 1e18 kg");
+  require(has_finite_energy(body), "velocities with which its kinetic energy is finite");
+}
+
+}  // namespace
+
+RigidBody make_body(const BodyDef& def) {
+  check_definition(def);
+  RigidBody body;
+  if (def.kind == BodyKind::Dynamic) {
+    const Real density = def.mass ? *def.mass / def.shape->volume : def.density;
+    body =
+        make_dynamic_body(density * def.shape->volume, density * def.shape->unit_inertia, def.pose);
+  } else {
+    body = make_immovable_body(def.kind, def.pose);
+  }
+  set_velocity(body, def.linear_velocity, def.angular_velocity);
+  if (def.kind == BodyKind::Dynamic) check_range(body);
+  return body;
+}
+
+}  // namespace cs550
