@@ -82,9 +82,9 @@ TEST(Marks, ALabThatNoRunGradedForAStudentSaysSo) {
   const Record record = record_of("ada", lab_record(24, 0, 12));
   const Student student{"ada", "", "", "", {}, true, {&record}};
   const StudentMark mark = mark_student(student, {3, 6}, course_of(""));
-  EXPECT_EQ(mark.labs[1].notes, std::vector<std::string>{note_not_asked_for});
+  EXPECT_EQ(mark.labs[1].notes, std::vector<std::string>{note_not_run});
   const std::string text = grades_csv({mark}, {3, 6});
-  EXPECT_NE(text.find("lab 6: " + std::string(note_not_asked_for)), std::string::npos) << text;
+  EXPECT_NE(text.find("lab 6: " + std::string(note_not_run)), std::string::npos) << text;
 
   Record asked = record;
   asked.labs.push_back(LabRecord{});

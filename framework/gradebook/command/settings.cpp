@@ -77,9 +77,9 @@ void print_students_to_look_at(const Settings& settings, const std::vector<Recor
   for (const StudentMark& mark : mark_class(students, labs_of(records), settings.course)) {
     if (!mark.student.on_roster) print_unknown(mark.student, settings.roster);
     for (const LabMark& lab : mark.labs) {
-      if (lab.notes.empty() || lab.notes.front() != note_not_asked_for) continue;
+      if (lab.was_run) continue;
       std::cout << cli::indented(
-          fmt::format("{}, lab {}: {}", mark.student.id, lab.lab, note_not_asked_for), 0);
+          fmt::format("{}, lab {}: {}", mark.student.id, lab.lab, note_not_run), 0);
     }
     if (!mark.has_scattered_labs()) continue;
     std::cout << cli::indented(

@@ -162,11 +162,11 @@ LabMark best_mark(const Student& student, int lab, const Course& course) {
     chosen.emplace();
     chosen->lab = lab;
     chosen->points = course.lab(lab).points;
-    const bool was_asked_for =
+    chosen->was_run =
         student.records.empty() ||
         std::any_of(student.records.begin(), student.records.end(),
                     [lab](const Record* record) { return record->lab(lab) != nullptr; });
-    chosen->notes.emplace_back(was_asked_for ? note_not_submitted : note_not_asked_for);
+    chosen->notes.emplace_back(chosen->was_run ? note_not_submitted : note_not_run);
   }
   return *chosen;
 }

@@ -21,6 +21,7 @@ struct LabMark {
   double adjustment = 0;           ///< points given or taken by hand
   double mark = 0;                 ///< of `points`
   bool is_graded = true;           ///< false if the grader failed
+  bool was_run = true;             ///< false if no run graded this lab for the student
   std::vector<std::string> notes;  ///< everything that changed the mark, in words
 
   const LabRecord* lab_record() const { return record == nullptr ? nullptr : record->lab(lab); }
@@ -53,7 +54,7 @@ inline constexpr const char* milestones_need_one_submission =
 
 /// Notes on a lab without a submission.
 inline constexpr const char* note_not_submitted = "not submitted";
-inline constexpr const char* note_not_asked_for =
+inline constexpr const char* note_not_run =
     "counts as 0, but no run graded it for this student: --labs left it out";
 
 /// The labs of all records, ascending.

@@ -25,13 +25,18 @@ def engine(folder, scratch, labs=LABS):
     return scratch
 
 
-def reached(build, submission, last):
-    """By milestone: whether it is reached, and the message if it is not."""
+def record_of(build, submission, last, *options):
+    """The record of grade_lab --milestones."""
     with tempfile.TemporaryDirectory() as scratch:
         results = Path(scratch) / "results.json"
         subprocess.run([build / "bin/grade_lab", str(last), "--milestones", "--submission", submission,
-                        "--work", Path(scratch) / "work", "--results", results], check=True)
-        record = json.loads(results.read_text())
+                        "--work", Path(scratch) / "work", "--results", results, *options], check=True)
+        return json.loads(results.read_text())
+
+
+def reached(build, submission, last):
+    """By milestone: whether it is reached, and the message if it is not."""
+    record = record_of(build, submission, last)
     seconds = sum(test["seconds"] for test in record["tests"])
     print(f"{submission.name}: {record['compile']['seconds']:.1f} s of compilation, {seconds:.1f} s of milestones")
     return {test["name"]: test["status"] == "passed" or test["message"] for test in record["tests"]}
@@ -55,6 +60,11 @@ def main():
         assert verdicts.pop("Milestone.lab2_thrown_shapes") is True, verdicts
         assert "not implemented: L3" in verdicts.pop("Milestone.lab3_ghosts"), verdicts
         assert not verdicts, "later labs were not asked for"
+
+        late = record_of(build, scratch / "reference", 7, "--lab-time", "1")
+        assert {test["status"] for test in late["tests"]} == {"timeout"}, late["tests"]
+        assert "does not compile" not in late["compile"]["errors"], late["compile"]["errors"]
+        assert "time for the whole lab is over" in late["compile"]["errors"], late["compile"]["errors"]
 
         unwritten = reached(build, engine("labs", scratch / "starters"), 7)
         assert len(unwritten) == len(right) and True not in unwritten.values(), unwritten

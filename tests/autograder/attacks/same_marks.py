@@ -45,7 +45,10 @@ def by_judge(options, sources):
         subprocess.run([options.build / "bin/grade_lab", str(options.lab), "--submission", submission,
                         "--work", Path(scratch) / "work", "--results", results, "--wall", str(SECONDS_PER_TEST),
                         "--lab-time", str(SECONDS_PER_LAB), "--isolation", options.isolation], check=True)
-        return json.loads(results.read_text())["tests"]
+        tests = json.loads(results.read_text())["tests"]
+        pictures = [test["name"] for test in tests if ".svg" in test["message"]]
+        assert not pictures, f"messages name files of pictures, which are not in the record: {pictures}"
+        return tests
 
 
 def points_of(tests):
