@@ -217,6 +217,30 @@ if chown 12345 "$scratch/temporary/$own" 2>/dev/null; then
   prints "cannot create $scratch/temporary/$own as a folder of your own"
 fi
 
+# Without a terminal, packages are installed only by a sudo that asks for no password, as on build services.
+mkdir "$scratch/service"
+cat >"$scratch/service/id" <<'FAKE'
+#!/bin/sh
+echo 1000
+FAKE
+cat >"$scratch/service/sudo" <<'FAKE'
+#!/bin/sh
+[ "$1" != -n ] || exit "$ASKS"
+touch "$INSTALLED"
+FAKE
+printf '#!/bin/sh\n' >"$scratch/service/apt-get"
+chmod +x "$scratch/service/"*
+installs() {
+  printf 'build | libwhat-dev | what | what | %s | for the test\n' "$scratch/installed" >"$project/framework/cli/packages.txt"
+  env ASKS="$1" INSTALLED="$scratch/installed" PATH="$scratch/service:$PATH" "$project/cs550" doctor --install build \
+    >"$scratch/printed" 2>&1 </dev/null
+}
+! installs 1 || wrong "it installed packages with a sudo that asks for a password"
+prints "there is no terminal to ask"
+installs 0 || wrong "it did not install packages with a sudo that asks for no password"
+[ -e "$scratch/installed" ] || wrong "it did not call sudo"
+: >"$project/framework/cli/packages.txt"
+
 XDG_CACHE_HOME=$project/cs550
 ! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "it built without a folder to write to"
 prints "cannot create $project/cs550/cs550/"
