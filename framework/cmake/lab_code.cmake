@@ -95,7 +95,7 @@ function(cs550_add_lab number name)
   endforeach()
 
   if(CS550_STUDENTS_COPY)
-    if(CS550_ISOLATE_LABS)
+    if(student AND CS550_ISOLATE_LABS)
       cs550_tolerate_mistakes(lab${number}_assembled_code)
     endif()
     # Messages name the files that students edit, wherever the starters are. The last mapping wins.

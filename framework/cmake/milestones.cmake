@@ -19,10 +19,10 @@ foreach(variant student sanitized debugged)
   cs550_add_milestone_program(milestones_${variant})
   set_target_properties(milestones_${variant} PROPERTIES EXCLUDE_FROM_ALL TRUE)
 endforeach()
-cs550_link_labs(milestones_student assembled reference)
-cs550_link_labs(milestones_sanitized sanitized reference)
+cs550_link_labs(milestones_student assembled reference stub)
+cs550_link_labs(milestones_sanitized sanitized reference stub)
 target_link_libraries(milestones_sanitized PRIVATE cs550_sanitizers)
-cs550_link_labs(milestones_debugged debugged reference)
+cs550_link_labs(milestones_debugged debugged reference stub)
 
 # The reference must stay within half of the tolerances of its record. Otherwise the record is stale,
 # because students need the other half.

@@ -32,5 +32,5 @@ cs550_add_demo(cs550_demo)
 cs550_link_labs(cs550_demo fast reference stub)
 
 cs550_add_demo(cs550_demo_student)
-cs550_link_labs(cs550_demo_student assembled reference)
+cs550_link_labs(cs550_demo_student assembled reference stub)
 set_target_properties(cs550_demo_student PROPERTIES EXCLUDE_FROM_ALL TRUE)

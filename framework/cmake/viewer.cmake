@@ -63,5 +63,5 @@ cs550_add_viewer(cs550_viewer)
 cs550_link_labs(cs550_viewer fast reference stub)
 
 cs550_add_viewer(cs550_viewer_student)
-cs550_link_labs(cs550_viewer_student assembled reference)
+cs550_link_labs(cs550_viewer_student assembled reference stub)
 set_target_properties(cs550_viewer_student PROPERTIES EXCLUDE_FROM_ALL TRUE)

@@ -3,6 +3,8 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <filesystem>
+#include <system_error>
 
 namespace cs550::files {
 
@@ -14,6 +16,16 @@ std::string fault_of_path(const std::string& word) {
            " letters";
   }
   return "";
+}
+
+std::string fault_of_ending(const std::string& word, const std::string& ending) {
+  namespace fs = std::filesystem;
+  if (fs::path(word).extension() == ending) return "";
+  std::error_code unknown;
+  const fs::file_status status = fs::status(word, unknown);
+  const bool is_file = fs::is_regular_file(status) && word.rfind("/dev/", 0) != 0;
+  if (fs::exists(status) && !is_file) return "";
+  return "'" + word + "' must end in " + ending;
 }
 
 }  // namespace cs550::files

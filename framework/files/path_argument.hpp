@@ -10,4 +10,9 @@ namespace cs550::files {
 /// can. Whether something has that name is not asked.
 std::string fault_of_path(const std::string& word);
 
+/// Why a file of one kind is not written there: its name has another ending, so that it might replace a file of
+/// another kind. Empty if it has that ending, or is the name of a device, a pipe or a folder.
+/// @param ending such as ".png"
+std::string fault_of_ending(const std::string& word, const std::string& ending);
+
 }  // namespace cs550::files

@@ -17,12 +17,13 @@ grep -qxF "It has no solutions." "$printed" || wrong "it must report that it rel
   wrong "the command that adds figures must name the folder"
 "$program" starter --update "$copy" >"$printed" 2>/dev/null
 [ -z "$(git -C "$copy" status --porcelain)" ] || wrong "an update to the same version changes the copy"
-grep -qF "0 files replaced, 0 removed" "$printed" || wrong "it must replace nothing"
+grep -qF "0 files added, 0 replaced, 0 removed" "$printed" || wrong "it must replace nothing"
 
 # As if the copy were an older version.
 echo 'an old handout' >"$copy/$handout"
 echo 'an old page' >"$copy/docs/old_page.md"
 echo docs/old_page.md >>"$copy/.starters/files.txt"
+rm "$copy/LICENSE"
 git -C "$copy" add --all
 git -C "$copy" commit --quiet --message 'As published'
 git clone --quiet "$copy" "$student"
@@ -30,6 +31,7 @@ echo '// my work' >>"$student/$work"
 git -C "$student" commit --quiet --all --message 'My work'
 
 "$program" starter --update "$copy" >"$printed" 2>/dev/null
+grep -qxF "added: LICENSE" "$printed" || wrong "it must list what it adds"
 grep -qxF "replaced: $handout" "$printed" || wrong "it must list what it replaces"
 grep -qxF "removed: docs/old_page.md" "$printed" || wrong "it must list what it removes"
 git -C "$copy" add --all

@@ -36,8 +36,8 @@ demo --csv table.csv >/dev/null || wrong "no table"
 
 fails_with "cannot write /dev/full: No space left on device" --csv /dev/full
 [ -c /dev/full ] || wrong "/dev/full was replaced"
-mkdir folder
-fails_with "cannot write folder: Is a directory" --csv folder
+mkdir folder.csv
+fails_with "cannot write folder.csv: Is a directory" --csv folder.csv
 ln -s table.csv link.csv
 cp table.csv expected.csv
 : >table.csv

@@ -56,5 +56,32 @@ rm compiles
 submit --out broken.zip
 prints "Warning: lab 3 does not compile"
 [ -s broken.zip ] || wrong "a lab that does not compile was not packed"
+# The folder of links in which a project is built that cannot be written to.
+mkdir links
+ln -s ../project/labs ../project/tests ../project/.starters ../project/cs550 links
+for time in first second; do
+  CS550_ROOT="$scratch/links" "$program" submit 3 --out linked.zip >printed 2>&1 || wrong "the $time submission failed"
+done
+rm -r unpacked
+mkdir unpacked
+(cd unpacked && cmake -E tar xf ../linked.zip)
+cmp "$lab/util/more.hpp" unpacked/labs/lab3_hill_climbing/util/more.hpp || wrong "paths through links are wrong"
+
+# Tests that a student has written are handed in with an untouched lab too.
+cp "$project/.starters/lab3_hill_climbing/hill_climbing.cpp" "$lab"
+rm -r "$lab/util" "$lab/util.h" "$lab/my util.h" "$lab/table.txt"
+code=0
+"$program" submit 3 >printed 2>&1 || code=$?
+[ $code = 1 ] || wrong "the starter was packed, with exit code $code"
+prints "still the unchanged starter"
+echo "int my_test;" >"$lab/my_tests.cpp"
+submit --out tests.zip
+"$program" submit --out all.zip >printed 2>&1 || wrong "a lab with tests of one's own is not packed"
+prints "my_tests.cpp"
+
+code=0
+"$program" submit 3 --out "$lab/hill_climbing.cpp" >printed 2>&1 || code=$?
+[ $code = 2 ] || wrong "a zip replaced the code, with exit code $code"
+prints "must end in .zip"
 echo "submissions are complete"
 rm -rf "$scratch"

@@ -132,6 +132,7 @@ void declare(CLI::App& app, DemoOptions& options) {
                  "name of a shipped scene, or a scene file; by default wall");
   app.add_option("--csv", options.csv, "write the trajectory of every moving body to a file")
       ->check(files::fault_of_path)
+      ->check([](const std::string& file) { return files::fault_of_ending(file, ".csv"); })
       ->option_text("FILE");
   app.add_option("--steps", options.steps, "number of steps; by default the scene's own")
       ->option_text("N")

@@ -49,7 +49,7 @@ Texts texts_in(const fs::path& folder) {
 
 /// Throws std::runtime_error where git does not know the folder.
 Texts committed_texts(const fs::path& folder) {
-  const std::string tree = "HEAD:./" + fs::relative(folder, project_root()).string() + '/';
+  const std::string tree = "HEAD:./" + folder.lexically_relative(project_root()).string() + '/';
   std::istringstream names(output_of({"git", "ls-tree", "--name-only", tree}, project_root()));
   Texts texts;
   for (std::string name; std::getline(names, name);) {
@@ -88,11 +88,14 @@ Texts solution_of(const std::string& lab_name) {
 }
 
 /// Puts other files in the place of the student's. Those that differ are kept.
-/// @return the backups
-std::vector<fs::path> replace_lab_files(const std::string& lab_name, const Texts& fresh) {
+/// @return the backups; nothing if the files are the same already
+std::optional<std::vector<fs::path>> replace_lab_files(const std::string& lab_name,
+                                                       const Texts& fresh) {
   const fs::path folder = lab_folder(lab_name);
+  const Texts former = texts_in(folder);
+  if (former == fresh) return std::nullopt;
   std::vector<fs::path> backups;
-  for (const auto& [name, text] : texts_in(folder)) {
+  for (const auto& [name, text] : former) {
     const auto same = fresh.find(name);
     if (same != fresh.end() && same->second == text) continue;
     backups.push_back(first_free_backup(folder / name));
@@ -103,14 +106,21 @@ std::vector<fs::path> replace_lab_files(const std::string& lab_name, const Texts
   return backups;
 }
 
-/// Those without hidden folders or files in their path: no name begins with a dot.
-std::vector<fs::path> visible_files(const std::string& lab_name) {
+bool is_given(const fs::path& file) {
+  return file.filename() == "README.md" || file.extension() == ".svg" ||
+         file.extension().native().starts_with(".bak-");
+}
+
+/// Those that a student may have written. Hidden ones are left out: a name in their path begins with a dot.
+std::vector<fs::path> students_files(const std::string& lab_name) {
   const fs::path folder = lab_folder(lab_name);
   std::vector<fs::path> files = files_below(folder);
   std::erase_if(files, [&](const fs::path& file) {
     const fs::path name = file.lexically_relative(folder);
-    return std::any_of(name.begin(), name.end(),
-                       [](const fs::path& part) { return part.native().starts_with('.'); });
+    const bool is_hidden = std::any_of(name.begin(), name.end(), [](const fs::path& part) {
+      return part.native().starts_with('.');
+    });
+    return is_hidden || is_given(file);
   });
   return files;
 }
@@ -139,24 +149,20 @@ const std::vector<fs::path>& given_files() {
 }  // namespace
 
 std::vector<fs::path> lab_files(const std::string& lab_name) {
-  std::vector<fs::path> files = files_to_submit(lab_name);
+  std::vector<fs::path> files = students_files(lab_name);
   std::erase_if(files, is_students_test);
   return files;
 }
 
 std::vector<fs::path> files_to_submit(const std::string& lab_name) {
-  std::vector<fs::path> files = visible_files(lab_name);
+  std::vector<fs::path> files = students_files(lab_name);
   std::erase_if(files, [&](const fs::path& file) { return !is_handed_in(lab_name, file); });
   return files;
 }
 
 std::vector<fs::path> files_left_out(const std::string& lab_name) {
-  std::vector<fs::path> files = visible_files(lab_name);
-  std::erase_if(files, [&](const fs::path& file) {
-    const bool is_ours = file.filename() == "README.md" || file.extension() == ".svg" ||
-                         file.extension().native().starts_with(".bak-");
-    return is_ours || is_handed_in(lab_name, file);
-  });
+  std::vector<fs::path> files = students_files(lab_name);
+  std::erase_if(files, [&](const fs::path& file) { return is_handed_in(lab_name, file); });
   return files;
 }
 
@@ -175,6 +181,17 @@ std::string fingerprint(const std::string& lab_name) {
   return fingerprint_of(files);
 }
 
+std::string fault_of_absent_code(const std::string& lab_name) {
+  const std::vector<fs::path> code = code_in(lab_folder(lab_name));
+  if (std::any_of(code.begin(), code.end(),
+                  [](const fs::path& file) { return file.extension() == ".cpp"; })) {
+    return "";
+  }
+  return fmt::format(
+      "labs/{} has no .cpp file. ./cs550 lab {} --reset\nputs the starter there again.", lab_name,
+      lab_number(lab_name));
+}
+
 bool is_untouched(const std::string& lab_name) {
   try {
     return texts_in(lab_folder(lab_name)) == starter_of(lab_name);
@@ -183,14 +200,17 @@ bool is_untouched(const std::string& lab_name) {
   }
 }
 
-std::vector<fs::path> reset_to_starter(const std::string& lab_name) {
+bool is_nothing_to_submit(const std::string& lab_name) {
+  return is_untouched(lab_name) &&
+         files_to_submit(lab_name).size() == code_in(lab_folder(lab_name)).size();
+}
+
+std::optional<std::vector<fs::path>> reset_to_starter(const std::string& lab_name) {
   return replace_lab_files(lab_name, starter_of(lab_name));
 }
 
 std::optional<std::vector<fs::path>> use_solution(const std::string& lab_name) {
-  const Texts solution = solution_of(lab_name);
-  if (texts_in(lab_folder(lab_name)) == solution) return std::nullopt;
-  return replace_lab_files(lab_name, solution);
+  return replace_lab_files(lab_name, solution_of(lab_name));
 }
 
 }  // namespace cs550::cli

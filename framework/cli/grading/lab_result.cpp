@@ -11,6 +11,7 @@
 #include "cli/grading/lab_files.hpp"
 #include "cli/grading/long_tests.hpp"
 #include "cli/grading/pictures.hpp"
+#include "cli/system/build_log.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/project.hpp"
 #include "files/output_file.hpp"
@@ -116,10 +117,11 @@ void remember(const LabResult& result) {
 LabResult result_of(const std::string& lab_name) {
   if (const std::optional<LabResult> known = remembered_result(lab_name)) return *known;
   const int lab = lab_number(lab_name);
-  const std::string error = build_quietly(graded_target(lab, Grading::Plain));
+  std::string error = fault_of_absent_code(lab_name);
+  if (error.empty()) error = build_quietly(graded_target(lab, Grading::Plain));
   LabResult result = result_of_compile_error(lab_name, error);
   if (error.empty()) result.verdicts = grade(lab, Grading::Plain, graded_tests(lab_name));
-  remember(result);
+  if (error.empty() || is_students_error(error)) remember(result);
   return result;
 }
 

@@ -38,6 +38,8 @@ std::string first_build_error() {
   return tolerated.empty() ? last : tolerated;
 }
 
+bool is_students_error(const std::string& error) { return error.rfind("labs/", 0) == 0; }
+
 std::vector<std::string> own_warnings() {
   std::ifstream lines = open_log();
   std::vector<std::string> warnings;

@@ -132,7 +132,10 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   const bool is_whole_lab = options.step.empty();
   const bool is_remembered = is_whole_lab && !options.asan;
   if (!build("student", graded_target(options.lab, grading))) {
-    if (is_remembered) remember(result_of_compile_error(options.name, first_build_error()));
+    const std::string error = first_build_error();
+    if (is_remembered && is_students_error(error)) {
+      remember(result_of_compile_error(options.name, error));
+    }
     return Failed;
   }
 
@@ -186,32 +189,36 @@ int run_hint(const LabOptions& options) {
 }
 
 void print_backups(const std::vector<fs::path>& backups) {
+  if (backups.empty()) return;
   std::cout << "Your files were kept as\n";
   for (const fs::path& backup : backups) {
-    std::cout << "  " << fs::relative(backup, project_root()).string() << '\n';
+    std::cout << "  " << backup.lexically_relative(project_root()).string() << '\n';
   }
 }
 
-int reset_lab(const LabOptions& options) {
-  const std::vector<fs::path> backups = reset_to_starter(options.name);
-  if (backups.empty()) {
-    std::cout << "labs/" << options.name << " is the starter already: nothing was changed.\n";
-    return Good;
+/// @param backups nothing if the files were that already
+void print_replacement(const LabOptions& options, const char* by,
+                       const std::optional<std::vector<fs::path>>& backups) {
+  std::cout << fmt::format("labs/{} is {}", options.name, by);
+  if (!backups) {
+    std::cout << " already: nothing was changed.\n";
+    return;
   }
-  std::cout << "labs/" << options.name << " is the starter again. ";
-  print_backups(backups);
+  std::cout << " now.\n";
+  print_backups(*backups);
+}
+
+int reset_lab(const LabOptions& options) {
+  print_replacement(options, "the starter", reset_to_starter(options.name));
   return Good;
 }
 
 int copy_solution(const LabOptions& options) {
   const std::optional<std::vector<fs::path>> backups = use_solution(options.name);
-  if (!backups) {
-    std::cout << "labs/" << options.name << " is the solution already: nothing was changed.\n";
-    return Good;
+  print_replacement(options, "the solution", backups);
+  if (backups) {
+    std::cout << fmt::format("./cs550 lab {} --reset restores the starter.\n", options.lab);
   }
-  std::cout << "labs/" << options.name << " is now the solution. ";
-  print_backups(*backups);
-  std::cout << fmt::format("./cs550 lab {} --reset restores the starter.\n", options.lab);
   return Good;
 }
 
@@ -227,6 +234,8 @@ int run_challenge(const LabOptions& options) {
         options.lab, result.earned(), result.points(), options.lab);
     return Failed;
   }
+  // Another command may have built other code since.
+  if (!build("student", graded_target(options.lab, Grading::Plain))) return Failed;
   std::cout << coloured(title(options.name), Colour::Bold) << ", the challenge (no points)\n\n"
             << std::flush;
   result.challenge = students_counts(options.lab);

@@ -148,7 +148,7 @@ void start_history(const fs::path& folder) {
 
 /// What an update did.
 struct CopyUpdate {
-  std::vector<std::string> replaced, removed;
+  std::vector<std::string> added, replaced, removed;
   std::vector<std::string> kept;       ///< lab files that the student has changed
   std::vector<std::string> conflicts;  ///< among them, those whose starter has changed as well
 };
@@ -192,18 +192,10 @@ bool same_text(const fs::path& a, const fs::path& b) {
   return fs::exists(a) && fs::exists(b) && read_text(a) == read_text(b);
 }
 
-/// In one move, so that an interrupted update leaves no half-written file. The copy keeps its permissions.
+/// An interrupted update leaves no half-written file. The copy has the permissions of the fresh one.
 void replace(const fs::path& file, const fs::path& fresh) {
-  fs::create_directories(file.parent_path());
-  const fs::path draft = file.string() + ".new";
-  try {
-    fs::copy_file(fresh, draft, fs::copy_options::overwrite_existing);
-    fs::rename(draft, file);
-  } catch (const fs::filesystem_error&) {
-    std::error_code ignored;
-    fs::remove(draft, ignored);
-    throw;
-  }
+  files::copy_file(fresh, file);
+  fs::permissions(file, fs::status(fresh).permissions());
 }
 
 /// Replaces the lab files that still are the copy's starters. The others are never touched. A new one is left
@@ -233,8 +225,8 @@ CopyUpdate update_copy(const fs::path& copy, const fs::path& fresh) {
   }
   for (const std::string& file : new_files) {
     if (is_lab_file(file) || same_text(copy / file, fresh / file)) continue;
+    (fs::exists(copy / file) ? update.replaced : update.added).push_back(file);
     replace(copy / file, fresh / file);
-    update.replaced.push_back(file);
   }
   for (const std::string& file : old_files) {
     if (!is_lab_file(file) && !std::binary_search(new_files.begin(), new_files.end(), file)) {
@@ -284,6 +276,10 @@ int make_copy(const StarterOptions& options, const fs::path& folder) {
   return Good;
 }
 
+void print_files(const char* what, const std::vector<std::string>& files) {
+  for (const std::string& file : files) std::cout << what << ": " << file << '\n';
+}
+
 int renew_copy(const StarterOptions& options, const fs::path& folder) {
   if (!fs::exists(folder / file_list)) {
     return refuse(folder.string() + " is not a students' copy: it has no " + file_list);
@@ -295,13 +291,14 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   files::throw_if_interrupted();
   const CopyUpdate update = update_copy(folder, draft.path());
   warn_of_uncommitted_changes();
-  for (const std::string& file : update.replaced) std::cout << "replaced: " << file << '\n';
-  for (const std::string& file : update.removed) std::cout << "removed: " << file << '\n';
+  print_files("added", update.added);
+  print_files("replaced", update.replaced);
+  print_files("removed", update.removed);
   std::cout << fmt::format(
-      "Updated from version {} to {}: {} files replaced, {} removed, {} changed lab files kept.\n"
-      "Nothing was committed.\n",
-      old_version, starter_version(folder), update.replaced.size(), update.removed.size(),
-      update.kept.size());
+      "Updated from version {} to {}: {} files added, {} replaced, {} removed,\n"
+      "{} changed lab files kept. Nothing was committed.\n",
+      old_version, starter_version(folder), update.added.size(), update.replaced.size(),
+      update.removed.size(), update.kept.size());
   print_released_solutions(folder);
   for (const std::string& file : update.conflicts) {
     std::cout << fmt::format(

@@ -70,7 +70,7 @@ void warn_unless_it_compiles(int lab) {
 /// Names what a lab might need and lacks in the zip file.
 void print_files_left_out(const std::string& lab_name) {
   for (const fs::path& file : files_left_out(lab_name)) {
-    const fs::path name = fs::relative(file, project_root());
+    const fs::path name = file.lexically_relative(project_root());
     if (files::is_source(file)) {
       const std::string renamed = files::plain_name(name);
       std::cerr << "Not packed: " << name.string()
@@ -88,7 +88,7 @@ Json manifest(const std::vector<std::string>& labs, const std::string& student) 
   for (const std::string& name : labs) {
     for (const fs::path& file : files_to_submit(name)) {
       files.push_back({{"lab", lab_number(name)},
-                       {"file", fs::relative(file, project_root()).string()},
+                       {"file", file.lexically_relative(project_root()).string()},
                        {"sha256", sha256(file)},
                        {"bytes", fs::file_size(file)}});
     }
@@ -126,7 +126,7 @@ std::vector<std::string> labs_to_pack(const SubmitOptions& options) {
   if (options.lab) return {lab_name(*options.lab)};
   std::vector<std::string> labs;
   for (const std::string& name : lab_names()) {
-    if (options.force || !is_untouched(name)) labs.push_back(name);
+    if (options.force || !is_nothing_to_submit(name)) labs.push_back(name);
   }
   return labs;
 }
@@ -156,7 +156,7 @@ int run_submit(const SubmitOptions& options) {
     return Misused;
   }
   const std::vector<std::string> labs = labs_to_pack(options);
-  if (labs.empty() || (options.lab && !options.force && is_untouched(labs.front()))) {
+  if (labs.empty() || (options.lab && !options.force && is_nothing_to_submit(labs.front()))) {
     print_error((labs.empty() ? "every lab" : "lab " + std::to_string(*options.lab)) +
                 " is still the unchanged starter.\n  To pack it anyway, add --force.");
     return Failed;
@@ -187,7 +187,8 @@ Action declare_submit(CLI::App& app) {
       ->check(fault_of_lab_number);
   app.add_option("--out", options->out, "zip file to write; by default labN.zip or labs.zip")
       ->option_text("FILE")
-      ->check(files::fault_of_path);
+      ->check(files::fault_of_path)
+      ->check([](const std::string& file) { return files::fault_of_ending(file, ".zip"); });
   app.add_option("--student", options->student, "your name or student number; it is remembered")
       ->option_text("NAME");
   app.add_flag("--force", options->force, "pack a lab even if it is the unchanged starter");

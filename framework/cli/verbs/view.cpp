@@ -12,6 +12,7 @@
 #include "cli/system/viewer.hpp"
 #include "cli/verb.hpp"
 #include "cs550/excerpt.hpp"
+#include "files/path_argument.hpp"
 
 namespace cs550::cli {
 
@@ -73,9 +74,8 @@ std::string fault_of_camera(const std::string& text) {
 
 std::string fault_of_ending(const std::string& option, const std::string& file,
                             const std::string& ending) {
-  return fs::path(file).extension() == ending
-             ? ""
-             : option + ": '" + excerpt(file) + "' must end in " + ending;
+  const std::string fault = files::fault_of_ending(excerpt(file), ending);
+  return fault.empty() ? "" : option + ": " + fault;
 }
 
 std::string fault_of_scene(const std::string& name) {
