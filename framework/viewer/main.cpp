@@ -16,37 +16,36 @@ namespace {
 
 enum ExitCode { Good = 0, Failed = 1, Misused = 2 };
 
-void list_settings(const cs550::viewer::Options& options) {
-  using namespace cs550::viewer;
-  const auto page = make_page(options.page());
-  page->refresh();
-  ControlLister lister;
-  page->describe(lister);
-  std::cout << lister.text();
-}
+using cs550::viewer::Options;
 
-/// A wrong setting is reported without a screen too.
-/// @throws std::invalid_argument
-void check_settings(const cs550::viewer::Options& options) {
-  using namespace cs550::viewer;
-  if (options.settings.empty()) return;
-  const auto page = make_page(options.page());
+/// A page with the settings of the command line.
+/// @throws std::invalid_argument for a wrong one
+std::unique_ptr<cs550::viewer::Page> page_of(const Options& options) {
+  auto page = make_page(options.page());
   page->refresh();
   for (const std::string& assignment : options.settings) {
-    ControlSetter setter(assignment);
+    cs550::viewer::ControlSetter setter(assignment);
     page->describe(setter);
     setter.expect_found();
   }
+  return page;
 }
 
-int run(const cs550::viewer::Options& options) {
+void list_settings(const Options& options) {
+  cs550::viewer::ControlLister lister;
+  page_of(options)->describe(lister);
+  std::cout << lister.text();
+}
+
+int run(const Options& options) {
   if (options.list) {
     list_settings(options);
   } else if (options.is_headless()) {
     cs550::files::watch_for_interruption();
     write_pictures(options);
   } else {
-    check_settings(options);
+    if (!options.settings.empty())
+      page_of(options);  // a wrong one is reported without a screen too
     run_in_window(options);
   }
   cs550::files::check_standard_output();

@@ -35,13 +35,8 @@ Size parse_size(const std::string& text) {
   return size;
 }
 
-/// A check that the name of a file ends so that programs recognise what is in it.
 CLI::Validator ends_in(const std::string& ending) {
-  return {[ending](const std::string& file) -> std::string {
-            if (std::filesystem::path(file).extension() == ending) return "";
-            return "'" + file + "' must end in " + ending;
-          },
-          ""};
+  return {[ending](const std::string& file) { return files::fault_of_ending(file, ending); }, ""};
 }
 
 bool parse_switch(const std::string& text) {
@@ -71,7 +66,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--set", options.settings, "change a setting of the page; may be repeated")
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_flag("--list", options.list, "print the settings of the page and exit");
+  auto* list = app.add_flag("--list", options.list, "print the settings of the page and exit");
   app.add_option("--camera", options.camera,
                  "YAW,PITCH[,DISTANCE[,X,Y,Z]]: degrees and metres,\n"
                  "as in --camera=-60,20,8")
@@ -96,23 +91,31 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window")
       ->option_text("FILE")
       ->check(ends_in(".png"))
-      ->check(files::fault_of_path);
+      ->check(files::fault_of_path)
+      ->excludes(list);
   app.add_option("--frames", options.frames,
                  "write 0000.png, 0001.png, ... to this folder, one per\n"
                  "step")
       ->option_text("FOLDER")
-      ->check(files::fault_of_path);
+      ->check(files::fault_of_path)
+      ->excludes(list);
   app.add_option("--gif", options.gif,
                  "write an animation, one frame per step (needs ffmpeg\n"
                  "or ImageMagick)")
       ->option_text("FILE")
       ->check(ends_in(".gif"))
-      ->check(files::fault_of_path);
+      ->check(files::fault_of_path)
+      ->excludes(list);
   app.add_option("--frame-count", options.frame_count,
                  "frames for --frames and --gif; by default all steps of\n"
                  "the page, or 120")
       ->option_text("N")
       ->check(CLI::Range(1, 10000));
+  app.callback([&options] {
+    if (options.frame_count && options.frames.empty() && options.gif.empty()) {
+      throw CLI::ValidationError("--frame-count", "only --frames and --gif have frames");
+    }
+  });
   for (CLI::Option* option : app.get_options()) {
     if (option->get_expected_min() == 0) option->disable_flag_override();
   }

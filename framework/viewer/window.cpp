@@ -4,6 +4,8 @@
 // Must follow epoxy, which declares OpenGL's functions.
 #include <GLFW/glfw3.h>
 
+#include <imgui/imgui.h>
+
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -36,7 +38,8 @@ bool hear_nudge(App& app, int key, int modifiers) {
 
 void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
   auto* app = static_cast<App*>(glfwGetWindowUserPointer(window));
-  if (action == GLFW_RELEASE || app == nullptr) return;
+  const bool types_text = ImGui::GetIO().WantTextInput;
+  if (action == GLFW_RELEASE || app == nullptr || types_text) return;
   if (hear_nudge(*app, key, modifiers)) return;
   if (key >= GLFW_KEY_0 && key <= GLFW_KEY_0 + lab_page_count) app->open(key - GLFW_KEY_0);
   switch (key) {
