@@ -117,9 +117,17 @@ struct BodyRest {
   Index island = no_index;  ///< while asleep: the smallest index of the bodies in its island
 };
 
+/// A body as the last step left it: the program has changed it since if it is another.
+struct LeftBody {
+  Pose pose;
+  Vec3 linear_momentum = {0, 0, 0};
+  Vec3 angular_momentum = {0, 0, 0};
+};
+
 /// What is kept of sleeping bodies, and the working storage that finds them.
 struct Sleeping {
   std::vector<BodyRest> bodies;
+  std::vector<LeftBody> left;  ///< of settled bodies that are awake
   PairList pairs;          ///< of sleeping bodies, among themselves and with immovable ones at rest
   WorldSettings settings;  ///< with which they fell asleep
   std::vector<char> wakes;        ///< of each island, by its smallest index
@@ -186,6 +194,7 @@ struct ContactLink {
 struct RankedLinks {
   std::vector<ContactLink> links;
   std::vector<Index> ranks;
+  Index parts = 1;  ///< of the world
 
   bool operator==(const RankedLinks&) const = default;
 };
@@ -290,6 +299,7 @@ struct ColdStart {
 struct OverlapRecovery {
   bool any = false;
   std::vector<char> recovers;  ///< of each body
+  std::vector<Index> parent;   ///< of each body, in the forest of those that touch
   std::vector<RigidBody> bodies;
   std::vector<ContactConstraint> constraints;
 };

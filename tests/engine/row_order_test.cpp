@@ -223,6 +223,23 @@ struct Bricks {
   std::vector<Index> order() const { return arrange(bodies, contacts, parts).contacts; }
 };
 
+// All contacts are in the first of two parts, and then the world is no longer divided: one thread has them as one unit
+// both times.
+TEST(RowOrder, OfAWorldThatIsNoLongerDividedIsThatOfAFreshWorld) {
+  const Pyramid pyramid(20, false);
+  BodyParts parts;
+  parts.count = 2;
+  parts.direction = Vec3::UnitX();
+  parts.of_body.assign(pyramid.bodies.size(), 0);
+  SolveOrder used;
+  arrange_constraints(pairs_of(pyramid.contacts), pyramid.bodies, down, used, parts);
+  parts.count = 1;
+  arrange_constraints(pairs_of(pyramid.contacts), pyramid.bodies, down, used, parts);
+  SolveOrder fresh;
+  arrange_constraints(pairs_of(pyramid.contacts), pyramid.bodies, down, fresh, parts);
+  EXPECT_EQ(used.contacts, fresh.contacts);
+}
+
 TEST(RowOrder, TurnsNoContactsOfOneBody) {
   Bricks bricks;
   for (const Index b : {4, 5, 6}) bricks.touch(0, b);

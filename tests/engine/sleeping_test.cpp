@@ -255,6 +255,57 @@ TEST(Sleeping, APushedBodyStaysAwake) {
   EXPECT_TRUE(towers.is_asleep(towers.right));
 }
 
+/// A cube on a floor that would sleep if it were not pushed down.
+struct AwakeCube {
+  World world{sleeping_settings()};
+  BodyId cube;
+
+  AwakeCube() {
+    world.add_body(floor_body());
+    cube = world.add_body(body_at(box_shape(Vec3::Constant(Real(0.5))), {0, 0, Real(0.5)}));
+    for (int i = 0; i < 120; ++i) {
+      add_force(world.body(cube), {0, 0, -10}, {0, 0, Real(0.5)});
+      world.step(step_length);
+    }
+    EXPECT_EQ(sleepers(world), 0);
+  }
+
+  RigidBody& body() { return world.body(cube); }
+};
+
+// It has been at rest for long when it is disturbed, but awake.
+TEST(Sleeping, ABodyThatIsAboutToSleepKeepsAnImpulse) {
+  AwakeCube pushed;
+  apply_impulse(pushed.body(), {0, 0, 5000}, {0, 0, Real(0.5)});
+  run(pushed.world, 2);
+  EXPECT_NEAR(pushed.body().linear_velocity.z(), 5 - 2 * 9.81 / 60, 1e-3);
+}
+
+TEST(Sleeping, ABodyThatIsAboutToSleepFallsFromANewPose) {
+  AwakeCube lifted;
+  lifted.body().pose.position.z() += 5;
+  set_velocity(lifted.body(), Vec3::Zero(), Vec3::Zero());
+  run(lifted.world, 30);
+  EXPECT_LT(lifted.body().linear_velocity.z(), Real(-4));
+}
+
+TEST(Sleeping, ABodyThatIsAboutToSleepFollowsNewSettings) {
+  AwakeCube cube;
+  cube.world.settings().gravity.z() *= -1;
+  run(cube.world, 30);
+  EXPECT_GT(cube.body().linear_velocity.z(), Real(4));
+}
+
+TEST(Sleeping, SwitchedOnItLetsNothingSleepAtOnce) {
+  AwakeCube cube;
+  cube.world.settings().sleeping = false;
+  set_velocity(cube.body(), {2, 0, 0}, Vec3::Zero());
+  run(cube.world, 2);
+  cube.world.settings().sleeping = true;
+  cube.world.step(step_length);
+  EXPECT_GT(cube.body().linear_velocity.x(), Real(1.5));
+}
+
 TEST(Sleeping, TheCriterionFollowsTheLengthUnit) {
   // 1 mm/s is slow for bodies of 10 m, and fast for those of 1 cm: 4e-4 length units in half a second.
   for (const Real unit : {Real(0.01), Real(1), Real(10)}) {

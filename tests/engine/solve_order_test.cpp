@@ -241,5 +241,18 @@ TEST(SolveOrder, ContactsThatASkippedStageDroppedComeBack) {
   EXPECT_EQ(world.solve_order.contacts, (std::vector<Index>{0, 1}));
 }
 
+// The order of dropped contacts must not serve a step without any.
+TEST(SolveOrder, OfDroppedContactsIsNotKept) {
+  const std::vector<Contact> contacts{contact_between(0, 1, 4), contact_between(0, 2, 4)};
+  WorldState world;
+  world.bodies = bodies_of_kinds(2, 1);
+  world.pairs = pairs_of(contacts);
+  arrange_contacts(world);
+  skip_stage(world, Stage::Solve, NotImplemented("L7.3"));
+  arrange_contacts(world);
+  EXPECT_TRUE(world.solve_order.place_of_point.empty());
+  for (const SolveUnit& unit : world.solve_order.units) EXPECT_TRUE(unit.groups.empty());
+}
+
 }  // namespace
 }  // namespace cs550::test

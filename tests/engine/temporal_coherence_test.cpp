@@ -238,6 +238,34 @@ TEST(TemporalCoherence, SwitchedOffItKeepsNothing) {
   }
 }
 
+// While it is off, the cube comes so near that a query finds points for the first time. Wall and cube are turned, so
+// that their bounds overlap and are queried before that.
+TEST(TemporalCoherence, SwitchedOnAgainItKnowsTheLastQuery) {
+  const Quat turn(Eigen::AngleAxis<Real>(Real(0.5), Vec3::UnitZ()));
+  const auto turned = [&](BodyDef def) {
+    def.pose = {turn * def.pose.position, turn};
+    return def;
+  };
+  World world;
+  world.settings().check_stages = true;
+  world.add_body(floor_body());
+  world.add_body(
+      turned(body_at(box_shape({Real(0.5), 2, 2}), {Real(-0.5), 0, 2}, BodyKind::Static)));
+  const BodyId cube = world.add_body(
+      turned(body_at(box_shape(Vec3::Constant(Real(0.5))), {Real(0.5068), 0, Real(0.5)})));
+  world.step(step_length);
+  ASSERT_EQ(world.stats().points, 4) << "on the floor";
+  world.settings().temporal_coherence = false;
+  world.body(cube).pose.position -= turn * Vec3(Real(2e-4), 0, 0);
+  world.step(step_length);
+  ASSERT_EQ(world.stats().points, 8) << "four on the floor, and four at the wall";
+  world.settings().temporal_coherence = true;
+  world.step(step_length);
+  EXPECT_TRUE(world.problems().empty()) << world.problems()[0].message;
+  EXPECT_GT(world.stats().deepest_separation, Real(-0.001));
+  EXPECT_LT(world.body(cube).linear_velocity.norm(), Real(0.01));
+}
+
 TEST(TemporalCoherence, FreshQueriesAgreeInEveryStepOfAPile) {
   World world = falling_hulls(20, 74);
   world.settings().check_stages = true;

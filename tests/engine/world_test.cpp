@@ -51,7 +51,24 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
   refused([](BodyDef& def) { def.angular_velocity.z() = Real(1e20); });
   refused([](BodyDef& def) { def.density = -1; });
   refused([nan](BodyDef& def) { def.friction = nan; });
+  refused(
+      [](BodyDef& def) { def.friction = Real(1e20); });  // its square is beyond the range of Real
   refused([](BodyDef& def) { def.restitution = Real(1.5); });
+}
+
+TEST(World, ABodyIsMadeFromTheDefinitionOfAnother) {
+  World world;
+  BodyId last = world.add_body(body_at(unit_box(), Vec3::Zero()));
+  for (int i = 0; i < 20; ++i) last = world.add_body(world.definition(last));  // arrays grow
+  EXPECT_EQ(world.body_count(), 21);
+  EXPECT_EQ(world.shape(last), world.shape(world.id_at(0)));
+}
+
+TEST(World, AnOrientationThatIsNearlyOfUnitLengthIsNormalised) {
+  World world;
+  BodyDef def = body_at(unit_box(), Vec3::Zero(), BodyKind::Static);
+  def.pose.orientation.coeffs() *= Real(1.0009);
+  EXPECT_NEAR(world.body(world.add_body(def)).pose.orientation.norm(), 1, 1e-6);
 }
 
 TEST(World, KinematicBodyCarriesAndIsNotPushed) {

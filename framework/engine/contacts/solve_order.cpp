@@ -80,6 +80,7 @@ void tie_links(const PairList& pairs, std::span<const RigidBody> bodies, const V
     return ranks_of_unit * link.unit + (links_neighbours ? colour_count : 0);
   };
   RankedLinks& unsorted = order.unsorted;
+  unsorted.parts = parts.count;
   unsorted.links.resize(order.with_points.size());
   unsorted.ranks.resize(order.with_points.size());
   constexpr std::size_t block = 32;

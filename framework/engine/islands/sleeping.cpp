@@ -25,6 +25,12 @@ bool is_disturbed(const RigidBody& body, const BodyRest& rest) {
   return !still || !is_same(body.pose, rest.start);
 }
 
+/// Whether the owner of the world has changed a body that is awake since the last step.
+bool is_changed(const RigidBody& body, const LeftBody& left) {
+  return !is_same(body.pose, left.pose) || body.linear_momentum != left.linear_momentum ||
+         body.angular_momentum != left.angular_momentum;
+}
+
 /// Whether an immovable body moves, or was moved since the last step.
 bool moves(const RigidBody& body, const BodyRest& rest) {
   return !is_same(body.pose, rest.start) || !body.linear_velocity.isZero(0) ||
@@ -75,12 +81,17 @@ void wake_marked(WorldState& world) {
   return_pairs(world);
 }
 
+/// Wakes all bodies, and lets none be at rest.
 void wake_all(WorldState& world) {
   world.sleeping.wakes.assign(world.slot_count(), 1);
   wake_marked(world);
+  for (std::size_t i = 0; i < world.slot_count(); ++i) {
+    restart_window(world.bodies[i], world.sleeping.bodies[i]);
+  }
 }
 
-/// Marks the islands of bodies that were changed, and finds the immovable bodies that move.
+/// Marks the islands of bodies that were changed, and finds the immovable bodies that move. A body that was
+/// changed while it was awake is at rest no more.
 /// @returns whether there are any of either
 bool find_disturbances(WorldState& world) {
   bool any = false;
@@ -93,9 +104,12 @@ bool find_disturbances(WorldState& world) {
       rest.settled = !moves(body, rest);
       rest.start = body.pose;
       any = any || !rest.settled;
-    } else if (was_put_to_sleep(rest) && is_disturbed(body, rest)) {
+    } else if (was_put_to_sleep(rest)) {
+      if (!is_disturbed(body, rest)) continue;
       mark(world, static_cast<Index>(i));
       any = true;
+    } else if (rest.settled && is_changed(body, world.sleeping.left[i])) {
+      restart_window(body, rest);
     }
   }
   return any;
@@ -163,15 +177,11 @@ bool move_alike(const WorldSettings& one, WorldSettings other) {
 void wake_disturbed_bodies(WorldState& world) {
   Sleeping& sleeping = world.sleeping;
   sleeping.bodies.resize(world.slot_count());
-  if (!world.settings.sleeping) {
-    wake_all(world);
-    for (RigidBody& body : world.bodies) body.asleep = false;
-    return;
-  }
   if (!move_alike(sleeping.settings, world.settings)) {
     sleeping.settings = world.settings;
     wake_all(world);
   }
+  if (!world.settings.sleeping) return;
   begin_marking(world);
   if (!find_disturbances(world)) return;
   mark_carried(world);

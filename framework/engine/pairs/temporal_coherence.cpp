@@ -41,12 +41,15 @@ bool answer_holds(const WorldState& world, std::size_t pair, Real margin) {
   return motion <= kept_motion * radius && reach + motion <= memory.margin;
 }
 
-void remember_answer(WorldState& world, std::size_t pair, Real margin) {
+void remember_query(WorldState& world, std::size_t pair, Real margin) {
   PairMemory& memory = world.pairs.memories[pair];
   memory.margin = margin;
   memory.smaller_in_larger = relative_pose(world, world.pairs.summaries[pair]).smaller_in_larger;
-  if (!world.pairs.has_points(pair)) return;
+}
 
+void remember_plane(WorldState& world, std::size_t pair) {
+  if (!world.pairs.has_points(pair)) return;
+  PairMemory& memory = world.pairs.memories[pair];
   const Contact& contact = world.pairs.contacts[pair];
   const Manifold& manifold = contact.manifold;
   const bool on_b = manifold.reference == AxisFeature::FaceB;

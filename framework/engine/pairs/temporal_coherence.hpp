@@ -21,9 +21,12 @@ inline constexpr Real kept_motion = Real(1e-3);
 /// @param margin of this step, see contact_margin() (m)
 bool answer_holds(const WorldState& world, std::size_t pair, Real margin);
 
-/// Stores the poses and the margin of a full query, and the plane of its manifold.
+/// Stores the poses and the margin of a full query. Queries are remembered while the setting is off, too: it may
+/// be switched on.
+void remember_query(WorldState& world, std::size_t pair, Real margin);
+/// Stores the plane of the manifold that followed, if it has points.
 /// @pre the pair's summary is up to date
-void remember_answer(WorldState& world, std::size_t pair, Real margin);
+void remember_plane(WorldState& world, std::size_t pair);
 
 /// Updates a kept manifold. Its plane turns with the body that owns the reference feature, the points
 /// stay where they are on the other body, and their separations are measured again. @pre it has points

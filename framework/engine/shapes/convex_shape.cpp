@@ -15,13 +15,12 @@ Index face_vertex_count(const HalfEdgeMesh& mesh, Index f) {
   return count;
 }
 
+bool has_too_many_edges(const HalfEdgeMesh& mesh) {
+  return mesh.edge_count() / 2 > max_shape_edges;
+}
+
 /// Why the engine cannot hold a valid mesh, if it cannot.
-std::optional<std::string> exceeded_limit(const HalfEdgeMesh& mesh) {
-  const Index edges = mesh.edge_count() / 2;
-  if (edges > max_shape_edges) {
-    return "the mesh has " + std::to_string(edges) + " edges and a shape at most " +
-           std::to_string(max_shape_edges) + ": take fewer points";
-  }
+std::optional<std::string> face_beyond_limit(const HalfEdgeMesh& mesh) {
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Index count = face_vertex_count(mesh, f);
     if (count > max_face_vertices) {
@@ -107,7 +106,8 @@ Real steepest_edge(const HalfEdgeMesh& mesh) {
 /// and the arcs of lab 4 rely on that.
 HalfEdgeMesh with_flat_faces(const HalfEdgeMesh& mesh) {
   HalfEdgeMesh best = merge_coplanar_faces(mesh, coplanar_tolerance);
-  if (validate(best)) return best;  // a broken one is reported as it is
+  // Refused as it is. To validate it may take minutes if it has too many edges.
+  if (has_too_many_edges(best) || validate(best)) return best;
   Real least = steepest_edge(best);
   for (const Real tolerance : {coplanar_tolerance / 10, vertex_rounding}) {
     if (least <= max_edge_slope) break;
@@ -124,10 +124,15 @@ HalfEdgeMesh with_flat_faces(const HalfEdgeMesh& mesh) {
 }  // namespace
 
 ShapeResult make_shape(const HalfEdgeMesh& mesh) {
+  if (has_too_many_edges(mesh)) {
+    return {nullptr, "the mesh has " + std::to_string(mesh.edge_count() / 2) +
+                         " edges and a shape at most " + std::to_string(max_shape_edges) +
+                         ": take fewer points"};
+  }
   if (const auto defect = validate(mesh)) {
     return {nullptr, defect->sentence + "; mend the mesh, or use the convex hull of its vertices"};
   }
-  if (const auto error = exceeded_limit(mesh)) return {nullptr, *error};
+  if (const auto error = face_beyond_limit(mesh)) return {nullptr, *error};
 
   const MassProperties properties = mass_properties(mesh);
   auto shape = std::make_shared<ConvexShape>();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #if CS550_HAS_TBB
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 #endif
 
@@ -49,8 +50,9 @@ bool ThreadTeam::Share::take(std::uint32_t loop, std::uint32_t count, std::uint3
 ThreadTeam::Range ThreadTeam::share_of(const Loop& loop, int member) const {
   const auto size = static_cast<std::size_t>(size_);
   const auto i = static_cast<std::size_t>(member);
-  const std::size_t first = loop.count * i / size;
-  const std::size_t last = loop.count * (i + 1) / size;
+  // Rounded up, so that the main thread has a block of each loop.
+  const std::size_t first = (loop.count * i + size - 1) / size;
+  const std::size_t last = (loop.count * (i + 1) + size - 1) / size;
   return {first, last, static_cast<std::uint32_t>((last - first + loop.block - 1) / loop.block)};
 }
 
@@ -113,8 +115,19 @@ void ThreadTeam::run_worker(int member) {
 
 #if CS550_HAS_TBB
 
+int useful_threads(int wanted) { return std::min(wanted, tbb::this_task_arena::max_concurrency()); }
+
+/// A program may call a step in a task of its own. While the step waits, it must not run the program's other tasks.
 void ThreadTeam::run(const std::function<void()>& step) {
-  tbb::task_group workers;
+  tbb::this_task_arena::isolate([&] { run_isolated(step); });
+}
+
+void ThreadTeam::run_isolated(const std::function<void()>& step) {
+  // Workers round as this thread does now.
+  tbb::task_group_context context(
+      tbb::task_group_context::isolated,
+      tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+  tbb::task_group workers(context);
   struct EndOfStep {
     ~EndOfStep() {
       team.notice_.end_step();
@@ -132,6 +145,7 @@ void ThreadTeam::run(const std::function<void()>& step) {
 
 #else
 
+int useful_threads(int) { return 1; }
 void ThreadTeam::run(const std::function<void()>& step) { step(); }
 
 #endif

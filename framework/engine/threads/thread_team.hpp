@@ -30,6 +30,9 @@ class ActiveWait {
   int pauses_ = 0;
 };
 
+/// How many of the wanted threads the machine can run at once: at least one.
+int useful_threads(int wanted);
+
 class ThreadTeam {
  public:
   explicit ThreadTeam(int size) : size_(size) {}
@@ -114,6 +117,7 @@ class ThreadTeam {
     std::exception_ptr exception;
   };
 
+  void run_isolated(const std::function<void()>& step);
   void run(const Loop& loop);
   void run_worker(int member);
   Range share_of(const Loop& loop, int member) const;

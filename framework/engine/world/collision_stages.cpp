@@ -95,11 +95,13 @@ void find_axis(WorldState& world, const PairQuery& query, Real h) {
     pairs.answers[pair] = PairAnswer::Retested;
     pairs.axes[pair] = now.axis;
     replace_manifold(world, pair, now.axis.separation, now.manifold, h);
-    return remember_answer(world, pair, margin);
+    remember_query(world, pair, margin);
+    return remember_plane(world, pair);
   }
   const PosedShape a = world.posed_shape(pairs.summaries[pair].body_a);
   const PosedShape b = world.posed_shape(pairs.summaries[pair].body_b);
   pairs.axes[pair] = find_separating_axis(a, b, pairs.axes[pair], margin);
+  remember_query(world, pair, margin);
 }
 
 void find_axes(WorldState& world, Real h) {
@@ -128,8 +130,8 @@ void rebuild_manifold(WorldState& world, std::size_t pair, Real h) {
     Manifold now =
         build_manifold(world.posed_shape(body_a), world.posed_shape(body_b), axis, margin);
     replace_manifold(world, pair, axis.separation, now, h);
+    remember_plane(world, pair);
   }
-  if (world.settings.temporal_coherence) remember_answer(world, pair, margin);
 }
 
 /// That of a retested pair is there already.

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/contacts/contact_constraints.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -14,6 +15,16 @@ Eigen::Vector3d total_momentum(const WorldState& world) {
   return sum;
 }
 
+/// Adds the impulse of a constraint if it comes from an immovable body.
+void add_outer_impulse(const WorldState& world, const ContactConstraint& constraint,
+                       Eigen::Vector3d& sum) {
+  const Vec3 impulse = constraint.normal_impulse * constraint.n +
+                       constraint.tangent_impulse.x() * constraint.u +
+                       constraint.tangent_impulse.y() * constraint.v();
+  if (world.bodies[constraint.body_a].kind != BodyKind::Dynamic) sum += impulse.cast<double>();
+  if (world.bodies[constraint.body_b].kind != BodyKind::Dynamic) sum -= impulse.cast<double>();
+}
+
 /// The impulses of one substep that come from outside the dynamic bodies: forces over h, and those
 /// of constraints against immovable bodies (N·s).
 Eigen::Vector3d outer_impulse(const WorldState& world, Real h) {
@@ -21,13 +32,10 @@ Eigen::Vector3d outer_impulse(const WorldState& world, Real h) {
   for_dynamic_bodies(world, [&](const RigidBody& body) {
     sum += static_cast<double>(h) * body.force.cast<double>();
   });
-  for (const ContactConstraint& constraint : world.constraints) {
-    const Vec3 impulse = constraint.normal_impulse * constraint.n +
-                         constraint.tangent_impulse.x() * constraint.u +
-                         constraint.tangent_impulse.y() * constraint.v();
-    if (world.bodies[constraint.body_a].kind != BodyKind::Dynamic) sum += impulse.cast<double>();
-    if (world.bodies[constraint.body_b].kind != BodyKind::Dynamic) sum -= impulse.cast<double>();
-  }
+  // In the order of the contacts: that of the constraints depends on the number of threads.
+  for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
+    for (const Index place : places) add_outer_impulse(world, world.constraints[place], sum);
+  });
   return sum;
 }
 

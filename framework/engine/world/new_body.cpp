@@ -12,6 +12,9 @@ void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("a body needs ") + what);
 }
 
+/// The square of a larger one may not be finite.
+constexpr Real largest_friction = Real(1e6);
+
 void check_definition(const BodyDef& def) {
   require(def.shape != nullptr, "a shape");
   require(def.pose.position.allFinite(), "a finite position");
@@ -23,7 +26,7 @@ void check_definition(const BodyDef& def) {
   } else {
     require(std::isfinite(def.density) && def.density > 0, "a positive, finite density");
   }
-  require(std::isfinite(def.friction) && def.friction >= 0, "a friction of 0 or more");
+  require(def.friction >= 0 && def.friction <= largest_friction, "a friction from 0 to 1e6");
   require(def.restitution >= 0 && def.restitution <= 1, "a restitution from 0 to 1");
 }
 
@@ -47,17 +50,23 @@ void check_range(const RigidBody& body) {
   require(has_finite_energy(body), "velocities with which its kinetic energy is finite");
 }
 
+/// Beyond rounding, so that a pose that another body has is taken as it is.
+Pose with_unit_orientation(Pose pose) {
+  if (std::abs(pose.orientation.norm() - 1) > Real(1e-6)) pose.orientation.normalize();
+  return pose;
+}
+
 }  // namespace
 
 RigidBody make_body(const BodyDef& def) {
   check_definition(def);
+  const Pose pose = with_unit_orientation(def.pose);
   RigidBody body;
   if (def.kind == BodyKind::Dynamic) {
     const Real density = def.mass ? *def.mass / def.shape->volume : def.density;
-    body =
-        make_dynamic_body(density * def.shape->volume, density * def.shape->unit_inertia, def.pose);
+    body = make_dynamic_body(density * def.shape->volume, density * def.shape->unit_inertia, pose);
   } else {
-    body = make_immovable_body(def.kind, def.pose);
+    body = make_immovable_body(def.kind, pose);
   }
   set_velocity(body, def.linear_velocity, def.angular_velocity);
   if (def.kind == BodyKind::Dynamic) check_range(body);

@@ -7,6 +7,7 @@
 #include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/contacts/solver_bodies.hpp"
+#include "engine/islands/forest.hpp"
 #include "engine/pairs/near_pairs.hpp"
 
 /// @file overlap_recovery.cpp
@@ -55,19 +56,20 @@ bool find_misplaced_pairs(WorldState& world, Real h) {
 }
 
 /// A body that touches a recovering one recovers too: their impulses must stay equal and opposite.
-/// @returns whether a body was added
-bool spread(WorldState& world) {
+void spread(WorldState& world) {
   std::vector<char>& recovers = world.recovery.recovers;
-  bool any = false;
+  std::vector<Index>& parent = world.recovery.parent;
+  plant_forest(parent, world.bodies.size());
   for (const PairSummary& pair : world.pairs.summaries) {
-    char& a = recovers[pair.body_a];
-    char& b = recovers[pair.body_b];
-    if (pair.points == 0 || a == b) continue;
+    if (pair.points == 0) continue;
     if (!is_dynamic(world, pair.body_a) || !is_dynamic(world, pair.body_b)) continue;
-    a = b = 1;
-    any = true;
+    join(parent, pair.body_a, pair.body_b);
   }
-  return any;
+  const auto bodies = static_cast<Index>(world.bodies.size());
+  for (Index i = 0; i < bodies; ++i) {
+    if (recovers[i]) recovers[root_of(parent, i)] = 1;
+  }
+  for (Index i = 0; i < bodies; ++i) recovers[i] = recovers[root_of(parent, i)];
 }
 
 /// The same angular momentum at the new orientation may belong to a larger energy. A push gives
@@ -100,8 +102,7 @@ void find_misplaced_bodies(WorldState& world, Real h) {
       world.recovery.recovers[body] = is_dynamic(world, body);
     }
   }
-  while (spread(world)) {
-  }
+  spread(world);
 }
 
 void begin_push(WorldState& world) {

@@ -59,7 +59,11 @@ void add_manifold(Fnv1a& hash, const Manifold& manifold) {
   }
 }
 
-/// The hint of the next step: only the features that define the axis are tested again.
+void add_face(Fnv1a& hash, const FaceQuery& query) {
+  hash.add_all(query.face, query.vertex, query.separation);
+}
+
+/// The hint of the next step: the features that define the axis, and those faces that may replace edges.
 void add_axis(Fnv1a& hash, const SeparatingAxis& axis) {
   hash.add_all(axis.feature, axis.separation);
   switch (axis.feature) {
@@ -71,6 +75,8 @@ void add_axis(Fnv1a& hash, const SeparatingAxis& axis) {
       break;
     case AxisFeature::Edges:
       hash.add_all(axis.edges.edge_a, axis.edges.edge_b);
+      add_face(hash, axis.face_a);
+      add_face(hash, axis.face_b);
       break;
     case AxisFeature::None:
       break;
@@ -100,7 +106,13 @@ void add_sleeping(Fnv1a& hash, const WorldState& world) {
   if (!world.settings.sleeping) return;  // the next step wakes all sleepers
   // If the settings differ, the next step wakes all sleepers, too.
   hash.add(move_alike(world.sleeping.settings, world.settings));
-  for (const BodyRest& rest : world.sleeping.bodies) add_rest(hash, rest);
+  for (std::size_t i = 0; i < world.sleeping.bodies.size(); ++i) {
+    const BodyRest& rest = world.sleeping.bodies[i];
+    add_rest(hash, rest);
+    if (!rest.settled || i >= world.sleeping.left.size()) continue;
+    const LeftBody& left = world.sleeping.left[i];
+    hash.add_all(left.pose, left.linear_momentum, left.angular_momentum);
+  }
 }
 
 /// What decides the solve order of the next step.
@@ -120,11 +132,15 @@ std::uint64_t World::state_hash() const {
     if (!slot.alive) continue;
     add_state(hash, state_->bodies[i]);
     hash.add(state_->tree.bounds(slot.leaf));  // decides how long its pairs last
+    if (state_->bodies[i].asleep) hash.add_all(slot.spin_speed, slot.swept_bounds);
   }
   add_pairs(hash, state_->pairs);
   add_sleeping(hash, *state_);
   add_parts(hash, state_->parts);
   for (const Index body : state_->moved) hash.add(body);
+  for (const ContactEvent& event : state_->ended_by_removal) {
+    hash.add_all(event.a.index, event.a.generation, event.b.index, event.b.generation);
+  }
   hash.add(state_->substep_length);
   if (state_->settings.pass_order == PassOrder::StepByStep) hash.add(state_->step_count % 2);
   return hash.value();

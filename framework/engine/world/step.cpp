@@ -25,6 +25,7 @@ void begin_step(WorldState& world) {
 void refresh_velocities(WorldState& world) {
   for_body_blocks(world, [&](std::size_t first, std::size_t last) {
     for (RigidBody& body : std::span(world.bodies).subspan(first, last - first)) {
+      if (!world.settings.sleeping) body.asleep = false;  // only the world puts a body to sleep
       if (body.kind != BodyKind::Static && !body.asleep) refresh_velocity(body);
     }
   });
@@ -59,11 +60,9 @@ void drop_contacts(WorldState& world) {
     world.pairs.summarise(i);
   }
   world.constraints.clear();
-  // The rest of the step must not look for the constraints.
-  SolveOrder& order = world.solve_order;
-  order.contacts.clear();
-  order.sorted_from = {};
-  std::fill(order.first_point.begin(), order.first_point.end(), 0);
+  // The rest of the step must not look for the constraints, nor the next one keep an order of them.
+  world.solve_order = {};
+  world.solve_order.first_point.assign(world.pairs.size() + 1, 0);
 }
 
 }  // namespace

@@ -96,11 +96,12 @@ BodyId World::add_body(const BodyDef& def) {
   const std::size_t place = free_place(*state_);
   if (place == state_->slot_count()) {
     state_->bodies.emplace_back();
-    state_->definitions.emplace_back();
+    state_->definitions.push_back(def);  // which may be that of another body of this world
     state_->slots.emplace_back();
+  } else {
+    state_->definitions[place] = def;
   }
   state_->bodies[place] = body;
-  state_->definitions[place] = def;
   state_->slots[place].alive = true;
   ++state_->alive_count;
   const auto index = static_cast<Index>(place);
@@ -148,7 +149,8 @@ void World::step(Real h) {
         std::to_string(h));
   }
   check(state_->settings);
-  const int threads = state_->settings.threads;
+  const int wanted = state_->settings.threads;
+  const int threads = wanted == 1 ? 1 : useful_threads(wanted);
   if (threads == 1) return advance(*state_, h);
   if (!state_->settings.adaptive_threads) return share_step(*state_, threads, h);
   share_step_if_faster(*state_, threads, h);

@@ -30,9 +30,9 @@ enum class PassOrder : std::uint8_t {
 
 /// The settings of a world, which may be changed between steps. Lengths and speeds are multiples of
 /// the length unit where noted. World::step() refuses numbers outside their ranges: those
-/// without a range in their comment may be from 0 to 10⁶, and a length unit or a stiffness not 0.
+/// without a range in their comment may be from 0 to 10⁶, a length unit and a stiffness from 10⁻⁶.
 struct WorldSettings {
-  Vec3 gravity = {0, 0, Real(-9.81)};  ///< m/s²; the z axis points up
+  Vec3 gravity = {0, 0, Real(-9.81)};  ///< m/s², each component up to 10⁶; the z axis points up
   /// The size of a typical body (m). It scales margins, slop and thresholds, but not the stiffness
   /// of contacts: bodies sink in in proportion to g/(2π·contact_hertz)², whatever their size.
   /// Bodies of a centimetre need ten times as many substeps as bodies of a metre, and ten times the
@@ -168,8 +168,8 @@ struct StepStats {
   int retested = 0;                           ///< pairs whose last features proved to be right
   int contacts = 0;                           ///< pairs with a non-empty manifold
   int points = 0;                             ///< of all manifolds
-  int asleep = 0;                             ///< bodies; their pairs are not counted
-  Real deepest_separation = 0;                ///< most negative separation, 0 if none (m)
+  int asleep = 0;               ///< bodies; from the next step on, their pairs are not counted
+  Real deepest_separation = 0;  ///< most negative separation, 0 if none (m)
 };
 
 /// Two bodies that began or ceased to touch.
@@ -215,8 +215,8 @@ class World {
   const WorldSettings& settings() const;
   /// @}
 
-  /// Adds a body. May be called between steps. References to bodies, and what bodies() and
-  /// contacts() returned, are invalid afterwards.
+  /// Adds a body. May be called between steps. References to bodies, shapes and definitions, and
+  /// what bodies() and contacts() returned, are invalid afterwards.
   /// @throws std::invalid_argument if the shape is missing, or if a number is not finite or has no
   ///         physical meaning; the message names it
   BodyId add_body(const BodyDef& def);

@@ -46,7 +46,8 @@ WorldState world_of(const HullPairs& hulls) {
   edit.apply();
   for (std::size_t i = 0; i < hulls.pairs.size(); ++i) {
     world.pairs.axes[i] = hulls.pairs[i].hint;
-    remember_answer(world, i, HullPairs::margin);
+    remember_query(world, i, HullPairs::margin);
+    remember_plane(world, i);
   }
   return world;
 }
