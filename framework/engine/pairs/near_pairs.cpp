@@ -116,20 +116,22 @@ void find_new_keys_of(const WorldState& world, Index body, PairSearch& search) {
 }
 
 /// Searches for the pairs of all bodies that have moved, by several threads if there are any.
-void search_for_pairs(WorldState& world) {
+std::span<const PairSearch> search_for_pairs(WorldState& world) {
   constexpr std::size_t few_bodies = 32;
   const std::span<const Index> moved = world.moved;
-  world.searches.resize(std::max(world.searches.size(), moved.size() / few_bodies + 1));
-  for_blocks(world.team, world.searches.size(), 1, [&](std::size_t first, std::size_t last) {
+  const std::size_t count = (moved.size() + few_bodies - 1) / few_bodies;
+  if (world.searches.size() < count) world.searches.resize(count);
+  for_blocks(world.team, count, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       PairSearch& search = world.searches[i];
       search.keys.clear();
-      const std::size_t begin = std::min(i * few_bodies, moved.size());
+      const std::size_t begin = i * few_bodies;
       for (const Index body : moved.subspan(begin, std::min(few_bodies, moved.size() - begin))) {
         if (world.slots[body].alive) find_new_keys_of(world, body, search);
       }
     }
   });
+  return std::span(world.searches).first(count);
 }
 
 /// Sorted, each once. A few old ones may be among them: the boxes of a pair may part and meet again while its
@@ -137,8 +139,7 @@ void search_for_pairs(WorldState& world) {
 void find_new_keys(WorldState& world) {
   std::vector<std::uint64_t>& keys = world.new_keys;
   keys.clear();
-  search_for_pairs(world);
-  for (const PairSearch& search : world.searches) {
+  for (const PairSearch& search : search_for_pairs(world)) {
     keys.insert(keys.end(), search.keys.begin(), search.keys.end());
   }
   for (const Index body : world.moved) {

@@ -67,6 +67,13 @@ Passes passes_after(const WorldState& world, int done, int count) {
   return passes;
 }
 
+/// Whether no contact is between parts, as with towers that stand apart.
+bool are_units_independent(const SolveOrder& order) {
+  const std::size_t parts = order.phases[1];
+  return order.units.size() == parts ||
+         order.units[parts].first_contact == order.units.back().end_contact;
+}
+
 /// The passes over the units of the solve order: the same as over all constraints in turn.
 void run_passes_by_unit(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step,
                         const Passes& passes) {
@@ -77,7 +84,7 @@ void run_passes_by_unit(WorldState& world, std::span<SolverBody> bodies, const C
                  some);
     });
   };
-  if (order.units.size() == 1) {
+  if (are_units_independent(order)) {
     run(passes);
     return;
   }
