@@ -162,6 +162,71 @@ TEST(World, RemovedBodyEndsItsContacts) {
   EXPECT_NEAR(height(world, upper), 0.5, 0.01) << "the upper box has fallen onto the floor";
 }
 
+TEST(World, ARedefinedBodyKeepsItsIdAndBeginsItsContactsAnew) {
+  World world;
+  world.settings().sleeping = true;
+  const BodyId floor = world.add_body(floor_body());
+  const BodyId lower = world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
+  const BodyId upper = world.add_body(body_at(unit_box(), {0, 0, Real(1.5)}));
+  run(world, 90);
+  ASSERT_TRUE(world.body(lower).asleep && world.body(upper).asleep);
+
+  BodyDef flat = world.definition(lower);
+  flat.shape = box_shape({Real(0.5), Real(0.5), Real(0.25)});
+  flat.pose.position.z() = Real(0.25);
+  flat.mass = Real(100);
+  world.redefine_body(lower, flat);
+  EXPECT_EQ(world.body_count(), 3);
+  world.step(step_length);
+  const auto ended = world.ended();
+  EXPECT_EQ(ended.size(), 2U);
+  EXPECT_TRUE(std::any_of(ended.begin(), ended.end(), [&](const ContactEvent& event) {
+    return same_pair(event, floor, lower);
+  }));
+  EXPECT_EQ(world.body(lower).mass, Real(100));
+  run(world, 60);
+  EXPECT_NEAR(height(world, upper), 1, 0.01) << "it has fallen onto the flat body";
+
+  flat.kind = BodyKind::Static;
+  flat.pose.position.z() = 3;
+  world.redefine_body(lower, flat);
+  run(world, 60);
+  EXPECT_EQ(height(world, lower), 3) << "it no longer moves";
+  EXPECT_NEAR(height(world, upper), 0.5, 0.01);
+
+  flat.filter.mask = 0;
+  flat.kind = BodyKind::Dynamic;
+  world.redefine_body(lower, flat);
+  run(world, 60);
+  EXPECT_LT(height(world, lower), 0) << "nothing stops it";
+
+  flat.restitution = 2;
+  EXPECT_THROW(world.redefine_body(lower, flat), std::invalid_argument);
+  EXPECT_EQ(world.definition(lower).restitution, 0);
+  world.remove_body(lower);
+  EXPECT_THROW(world.redefine_body(lower, floor_body()), std::invalid_argument);
+}
+
+// A box on a slope of 20° rests with a friction of 0.6 and slides with one of 0.1.
+TEST(World, ARedefinedFrictionActs) {
+  const Quat slope(Eigen::AngleAxis<Real>(Real(0.35), Vec3::UnitY()));
+  World world;
+  BodyDef ground = floor_body();
+  ground.pose = {slope * ground.pose.position, slope};
+  world.add_body(ground);
+  BodyDef def = body_at(unit_box(), Vec3::Zero());
+  def.pose = {slope * Vec3(0, 0, Real(0.5)), slope};
+  const BodyId box = world.add_body(def);
+  run(world, 60);
+  EXPECT_LT(world.body(box).linear_velocity.norm(), Real(1e-3));
+  def.pose = world.body(box).pose;
+  def.friction = Real(0.1) * Real(0.1) / Real(0.6);  // a pair has the geometric mean
+  world.redefine_body(box, def);
+  run(world, 60);
+  const double expected = 9.81 * (std::sin(0.35) - 0.1 * std::cos(0.35));
+  EXPECT_NEAR(world.body(box).linear_velocity.norm(), expected, 0.02 * expected);
+}
+
 TEST(World, IdNamesOneBodyOnly) {
   World world;
   const BodyId first = world.add_body(body_at(unit_box(), Vec3::Zero()));

@@ -32,6 +32,13 @@ std::size_t free_place(const WorldState& world) {
   return place;
 }
 
+/// Ends the contacts of a body, and removes its leaf.
+void take_out(WorldState& world, Index body) {
+  wake_around(world, body);
+  remove_pairs_of(world, body);
+  world.tree.remove(world.slots[body].leaf);
+}
+
 void share_step(WorldState& world, int threads, Real h) {
   ThreadTeam team(threads);
   struct Assignment {
@@ -112,13 +119,20 @@ BodyId World::add_body(const BodyDef& def) {
 void World::remove_body(BodyId id) {
   if (!is_alive(id)) return;
   const Index i = id.index;
-  wake_around(*state_, i);
-  remove_pairs_of(*state_, i);
-  state_->tree.remove(state_->slots[i].leaf);
+  take_out(*state_, i);
   state_->slots[i] = {state_->slots[i].generation + 1, false, no_index, {}};
   state_->bodies[i] = make_immovable_body(BodyKind::Static, {});
   state_->definitions[i] = {};
   --state_->alive_count;
+}
+
+void World::redefine_body(BodyId id, const BodyDef& def) {
+  const std::size_t place = living(*this, id);
+  const RigidBody body = make_body(def);
+  take_out(*state_, id.index);
+  state_->bodies[place] = body;
+  state_->definitions[place] = def;
+  insert_leaf(*state_, id.index);
 }
 
 bool World::is_alive(BodyId id) const {

@@ -55,8 +55,9 @@ struct WorldSettings {
   /// Skip groups of touching bodies that are at rest, until something disturbs them: another body,
   /// the program, or a setting that decides how bodies move.
   bool sleeping = false;
-  /// Threads that share the work of a step, 1 to 16. Results are the same bits for any number. With
-  /// more than one, the functions of the labs are called by several threads at once.
+  /// Threads that share the work of a step, 1 to 16. Results are the same bits for any number, once
+  /// all stages are written. With more than one, the functions of the labs are called by several
+  /// threads at once.
   int threads = 1;
   /// Use several threads only while steps are faster with them. The world measures that now and
   /// then. If false, every step uses them.
@@ -224,6 +225,12 @@ class World {
   /// ignored. What contacts() returned is invalid afterwards; ended() names the contacts after the
   /// next step.
   void remove_body(BodyId id);
+  /// Gives a body another definition, with its pose and velocities, as if it were removed and added
+  /// at the same index. It keeps its id. This changes its kind, shape, mass, friction, restitution
+  /// or filter; its contacts begin anew. What add_body() makes invalid is invalid afterwards.
+  /// @throws std::invalid_argument if the body is not alive, or as add_body() does; nothing has
+  ///         changed then
+  void redefine_body(BodyId id, const BodyDef& def);
   /// Whether the body has not been removed.
   bool is_alive(BodyId id) const;
   /// The number of bodies, without removed ones.
@@ -239,9 +246,9 @@ class World {
   /// For applying forces and impulses (add_force(), apply_impulse()), and for giving any body
   /// another pose or velocity (set_velocity()). A kinematic body carries others by its velocity:
   /// one that is only given another pose moves from under them. Kind and mass stay as they were
-  /// made, and the velocities of a dynamic body follow from its momenta in the next step. A body
-  /// that sleeps wakes in that step, and from then on query() and ray_cast() find it at its new
-  /// pose. Numbers must be finite: is_finite() tells.
+  /// made (see redefine_body()), and the velocities of a dynamic body follow from its momenta in
+  /// the next step. A body that sleeps wakes in that step, and from then on query() and ray_cast()
+  /// find it at its new pose. Numbers must be finite: is_finite() tells.
   /// @throws std::invalid_argument if the body is not alive
   RigidBody& body(BodyId id);
   /// The definition of a body, with its initial pose; its shape; and its shape at the current pose.
