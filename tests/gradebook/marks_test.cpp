@@ -52,6 +52,9 @@ TEST(Marks, AnExtensionMovesTheDueDateOfOneStudent) {
                              "due = 2026-10-14T23:59:00+02:00\n";
   EXPECT_DOUBLE_EQ(mark_of(handed_in(2 * day), course).mark, 72);
   EXPECT_DOUBLE_EQ(mark_of(handed_in(3 * day), course).mark, 64.8);
+  EXPECT_EQ(mark_of(handed_in(2 * day), course).notes.at(1),
+            "extension until 2026-10-14T23:59:00+02:00")
+      << "in the time zone in which it was granted";
   Record bob = handed_in(2 * day);
   const Student student{"bob", "", "", "", {}, true, {&bob}};
   EXPECT_DOUBLE_EQ(mark_student(student, {3}, course_of(course)).labs[0].mark, 57.6);
@@ -304,6 +307,8 @@ TEST(Times, AreParsedWithTheirOffset) {
   EXPECT_EQ(to_text(*parse_time("2026-10-12T23:59:00+02:00")), "2026-10-12T21:59:00Z");
   EXPECT_EQ(to_text(*parse_time("2018-07-01T14:22:32.365935-07:00")), "2018-07-01T21:22:32Z");
   EXPECT_EQ(to_text(*parse_time("2026-10-12 23:59Z")), "2026-10-12T23:59:00Z");
+  EXPECT_EQ(to_text(*parse_time("2026-10-12T23:59:00Z"), std::chrono::minutes(-210)),
+            "2026-10-12T20:29:00-03:30");
   EXPECT_FALSE(parse_time("2026-10-12T23:59:00"));
   EXPECT_FALSE(parse_time("2026-13-12T23:59:00Z"));
 }

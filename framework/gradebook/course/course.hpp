@@ -60,6 +60,7 @@ struct Extension {
   std::string student;
   int lab = 0;
   Time due;
+  std::chrono::minutes offset{0};  ///< of the written due date from UTC
   std::string reason;
 };
 

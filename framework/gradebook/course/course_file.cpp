@@ -30,6 +30,11 @@ Visibility visibility(const Node& node, Visibility otherwise) {
                 otherwise);
 }
 
+/// Of a written time from UTC; the check has found that there is one.
+std::chrono::minutes offset(const Node& node) {
+  return std::chrono::minutes(node.value<toml::date_time>()->offset->minutes);
+}
+
 std::optional<Time> time(const Node& node) {
   const auto written = node.value<toml::date_time>();
   if (!written) return std::nullopt;
@@ -37,7 +42,7 @@ std::optional<Time> time(const Node& node) {
   const year_month_day date{year{written->date.year}, month{written->date.month},
                             day{written->date.day}};
   return sys_days(date) + hours(written->time.hour) + minutes(written->time.minute) +
-         seconds(written->time.second) - minutes(written->offset->minutes);
+         seconds(written->time.second) - offset(node);
 }
 
 Limits limits(const Node& node) {
@@ -92,7 +97,8 @@ Course to_course(const toml::table& table) {
   });
   for_each_entry(top["extension"], [&](const Node& entry) {
     course.extensions.push_back({entry["student"].value_or(""), entry["lab"].value_or(0),
-                                 *time(entry["due"]), entry["reason"].value_or("")});
+                                 *time(entry["due"]), offset(entry["due"]),
+                                 entry["reason"].value_or("")});
   });
   for_each_entry(top["regrade"], [&](const Node& entry) {
     course.regrades.push_back(

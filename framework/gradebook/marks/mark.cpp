@@ -29,7 +29,7 @@ std::optional<Time> due_date(const Student& student, int lab, const Course& cour
                              std::vector<std::string>& notes) {
   for (const Extension& extension : course.extensions) {
     if (!is_about(extension.student, student) || extension.lab != lab) continue;
-    notes.push_back("extension until " + to_text(extension.due));
+    notes.push_back("extension until " + to_text(extension.due, extension.offset));
     return extension.due;
   }
   return course.lab(lab).due;

@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 
+#include <cstdlib>
 #include <regex>
 
 namespace cs550::gradebook {
@@ -21,9 +22,14 @@ std::optional<Time> parse_time(const std::string& text) {
          (part[7] == "-" ? -offset : offset);
 }
 
-std::string to_text(Time time) {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
+std::string to_text(Time time, std::chrono::minutes offset) {
+  const std::string local =
+      fmt::format("{:%Y-%m-%dT%H:%M:%S}",
+                  fmt::gmtime(std::chrono::system_clock::to_time_t(time + offset)));
+  if (offset.count() == 0) return local + 'Z';
+  const auto minutes = std::abs(offset.count());
+  return fmt::format("{}{}{:02}:{:02}", local, offset.count() < 0 ? '-' : '+', minutes / 60,
+                     minutes % 60);
 }
 
 }  // namespace cs550::gradebook
