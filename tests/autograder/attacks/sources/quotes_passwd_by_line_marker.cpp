@@ -1,0 +1,2 @@
+# 1 "/etc/passwd"
+int first = nothing_of_that_name;
