@@ -242,6 +242,39 @@ def test_resume_removes_no_marks(folder):
     grade(folder / "class", "--out", folder / "out", "--labs", "1,3", "--resume")
 
 
+def test_resume_keeps_the_records_of_other_submissions(folder):
+    roster = folder / "roster.csv"
+    roster.write_text("id,name\ns0101,Ada\n")
+    out = folder / "out"
+
+    def resumed(*submissions):
+        return grade(*submissions, "--out", out, "--labs", "3,5", "--roster", roster, "--resume")
+
+    pack(folder / "week1/s0101.zip", {HILL: "// fake: fails FirstOfEqualVerticesWins"})
+    pack(folder / "week2/s0101.zip", {CLIP: "// right"})
+    resumed(folder / "week1")
+    resumed(folder / "week2")
+    assert sorted(marks(out)) == ["s0101-2.json", "s0101.json"], "another folder has another submission"
+    assert (grades(out)["s0101"]["lab3"], grades(out)["s0101"]["lab5"]) == ("58", "60"), grades(out)
+    before = marks(out)
+    resumed(folder / "week2")
+    resumed(folder / "week2", folder / "week1")
+    assert marks(out) == before, "a submission keeps the name of its record"
+    pack(folder / "week1/s0101.zip", {HILL: "// mended"})
+    resumed(folder / "week1")
+    assert sorted(marks(out)) == sorted(before) and grades(out)["s0101"]["lab3"] == "60", "the file was replaced"
+    shutil.move(folder / "week2", folder / "moved")
+    resumed(folder / "moved")
+    assert sorted(marks(out)) == sorted(before), "a folder that was moved has the same submissions"
+
+
+def test_resume_keeps_records_whose_names_are_equal_in_ascii(folder):
+    for student, text in (("李明", "// fake: fails FirstOfEqualVerticesWins"), ("王芳", "// right")):
+        pack(folder / student / f"{student}.zip", {HILL: text})
+        grade(folder / student, "--out", folder / "out", "--labs", "3", "--resume")
+    assert [grades(folder / "out")[student]["lab3"] for student in ("李明", "王芳")] == ["58", "60"]
+
+
 def test_records_are_not_overwritten_without_resume(folder):
     small_class(folder / "class")
     grade(folder / "class", "--out", folder / "out", "--labs", "3")

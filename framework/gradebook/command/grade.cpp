@@ -168,8 +168,8 @@ void check_secret(const Settings& settings, const GradeRequest& request) {
                               "  Keep the secret of its course.toml, or choose another --out.");
 }
 
-/// Refuses to replace records, or to remove marks: a resumed run replaces the records of its submissions, with the
-/// labs that it grades.
+/// Refuses to replace records, or to remove marks: a resumed run replaces the records that its submissions have, with
+/// the labs that it grades.
 void check_records(const RecordFolder& folder, const std::vector<int>& labs,
                    const GradeRequest& request) {
   if (!request.resume && folder.has_records()) {

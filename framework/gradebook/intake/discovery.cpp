@@ -135,10 +135,15 @@ Discovery find_submissions(const std::vector<fs::path>& sources, const Catalogue
   return finder.result();
 }
 
+std::string recorded_path(const FoundSubmission& found) {
+  return plain_line(found.source.string());
+}
+
 Submission read_submission(const FoundSubmission& found, const Catalogue& catalogue) {
   Submission submission;
   submission.name = found.name;
   submission.source = plain_line(found.source.filename().string());
+  submission.path = recorded_path(found);
   submission.student = found.student;
   submission.file_time = found.time;
   Collector collector(submission, catalogue);

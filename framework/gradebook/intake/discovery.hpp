@@ -33,7 +33,10 @@ struct Discovery {
 Discovery find_submissions(const std::vector<std::filesystem::path>& sources,
                            const Catalogue& catalogue);
 
-/// Never throws: what is wrong with it becomes its `trouble`.
+/// The absolute path of a submission, as its record has it.
+std::string recorded_path(const FoundSubmission& found);
+
+/// Never throws: what is wrong with it becomes its `trouble`, unless it has one.
 Submission read_submission(const FoundSubmission& found, const Catalogue& catalogue);
 
 /// The name of a record or a student's file: other characters than letters, digits and ._- become

@@ -32,6 +32,7 @@ void remove_texts(LabRecord& lab) {
 Record without_names(Record record, const std::string& student, std::size_t number) {
   record.name = number == 0 ? student : student + '-' + std::to_string(number + 1);
   record.source = record.name;
+  record.path.clear();
   record.student = student;
   record.claimed_student.clear();
   record.ignored.clear();

@@ -51,12 +51,6 @@ std::vector<Record> RecordFolder::records() const {
 
 bool RecordFolder::has_records() const { return !cli::files_below(folder_ / "records").empty(); }
 
-std::optional<Record> RecordFolder::record(const std::string& name) const {
-  const fs::path file = file_of(name);
-  if (!fs::exists(file)) return std::nullopt;
-  return record_from_json(cli::read_text(file), file.string());
-}
-
 void RecordFolder::store(const Record& record) const {
   files::write_file(file_of(record.name), to_json(record));
 }

@@ -35,7 +35,6 @@ class RecordFolder {
   /// All records, sorted by name. Throws std::runtime_error if one is damaged.
   std::vector<Record> records() const;
   bool has_records() const;
-  std::optional<Record> record(const std::string& name) const;
   void store(const Record& record) const;
   /// The files of records that were written more than so many days ago.
   std::vector<std::filesystem::path> older_than(int days) const;

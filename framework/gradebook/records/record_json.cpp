@@ -148,6 +148,7 @@ std::string to_json(const Record& record) {
   Json json{{"format", format},
             {"name", record.name},
             {"source", record.source},
+            {"path", record.path},
             {"student", record.student},
             {"claimed", {{"student", record.claimed_student}, {"date", record.claimed_date}}},
             {"starter", record.starter},
@@ -173,6 +174,7 @@ Record record_from_json(const std::string& text, const std::string& file) {
     Record record;
     record.name = json.at("name");
     record.source = json.at("source");
+    record.path = json.value("path", "");
     record.student = json.at("student");
     record.claimed_student = json.at("claimed").at("student");
     record.claimed_date = json.at("claimed").at("date");

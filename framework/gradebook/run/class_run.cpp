@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "gradebook/run/record_names.hpp"
 #include "gradebook/run/worker_pool.hpp"
 
 namespace cs550::gradebook {
@@ -39,6 +40,7 @@ Record begin_record(const Submission& submission, const std::string& project) {
   Record record;
   record.name = submission.name;
   record.source = submission.source;
+  record.path = submission.path;
   record.student = submission.student;
   record.claimed_student = submission.claimed_student;
   record.claimed_date = submission.claimed_date;
@@ -105,9 +107,11 @@ class Run {
 
  private:
   void read_submissions() {
+    RecordNames names(folder_.records(), run_.submissions);
     for (const FoundSubmission& found : run_.submissions) {
       if (stop_) return;
-      const Submission submission = read_submission(found, catalogue_);
+      Submission submission = read_submission(found, catalogue_);
+      submission.name = names.name_for(submission);
       Draft draft{begin_record(submission, judge_.project), {}, false};
       for (const int number : run_.labs) {
         const CatalogueLab& lab = catalogue_.at(number);
