@@ -239,6 +239,27 @@ TEST(Archive, AZipBombIsRefused) {
             "the archive has more than 5 entries");
 }
 
+TEST(Archive, AManifestIsReadWithinLimits) {
+  const auto submission_with = [](const std::string& manifest) {
+    const ScratchFolder scratch;
+    {
+      ArchiveWriter writer(scratch / "ada.zip");
+      writer.add("manifest.json", manifest);
+      writer.add("hill_climbing.cpp", "int x;\n");
+    }
+    return read(scratch / "ada.zip");
+  };
+  const std::string padding(70'000, ' ');
+  const Submission large = submission_with(R"({"student": "Ada")" + padding + '}');
+  EXPECT_EQ(large.claimed_student, "");
+  EXPECT_EQ(reason_for(large, "manifest.json"), "larger than 64 kB");
+  EXPECT_EQ(large.labs.count(3), 1U);
+  const std::string deep = std::string(1000, '[') + std::string(1000, ']');
+  EXPECT_EQ(submission_with(R"({"files": )" + deep + R"(, "student": "Ada"})").claimed_student,
+            "Ada");
+  EXPECT_NE(reason_for(submission_with(std::string(60'000, '[')), "manifest.json"), "");
+}
+
 TEST(Archive, WhatCannotBeReadIsReported) {
   const ScratchFolder scratch;
   files::write_file(scratch / "empty.zip", "");

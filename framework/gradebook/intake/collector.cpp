@@ -19,6 +19,11 @@ std::string text_of(const Json& json, const char* key) {
   return plain_line(found->get<std::string>()).substr(0, longest);
 }
 
+/// Keeps the members of the outermost object: what we read of a manifest is there.
+bool keep_top(int depth, Json::parse_event_t /*event*/, const Json& /*value*/) {
+  return depth <= 1;
+}
+
 /// Whether one of the paths is a folder of the other.
 bool contains(const std::string& a, const std::string& b) {
   return a.starts_with(b + '/') || b.starts_with(a + '/');
@@ -133,7 +138,11 @@ void Collector::finish() {
 }
 
 void Collector::read_manifest(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  if (text.size() > IntakeLimits().manifest) {
+    ignore(manifest_of_submit, "larger than 64 kB");
+    return;
+  }
+  const Json json = Json::parse(text, keep_top, false);
   if (!json.is_object()) {
     ignore(manifest_of_submit, "not the manifest that ./cs550 submit writes");
     return;
