@@ -11,6 +11,7 @@
 #include "gradebook/intake/discovery.hpp"
 #include "gradebook/intake/lab_path.hpp"
 #include "gradebook/intake/read_archive.hpp"
+#include "gradebook/run/grade_lab.hpp"
 #include "gradebook_test.hpp"
 
 namespace cs550::gradebook {
@@ -216,6 +217,35 @@ TEST(Choice, OfEqualNamesTheOneNearestToTheTopIsGraded) {
     EXPECT_EQ(submission.labs.at(3)[0].text, "first");
     EXPECT_NE(reason_for(submission, "b/hill_climbing.cpp"), "");
     EXPECT_NE(reason_for(submission, "a/deep/hill_climbing.cpp"), "");
+  }
+}
+
+TEST(Choice, AFolderIsNeverInThePlaceOfAStarterFile) {
+  for (const Submission& submission :
+       in_any_order({{"lab3/hill_climbing.cpp/x.hpp", "int x;"}, {"lab3/util.hpp", "int y;"}})) {
+    ASSERT_EQ(submission.labs.at(3).size(), 1U);
+    EXPECT_EQ(submission.labs.at(3)[0].path, "util.hpp");
+    EXPECT_EQ(reason_for(submission, "lab3/hill_climbing.cpp/x.hpp"),
+              "in a folder with the name of a starter file");
+  }
+}
+
+TEST(Choice, StarterFilesHaveAPlaceAmongTheFilesOfALab) {
+  std::vector<std::pair<std::string, std::string>> files{{"deep/lab3/hill_climbing.cpp", "code"}};
+  for (int i = 0; i < 120; ++i) files.emplace_back("lab3/a" + std::to_string(i) + ".hpp", "");
+  for (const Submission& submission : in_any_order(files)) {
+    const std::vector<SourceFile>& taken = submission.labs.at(3);
+    EXPECT_EQ(taken.size(), 100U);
+    EXPECT_TRUE(std::any_of(taken.begin(), taken.end(), [](const SourceFile& file) {
+      return file.path == "hill_climbing.cpp" && file.text == "code";
+    }));
+  }
+  files.erase(files.begin());
+  const CatalogueLab& lab = project_catalogue().at(3);
+  for (const Submission& submission : in_any_order(files)) {
+    const LabFiles graded = files_to_grade(submission, lab, std::string(CS550_ROOT) + "/labs");
+    EXPECT_EQ(graded.files.size(), 100U) << "with the starter";
+    EXPECT_EQ(graded.supplied, std::vector<std::string>{"hill_climbing.cpp"});
   }
 }
 

@@ -87,10 +87,19 @@ void Collector::choose(std::vector<Candidate> candidates) {
 }
 
 void Collector::add(Candidate file) {
-  const IntakeLimits limits;
+  const std::vector<std::string>& starter = catalogue_.at(file.place.lab).starter_files;
   std::vector<SourceFile>& files = submission_.labs[file.place.lab];
   const std::string& name = file.place.file;
-  if (static_cast<int>(files.size()) >= limits.files_of_lab) {
+  const auto is_starter = [&](const std::string& path) {
+    return std::find(starter.begin(), starter.end(), path) != starter.end();
+  };
+  // Those of the starter that are missing are added later.
+  const auto others = std::count_if(
+      files.begin(), files.end(), [&](const SourceFile& known) { return !is_starter(known.path); });
+  const int most = IntakeLimits().files_of_lab - static_cast<int>(starter.size());
+  if (is_starter(name.substr(0, name.find('/'))) && !is_starter(name)) {
+    ignore(file.path, "in a folder with the name of a starter file");
+  } else if (others >= most && !is_starter(name)) {
     ignore(file.path, "the lab has more than 100 files");
   } else if (std::any_of(files.begin(), files.end(),
                          [&](const SourceFile& known) { return known.path == name; })) {
