@@ -347,6 +347,19 @@ TEST(Discovery, AFolderOfSubmissionsIsAllOfThem) {
   EXPECT_THROW(find_submissions({scratch / "absent"}, project_catalogue()), std::runtime_error);
 }
 
+TEST(Discovery, LinksAmongSubmissionsAreListed) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "elsewhere/bob.zip", "");
+  files::write_file(scratch / "class/ada.zip", "");
+  fs::create_symlink(scratch / "elsewhere/bob.zip", scratch / "class/bob.zip");
+  fs::create_directory_symlink(scratch / "elsewhere", scratch / "class/eve");
+  const Discovery found = find_submissions({scratch / "class"}, project_catalogue());
+  EXPECT_EQ(found.submissions.size(), 1U);
+  ASSERT_EQ(found.skipped.size(), 2U);
+  EXPECT_NE(found.skipped[0].path.find("class/bob.zip"), std::string::npos);
+  EXPECT_NE(found.skipped[1].reason.find("symbolic link"), std::string::npos);
+}
+
 TEST(Discovery, WhatCannotBeReadGetsARecord) {
   const ScratchFolder scratch;
   files::write_file(scratch / "class/ada/lab3.rar", "Rar!");

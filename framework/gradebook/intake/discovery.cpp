@@ -19,14 +19,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<fs::path> children(const fs::path& folder) {
+std::vector<fs::path> entries(const fs::path& folder, bool links) {
   std::vector<fs::path> paths;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (!entry.is_symlink()) paths.push_back(entry.path());
+    if (entry.is_symlink() == links) paths.push_back(entry.path());
   }
   std::sort(paths.begin(), paths.end());
   return paths;
 }
+
+std::vector<fs::path> children(const fs::path& folder) { return entries(folder, false); }
+std::vector<fs::path> links(const fs::path& folder) { return entries(folder, true); }
 
 /// Whether a folder is a submission, not a folder of submissions.
 bool has_lab_files(const fs::path& folder, const Catalogue& catalogue) {
@@ -86,6 +89,10 @@ class Finder {
     constexpr std::size_t deepest = 2;  // a folder per student, and one per lab in it
     const std::size_t before = found_.submissions.size();
     if (folders.size() < deepest) {
+      for (const fs::path& link : links(folder)) {
+        found_.skipped.push_back(
+            {plain_line(link.string()), "a symbolic link, which is not followed", 1});
+      }
       for (const fs::path& child : children(folder)) {
         std::vector<std::string> names = folders;
         if (fs::is_directory(child)) names.push_back(child.filename());
