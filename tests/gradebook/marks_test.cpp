@@ -240,6 +240,35 @@ TEST(Roster, AClaimCountsOnlyWhereTheFileNameIsNobodys) {
   EXPECT_EQ(students[1].records.size(), 1U) << "eve must not hand in for ada";
 }
 
+TEST(Roster, ANameThatFitsSeveralStudentsIsNobodys) {
+  const std::string text = "id,name\ns1,Mallory Mal\ns2,Ada Lovelace\ns3,Ada Byron\n";
+  const std::vector<Student> roster = parse_roster(text, "roster.csv");
+  const auto student_of = [&](const std::string& name, const std::string& claimed = "") {
+    std::vector<Record> records{record_of(name, lab_record(24, 24, 12))};
+    records[0].claimed_student = claimed;
+    for (const Student& student : assign(roster, records)) {
+      if (!student.records.empty()) return student.id;
+    }
+    return std::string();
+  };
+  const std::string uploaded = "Mallory Mal_123_assignsubmission_file_s2";
+  EXPECT_EQ(student_of(uploaded), uploaded) << "the name of an uploaded file is no identity";
+  EXPECT_EQ(rivals(roster, record_of(uploaded, {})), (std::vector<std::string>{"s1", "s2"}));
+  const std::string both = "Ada Byron Lovelace_124_assignsubmission_file_";
+  EXPECT_EQ(student_of(both, "s2"), both) << "a claim does not decide between students";
+  EXPECT_EQ(student_of("Mallory Mal_123_assignsubmission_file_s1"), "s1");
+  EXPECT_EQ(student_of("lab3", "s2"), "s2");
+  EXPECT_EQ(student_of("Ada Lovelace"), "s2");
+}
+
+TEST(Roster, SpacesAroundFieldsDoNotCount) {
+  const std::vector<Student> roster =
+      parse_roster("id, name , email\ns1, Ada Lovelace , ada@x.org\n", "roster.csv");
+  ASSERT_EQ(roster.size(), 1U);
+  EXPECT_EQ(roster[0].name, "Ada Lovelace");
+  EXPECT_EQ(roster[0].email, "ada@x.org");
+}
+
 TEST(Roster, BadOnesAreRefused) {
   const auto fault = [](const std::string& text) {
     try {
@@ -253,6 +282,7 @@ TEST(Roster, BadOnesAreRefused) {
   EXPECT_NE(fault("name\nAda").find("no column id"), std::string::npos);
   EXPECT_NE(fault("id\na\nA").find("twice"), std::string::npos);
   EXPECT_NE(fault("id,name\n,Ada").find("row 2 has no id"), std::string::npos);
+  EXPECT_NE(fault("id,name\n").find("no students"), std::string::npos);
   EXPECT_NE(fault("id,submitted\nada,soon").find("found soon"), std::string::npos);
   EXPECT_EQ(fault("id;name\nada;Ada\n"), "");
   // The first swallows the students after it to the end of the file, the second those up to the next quote.

@@ -20,6 +20,14 @@ std::string lower(std::string text) {
   return text;
 }
 
+/// Without spaces at its ends.
+std::string trimmed(const std::string& text) {
+  constexpr const char* spaces = " \t";
+  const std::size_t first = text.find_first_not_of(spaces);
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(spaces) - first + 1);
+}
+
 /// "doe_ada_s0101-lab3" has the words doe, ada, s0101, lab3.
 std::set<std::string> words_of(const std::string& text) {
   std::set<std::string> words;
@@ -49,33 +57,34 @@ bool has_name(const std::set<std::string>& words, const Student& student) {
   return !name.empty() && std::includes(words.begin(), words.end(), name.begin(), name.end());
 }
 
-/// The only student for whom a condition holds; null if there is none, or several.
+using Places = std::vector<std::size_t>;
+
+/// The places in the roster of the students for whom a condition holds.
 template <typename Condition>
-Student* only_one(std::vector<Student>& roster, const Condition& condition) {
-  Student* found = nullptr;
-  for (Student& student : roster) {
-    if (!student.on_roster || !condition(student)) continue;
-    if (found != nullptr) return nullptr;
-    found = &student;
+Places places(const std::vector<Student>& roster, const Condition& condition) {
+  Places found;
+  for (std::size_t i = 0; i < roster.size(); ++i) {
+    if (condition(roster[i])) found.push_back(i);
   }
   return found;
 }
 
+/// Those who are called by a name. Of a name with further words, those whose id or name is in it: a
+/// platform adds the name of the file, which a student chooses, to that of the student.
+Places fitting(const std::vector<Student>& roster, const std::string& name) {
+  Places found = places(roster, [&](const Student& s) { return is_called(s, name); });
+  if (!found.empty()) return found;
+  const std::set<std::string> words = words_of(name);
+  return places(
+      roster, [&](const Student& s) { return words.contains(lower(s.id)) || has_name(words, s); });
+}
+
 Student* student_of(std::vector<Student>& roster, const Record& record) {
-  Student* student =
-      only_one(roster, [&](const Student& s) { return is_called(s, record.student); });
-  if (student == nullptr) {
-    const std::set<std::string> words = words_of(record.student);
-    student = only_one(roster, [&](const Student& s) { return words.contains(lower(s.id)); });
-    if (student == nullptr) {
-      student = only_one(roster, [&](const Student& s) { return has_name(words, s); });
-    }
+  Places found = fitting(roster, record.student);
+  if (found.empty()) {
+    found = places(roster, [&](const Student& s) { return is_called(s, record.claimed_student); });
   }
-  if (student == nullptr) {
-    student =
-        only_one(roster, [&](const Student& s) { return is_called(s, record.claimed_student); });
-  }
-  return student;
+  return found.size() == 1 ? &roster[found.front()] : nullptr;
 }
 
 std::optional<Time> submission_time(const std::string& text, const std::string& place) {
@@ -96,7 +105,7 @@ std::vector<Student> parse_roster(const std::string& text, const std::string& fi
   const std::vector<std::vector<std::string>> rows = parse_csv(text, file);
   std::map<std::string, std::size_t> column;
   if (!rows.empty()) {
-    for (std::size_t i = 0; i < rows[0].size(); ++i) column[lower(rows[0][i])] = i;
+    for (std::size_t i = 0; i < rows[0].size(); ++i) column[lower(trimmed(rows[0][i]))] = i;
   }
   if (!column.contains("id")) {
     throw std::runtime_error(file + ":1: the roster has no column id. For example:\n" +
@@ -107,7 +116,8 @@ std::vector<Student> parse_roster(const std::string& text, const std::string& fi
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const auto field = [&](const char* name) {
       const auto found = column.find(name);
-      return found != column.end() && found->second < rows[i].size() ? rows[i][found->second] : "";
+      const bool is_there = found != column.end() && found->second < rows[i].size();
+      return is_there ? trimmed(rows[i][found->second]) : "";
     };
     const std::string place = fmt::format("{}, row {}", file, i + 1);
     Student student{field("id"),
@@ -123,6 +133,7 @@ std::vector<Student> parse_roster(const std::string& text, const std::string& fi
     }
     roster.push_back(std::move(student));
   }
+  if (roster.empty()) throw std::runtime_error(file + " has a header line and no students");
   return roster;
 }
 
@@ -143,19 +154,9 @@ std::vector<Student> assign(std::vector<Student> roster, const std::vector<Recor
 }
 
 std::vector<std::string> rivals(const std::vector<Student>& roster, const Record& record) {
-  const std::set<std::string> words = words_of(record.student);
-  const auto ids_of = [&roster](const auto& condition) {
-    std::vector<std::string> ids;
-    for (const Student& student : roster) {
-      if (condition(student)) ids.push_back(student.id);
-    }
-    return ids.size() > 1 ? ids : std::vector<std::string>();
-  };
-  std::vector<std::string> ids =
-      ids_of([&](const Student& s) { return is_called(s, record.student); });
-  if (ids.empty()) ids = ids_of([&](const Student& s) { return words.contains(lower(s.id)); });
-  if (ids.empty()) ids = ids_of([&](const Student& s) { return has_name(words, s); });
-  return ids;
+  std::vector<std::string> ids;
+  for (const std::size_t i : fitting(roster, record.student)) ids.push_back(roster[i].id);
+  return ids.size() > 1 ? ids : std::vector<std::string>();
 }
 
 }  // namespace cs550::gradebook

@@ -23,13 +23,14 @@ bool is_about(const std::string& entry, const Student& student);
 
 /// @param text CSV with a header line: `id`, and optionally name, email, section, submitted
 /// @param file its name in messages
-/// Throws std::runtime_error for a roster without ids, with one twice, or with a quote that is not closed.
+/// Throws std::runtime_error for a roster without students or ids, with an id twice, or with a quote
+/// that is not closed.
 std::vector<Student> parse_roster(const std::string& text, const std::string& file);
 
 /// Gives every record to its student. A record belongs to the student whose id, email or name is
-/// that of its file or folder, or whose id is a word of that name, or all words of whose name are, if
-/// that is one student only. Only if no student matches does
-/// the name count that the submission itself claims. Records of nobody get a student of their own.
+/// that of its file or folder. If there is none, it belongs to the only student whose id is a word of
+/// that name, or all words of whose name are. Only if no student matches does the name count that the
+/// submission itself claims. Records of nobody get a student of their own.
 /// @param roster may be empty: then every name is a student
 std::vector<Student> assign(std::vector<Student> roster, const std::vector<Record>& records);
 
