@@ -198,6 +198,47 @@ TEST(Marks, TheBestOrTheLastAttemptCounts) {
   EXPECT_DOUBLE_EQ(mark_student(student, {3}, course_of("attempt = 'last'")).labs[0].mark, 24);
 }
 
+TEST(Marks, OfAttemptsWhoseOrderIsUnknownTheBestCounts) {
+  Record zip = record_of("ada", lab_record(24, 0, 0));
+  Record folder = record_of("ada", lab_record(24, 24, 0));
+  zip.file_time = 2;
+  const Student student{"ada", "", "", "", {}, true, {&zip, &folder}};
+  const Course course = course_of("attempt = 'last'");
+  LabMark mark = mark_student(student, {3}, course).labs[0];
+  EXPECT_DOUBLE_EQ(mark.mark, 48) << "a folder has no time";
+  ASSERT_FALSE(mark.notes.empty());
+  EXPECT_NE(mark.notes.back().find("which attempt is the last is unknown"), std::string::npos);
+  folder.file_time = 2;
+  EXPECT_DOUBLE_EQ(mark_student(student, {3}, course).labs[0].mark, 48) << "equal times";
+  folder.file_time = 1;
+  mark = mark_student(student, {3}, course).labs[0];
+  EXPECT_DOUBLE_EQ(mark.mark, 24);
+  EXPECT_TRUE(mark.notes.empty());
+}
+
+TEST(Marks, AnAttemptThatWasNotGradedIsNotHiddenByAWorseOne) {
+  const Record graded = record_of("ada", lab_record(24, 0, 0));
+  Record failed = record_of("ada", lab_record(0, 0, 0));
+  failed.source = "ada-again.zip";
+  failed.labs[0].not_graded = "the judge broke";
+  const Student student{"ada", "", "", "", {}, true, {&graded, &failed}};
+  const LabMark mark = mark_student(student, {3}, course_of("")).labs[0];
+  EXPECT_FALSE(mark.is_graded);
+  EXPECT_EQ(mark.notes, std::vector<std::string>{"NOT GRADED: the grader failed on ada-again.zip"});
+  Record perfect = record_of("ada", lab_record(24, 24, 12));
+  const Student other{"ada", "", "", "", {}, true, {&perfect, &failed}};
+  EXPECT_TRUE(mark_student(other, {3}, course_of("")).labs[0].is_graded) << "nothing to gain";
+}
+
+TEST(Marks, MilestonesThatWereNotGradedAreNoMark) {
+  Record record = record_of("ada", lab_record(24, 24, 12));
+  EXPECT_TRUE(record.is_graded());
+  record.engine = LabRecord{};
+  EXPECT_TRUE(record.is_graded());
+  record.engine->not_graded = "the judge broke";
+  EXPECT_FALSE(record.is_graded());
+}
+
 TEST(Roster, RecordsFindTheirStudents) {
   const std::string text =
       "\xEF\xBB\xBFid,name,email\ns1,\"Lovelace, Ada\",ada@x.org\ns2,Bob,b@x.org\ns3,Eve,e@x.org\n";

@@ -143,32 +143,58 @@ LabMark mark_record(const Student& student, const Record& record, const LabRecor
   return mark;
 }
 
-LabMark best_mark(const Student& student, int lab, const Course& course) {
-  std::optional<LabMark> chosen;
-  const auto time = [&](const LabMark& mark) {
-    const Clock clock = course.late ? course.late->clock : Clock::File;
-    return submission_time(student, *mark.record, clock).value_or(Time{});
-  };
+/// The marks of all submissions of a lab.
+std::vector<LabMark> attempts_at(const Student& student, int lab, const Course& course) {
+  std::vector<LabMark> attempts;
   for (const Record* record : student.records) {
     const LabRecord* of_lab = record->lab(lab);
     if (of_lab == nullptr || !of_lab->submitted) continue;
-    LabMark mark = mark_record(student, *record, *of_lab, course);
-    const bool is_better =
-        !chosen ||
-        (course.attempt == Attempt::Best ? mark.mark > chosen->mark : time(mark) > time(*chosen));
-    if (is_better) chosen = std::move(mark);
+    attempts.push_back(mark_record(student, *record, *of_lab, course));
   }
-  if (!chosen) {
-    chosen.emplace();
-    chosen->lab = lab;
-    chosen->points = course.lab(lab).points;
-    chosen->was_run =
-        student.records.empty() ||
-        std::any_of(student.records.begin(), student.records.end(),
-                    [lab](const Record* record) { return record->lab(lab) != nullptr; });
-    chosen->notes.emplace_back(chosen->was_run ? note_not_submitted : note_not_run);
+  return attempts;
+}
+
+/// Leaves those that may be the last: of the latest time, or of an unknown one.
+void keep_last(std::vector<LabMark>& attempts, const Student& student, const Course& course) {
+  const auto time = [&](const LabMark& mark) {
+    const Clock clock = course.late ? course.late->clock : Clock::File;
+    return submission_time(student, *mark.record, clock);
+  };
+  std::optional<Time> latest;  // an empty one is before every time
+  for (const LabMark& mark : attempts) latest = std::max(latest, time(mark));
+  std::erase_if(attempts, [&](const LabMark& mark) { return time(mark) && time(mark) < latest; });
+  if (attempts.size() < 2) return;
+  for (LabMark& mark : attempts) {
+    mark.notes.emplace_back("which attempt is the last is unknown: the best of them counts");
   }
-  return *chosen;
+}
+
+/// A lab without a submission.
+LabMark no_mark(const Student& student, int lab, const Course& course) {
+  LabMark mark;
+  mark.lab = lab;
+  mark.points = course.lab(lab).points;
+  mark.was_run = student.records.empty() ||
+                 std::any_of(student.records.begin(), student.records.end(),
+                             [lab](const Record* record) { return record->lab(lab) != nullptr; });
+  mark.notes.emplace_back(mark.was_run ? note_not_submitted : note_not_run);
+  return mark;
+}
+
+/// The mark that counts. If the grader failed on another attempt, that one might have been better.
+LabMark best_mark(const Student& student, int lab, const Course& course) {
+  std::vector<LabMark> attempts = attempts_at(student, lab, course);
+  if (attempts.empty()) return no_mark(student, lab, course);
+  if (course.attempt == Attempt::Last) keep_last(attempts, student, course);
+  const auto is_worse = [](const LabMark& a, const LabMark& b) { return a.mark < b.mark; };
+  LabMark best = *std::max_element(attempts.begin(), attempts.end(), is_worse);
+  if (!best.is_graded || best.mark >= best.points) return best;
+  for (const LabMark& mark : attempts) {
+    if (mark.is_graded) continue;
+    best.is_graded = false;
+    best.notes.push_back("NOT GRADED: the grader failed on " + mark.record->source);
+  }
+  return best;
 }
 
 EngineMark best_engine(const Student& student) {

@@ -32,7 +32,8 @@ int LabRecord::tests_with(const std::string& status) const {
 bool LabRecord::is_final() const { return is_graded() && tests_with("timeout") == 0; }
 
 bool Record::is_graded() const {
-  return std::all_of(labs.begin(), labs.end(),
+  return (!engine || engine->is_graded()) &&
+         std::all_of(labs.begin(), labs.end(),
                      [](const LabRecord& lab) { return lab.is_graded(); });
 }
 

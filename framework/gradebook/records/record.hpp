@@ -82,7 +82,7 @@ struct Record {
   /// The milestones of labs 1, 2, ... together, as tests without points; empty if they were not run.
   std::optional<LabRecord> engine;
 
-  bool is_graded() const;  ///< whether every lab has a mark
+  bool is_graded() const;  ///< whether the grader failed on no lab, and not on the milestones
   /// Null if the record does not include that lab.
   const LabRecord* lab(int number) const;
 };
