@@ -5,6 +5,7 @@
 # submission decide it:
 #   // fake: fails NAME      the test LabN.NAME fails
 #   // fake: no compile      every test is not_compiled
+#   // fake: compiler stopped      every test is a timeout
 #   // fake: breaks          the grader itself fails
 #   // fake: sleeps SECONDS
 #   // fake: catches NUMBER           with --own-tests, of 20 mistakes; without it, the reference fails
@@ -62,21 +63,21 @@ if [ -n "${milestones-}" ]; then
 fi
 [ -z "${FAKE_LOG-}" ] || echo "lab $lab" >>"$FAKE_LOG"
 printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${salt:-published}" -v challenge="${challenge-}" '
-  FILENAME == "-" { if ($1 == "fails") fails[$2] = 1; if ($1 == "times") late[$3] = 1; if ($0 == "no compile") broken = 1; next }
+  FILENAME == "-" { if ($1 == "fails") fails[$2] = 1; if ($1 == "times") late[$3] = 1; if ($0 == "no compile") broken = 1; if ($1 == "compiler") stopped = 1; next }
   /"name":/ { split($0, part, "\""); name = part[4] }
   /"points": [0-9]/ { gsub(/[^0-9]/, ""); points = $0 }
   /"step":/ { split($0, part, "\""); step = part[4] }
   /"hidden": (true|false)/ {
     hidden = /true/ ? "true" : "false"
-    status = broken ? "not_compiled" : (name in fails) ? "failed" : (name in late) ? "timeout" : "passed"
+    status = broken ? "not_compiled" : stopped ? "timeout" : (name in fails) ? "failed" : (name in late) ? "timeout" : "passed"
     tests = tests (tests ? ",\n" : "") sprintf("{\"name\":\"Lab%d.%s\",\"step\":\"%s\",\"points\":%d,\"earned\":%d," \
       "\"status\":\"%s\",\"hidden\":%s,\"seconds\":0.25,\"message\":\"%s\"}", lab, name, step, points,
       status == "passed" ? points : 0, status, hidden, status == "failed" ? "expected 1 m, got <b>2</b> m" : "")
   }
   END {
     printf "{\"lab\":%d,\"isolation\":\"fake\",\"compiler\":\"fake 1.0\",\"seed\":\"%s\",", lab, seed
-    printf "\"compile\":{\"ok\":%s,\"seconds\":1.5,\"errors\":\"%s\"},\n", broken ? "false" : "true",
-      broken ? "a.cpp:1: error: expected <;>" : ""
+    printf "\"compile\":{\"ok\":%s,\"seconds\":1.5,\"errors\":\"%s\"},\n", broken || stopped ? "false" : "true",
+      broken ? "a.cpp:1: error: expected <;>" : stopped ? "the compiler was stopped" : ""
     if (challenge) printf "\"challenge\":[{\"what\":\"things\",\"better\":\"fewer\",\"count\":42}],\n"
     printf "\"tests\":[%s]}\n", tests
   }' - "$root"/tests/lab"$lab"_*/manifest.json >"$results"

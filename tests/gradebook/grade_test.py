@@ -305,6 +305,19 @@ def test_a_timeout_is_graded_again(folder):
         assert known in printed and "timeout: ada" in printed, printed
 
 
+def test_a_compiler_that_was_stopped_is_a_timeout(folder):
+    pack(folder / "class/ada.zip", {HILL: "// fake: compiler stopped"})
+    out = folder / "out"
+    for _ in range(2):
+        printed = grade(folder / "class", "--out", out, "--labs", "3", "--resume")
+        assert "0 results reused" in printed and "timeout: ada, lab 3" in printed, printed
+    notes = grades(out)["ada"]["notes"]
+    assert "ended at the limit of time" in notes and "does not compile" not in notes, notes
+    for report in ("feedback/ada.md", "feedback/ada.html", "gradescope/ada.json"):
+        text = (out / report).read_text()
+        assert "was not compiled" in text and "does not compile" not in text, report
+
+
 def test_own_tests_that_cannot_be_graded_cost_nothing_else(folder):
     pack(folder / "class/ada.zip", {HILL: "// a", "labs/lab3_hill_climbing/my_tests.cpp": "// fake: own tests break"})
     course = folder / "course.toml"

@@ -241,11 +241,16 @@ void Process::kill() {
   kill_orphans();
 }
 
-std::string Process::ending() const {
+int Process::signal() const {
+  if (WIFSIGNALED(status_)) return WTERMSIG(status_);
   // Bubblewrap passes on the signal that killed its program as 128 and the signal.
   const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 0;
-  const int signal = WIFSIGNALED(status_) ? WTERMSIG(status_) : code > 128 ? code - 128 : 0;
-  if (signal != 0) return std::string("crashed: ") + strsignal(signal);
+  return code > 128 ? code - 128 : 0;
+}
+
+std::string Process::ending() const {
+  if (signal() != 0) return std::string("crashed: ") + strsignal(signal());
+  const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 0;
   return code == 0 ? "" : "ended with exit code " + std::to_string(code);
 }
 

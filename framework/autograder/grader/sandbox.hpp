@@ -63,6 +63,8 @@ class Process {
   void kill();
   /// "crashed: Segmentation fault", "ended with exit code 3"; empty for exit code 0.
   std::string ending() const;
+  /// The signal that ended the program; 0 if none did.
+  int signal() const;
   bool succeeded() const { return ended_ && status_ == 0; }
   /// The start of what it printed, without control characters.
   std::string output() const;

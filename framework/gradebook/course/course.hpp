@@ -15,7 +15,7 @@ using Time = std::chrono::sys_seconds;
 /// Limits of one lab's run. An empty one leaves the choice to the program that grades.
 struct Limits {
   std::optional<int> wall;    ///< seconds of one test
-  std::optional<int> cpu;     ///< seconds of a compilation or a test
+  std::optional<int> cpu;     ///< seconds of processor time of one test
   std::optional<int> memory;  ///< MB
   std::optional<int> lab;     ///< seconds of compilation and all tests together
 };

@@ -64,6 +64,8 @@ struct LabRecord {
   double seconds() const;                           ///< of compilation and tests
   int tests_with(const std::string& status) const;  ///< the number with that status
   bool is_graded() const;                           ///< whether the grader failed in no part of it
+  /// Not if the compiler was stopped: the tests are timeouts then.
+  bool fails_to_compile() const { return !compiled && tests_with("timeout") == 0; }
   /// Whether grading the same files again would give the same: a timeout may be that of a busy machine.
   bool is_final() const;
 };

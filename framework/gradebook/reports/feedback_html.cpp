@@ -65,8 +65,8 @@ std::string lab_section(const LabMark& mark, const Course& course) {
   if (!notes.empty()) text += "<ul>\n" + notes + "</ul>\n";
   if (lab == nullptr) return text;
   if (!lab->compile_errors.empty()) {
-    text += "<p class=\"bad\">The code does not compile:</p>\n<pre>" + html(lab->compile_errors) +
-            "</pre>\n";
+    text += fmt::format("<p class=\"bad\">The code {}:</p>\n<pre>{}</pre>\n", compile_verdict(*lab),
+                        html(lab->compile_errors));
   }
   return text + test_table(*lab, course);
 }

@@ -47,7 +47,8 @@ std::string lab_in_markdown(const LabMark& mark, const Course& course) {
   }
   text += mark.notes.empty() && lab->supplied.empty() ? "" : "\n";
   if (!lab->compile_errors.empty()) {
-    text += "The code does not compile:\n\n" + markdown_block(lab->compile_errors) + '\n';
+    text +=
+        "The code " + compile_verdict(*lab) + ":\n\n" + markdown_block(lab->compile_errors) + '\n';
   }
   return text + test_rows(*lab, course) + failures(*lab);
 }

@@ -43,7 +43,7 @@ std::string damaged_ones(const Student& student) {
 std::vector<std::string> troubles_of(const LabRecord& lab) {
   if (!lab.submitted) return {};
   if (!lab.not_graded.empty()) return {"the grader: " + plain_line(lab.not_graded)};
-  if (!lab.compiled) return {"does not compile"};
+  if (lab.fails_to_compile()) return {"does not compile"};
   std::vector<std::string> troubles;
   if (lab.own_tests && !lab.own_tests->not_graded.empty()) {
     troubles.push_back("the grader, of my_tests.cpp: " + plain_line(lab.own_tests->not_graded));

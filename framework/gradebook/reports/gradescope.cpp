@@ -72,7 +72,8 @@ std::string summary(const StudentMark& mark, const Record& record) {
     const LabRecord* of_lab = lab.lab_record();
     for (const std::string& note : lab.notes) text += fmt::format("Lab {}: {}\n", lab.lab, note);
     if (of_lab != nullptr && !of_lab->compile_errors.empty()) {
-      text += fmt::format("Lab {} does not compile:\n{}\n", lab.lab, of_lab->compile_errors);
+      text += fmt::format("Lab {} {}:\n{}\n", lab.lab, compile_verdict(*of_lab),
+                          of_lab->compile_errors);
     }
   }
   return plain_text(text);

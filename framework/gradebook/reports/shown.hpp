@@ -30,6 +30,11 @@ inline std::string status_text(const TestResult& test) {
   return text;
 }
 
+/// What is said above the messages of the compiler: "does not compile".
+inline std::string compile_verdict(const LabRecord& lab) {
+  return lab.fails_to_compile() ? "does not compile" : "was not compiled";
+}
+
 /// "Engine: 7 of 9 milestones reached"; empty if the submission has no engine.
 std::string engine_heading(const StudentMark& mark);
 

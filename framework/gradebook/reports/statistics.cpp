@@ -39,7 +39,7 @@ LabStatistics lab_statistics(const std::vector<StudentMark>& marks, int lab) {
     percents.push_back(percent_of(*mark));
     const int bin = static_cast<int>(percents.back() / (100.0 / bins));
     ++result.histogram[static_cast<std::size_t>(std::clamp(bin, 0, bins - 1))];
-    result.not_compiled += mark->lab_record()->compiled ? 0 : 1;
+    result.not_compiled += mark->lab_record()->fails_to_compile() ? 1 : 0;
   }
   result.submissions = static_cast<int>(percents.size());
   result.missing =

@@ -18,7 +18,8 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 PR_SET_CHILD_SUBREAPER = 36
 SECONDS_PER_TEST = 6
-SECONDS_PER_COMPILATION = 20
+SECONDS_OF_PROCESSOR = 20
+SECONDS_PER_COMPILATION = 60
 SECONDS_PER_LAB = 600
 SECONDS_TO_END = 5  # once the time for the lab is over
 
@@ -99,7 +100,7 @@ def judge(attack, options, scratch):
     done = subprocess.run(
         [options.build / "bin/grade_lab", str(attack["lab"]), "--submission", submission,
          "--work", scratch / "work", "--results", results, "--wall", str(SECONDS_PER_TEST),
-         "--cpu", str(SECONDS_PER_COMPILATION), "--memory", "1024", "--isolation", options.isolation,
+         "--cpu", str(attack.get("cpu", SECONDS_OF_PROCESSOR)), "--memory", "1024", "--isolation", options.isolation,
          "--lab-time", str(attack.get("lab_time", SECONDS_PER_LAB))],
         text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     seconds = time.monotonic() - start

@@ -1,5 +1,6 @@
 #include "autograder/grader/grade_lab/compile.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,6 +30,11 @@ constexpr int most_files = 100;
 /// Why a submission cannot be compiled.
 struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+/// A compiler, assembler or linker that was stopped, which may not be the fault of what it compiled.
+struct Stopped : Refusal {
+  Stopped() : Refusal("the compiler was stopped at its limit of time, or for lack of memory") {}
 };
 
 /// A folder that only we and the compiler can enter, which is removed at the end.
@@ -136,7 +142,7 @@ class Compiler {
     command_.folder = std::move(stage);
     command_.writes = true;
     command_.isolation = order.isolation;
-    command_.limits = compiler_limits(order);
+    command_.limits = compiler_limits();
     // Relative, because another user may not be able to enter the folders above the stage.
     command_.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "TMPDIR=out"};
   }
@@ -169,7 +175,15 @@ class Compiler {
   }
 
  private:
-  /// @return what it printed; nothing if it succeeded
+  /// Whether it was killed, or a program that it ran: GCC is a driver, and reports that of a part.
+  static bool was_killed(const Process& process) {
+    const std::string output = process.output();
+    return process.signal() == SIGKILL ||
+           output.find("Killed signal terminated program") != std::string::npos ||
+           output.find("terminated with signal 9 [Killed]") != std::string::npos;
+  }
+
+  /// @return what it printed; nothing if it succeeded @throws Stopped
   std::optional<std::string> failure(const std::vector<std::string>& arguments) {
     command_.words = {CS550_COMPILER};
     command_.words.insert(command_.words.end(), arguments.begin(), arguments.end());
@@ -178,7 +192,7 @@ class Compiler {
         process.wait(time_left(order_, command_.limits.cpu + std::chrono::seconds(5)));
     process.kill();
     if (in_time && process.succeeded()) return {};
-    if (!in_time) return "the compiler did not end in time\n" + process.output();
+    if (!in_time || was_killed(process)) throw Stopped();
     return process.output() + process.ending();
   }
 
@@ -231,6 +245,9 @@ Compilation compile(const fs::path& source, const std::string& lab_name, const f
     const Stage stage(order.isolation);
     build(source, lab_name, stage.path(), library, order, part);
     result.succeeded = true;
+  } catch (const Stopped& stopped) {
+    result.was_stopped = true;
+    result.errors = stopped.what();
   } catch (const Refusal& refusal) {
     result.errors = readable_text(refusal.what(), shown_errors);
   }

@@ -13,6 +13,8 @@ struct Compilation {
   bool succeeded = false;
   double seconds = 0;
   std::string errors;  ///< the first ones of the compiler, or why it was not started; at most 4 kB
+  /// Whether it was stopped for its time or by a machine without memory. Another try may succeed.
+  bool was_stopped = false;
 };
 
 /// Students' own tests of a lab, beside its files.

@@ -8,6 +8,7 @@
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "autograder/grader/grade_lab/compile.hpp"
 #include "autograder/grader/grade_lab/judging.hpp"
@@ -57,9 +58,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--filter", options.filter, "only tests with such names, as in GoogleTest");
   app.add_option("--wall", options.wall, "longest time for one test (s)")
       ->check(CLI::Range(1, 3600));
-  app.add_option("--cpu", options.cpu, "processor time of a test (s); a compilation has at most 60")
-      ->check(CLI::Range(1, 3600));
-  app.add_option("--memory", options.memory, "address space of the submission (MB)")
+  app.add_option("--cpu", options.cpu, "processor time of a test (s)")->check(CLI::Range(1, 3600));
+  app.add_option("--memory", options.memory, "address space of a test's submission (MB)")
       ->check(CLI::Range(256, 1 << 20));
   app.add_option("--lab-time", options.lab_time,
                  "longest time for compilation and all tests together (s)")
@@ -90,17 +90,26 @@ std::string without_picture(const std::string& message) {
   return std::regex_replace(message, line, "");
 }
 
+/// Status and message of a test that has no result.
+std::pair<std::string, std::string> without_result(const Compilation& compilation) {
+  if (compilation.succeeded) return {"crashed", "the judge ended during this test"};
+  if (compilation.was_stopped) return {"timeout", compilation.errors};
+  return {"not_compiled", "it does not compile"};
+}
+
 /// One test of the record, from its line in the manifest and its row in the judge's results.
-Json record_of(int lab, const Json& test, const nlohmann::json& rows, bool compiled) {
+Json record_of(int lab, const Json& test, const nlohmann::json& rows,
+               const Compilation& compilation) {
   const std::string name = test.at("name");
+  const auto [status, message] = without_result(compilation);
   Json record{{"name", "Lab" + std::to_string(lab) + "." + name},
               {"step", test.at("step")},
               {"points", test.at("points")},
               {"earned", 0},
-              {"status", compiled ? "crashed" : "not_compiled"},
+              {"status", status},
               {"hidden", test.at("hidden")},
               {"seconds", 0.0},
-              {"message", compiled ? "the judge ended during this test" : "it does not compile"}};
+              {"message", message}};
   if (!rows.contains(name) || rows[name]["status"] == "running") return record;
   const nlohmann::json& row = rows[name];
   record["earned"] = row.at("earned");
@@ -155,7 +164,7 @@ Json grade(const Options& options) {
   Json records = Json::array();
   for (const Json test : tests) {
     if (!compilation.succeeded || matches(options.filter, rows, test.at("name"))) {
-      records.push_back(record_of(options.lab, test, rows, compilation.succeeded));
+      records.push_back(record_of(options.lab, test, rows, compilation));
     }
   }
   add_picture(records, work / "pictures");

@@ -59,9 +59,9 @@ Order order_for(const Options& options) {
   return order;
 }
 
-Limits compiler_limits(const Order& order) {
-  Limits limits = order.limits;
-  limits.cpu = std::min(limits.cpu, longest_compilation);
+Limits compiler_limits() {
+  Limits limits;
+  limits.cpu = longest_compilation;
   return limits;
 }
 

@@ -40,8 +40,8 @@ std::filesystem::path empty_work_folder(const Options& options);
 /// Limits, isolation and seeds. @throws std::runtime_error if this isolation does not work here
 Order order_for(const Options& options);
 
-/// A compilation never takes longer than a minute.
-Limits compiler_limits(const Order& order);
+/// Of a compilation: a minute and 2 GB, whatever the tests may take.
+Limits compiler_limits();
 
 /// At most `longest`, and no longer than until the lab's deadline.
 std::chrono::milliseconds time_left(const Order& order, std::chrono::milliseconds longest);
