@@ -7,7 +7,6 @@
 #include <array>
 #include <string_view>
 
-#include "cli/system/files.hpp"
 #include "gradebook/course/course_check.hpp"
 #include "gradebook/course/course_dates.hpp"
 
@@ -125,10 +124,6 @@ Course parse_course(const std::string& text, const std::string& file, const Cata
                     "    [lab.3]\n    points = 100",
                     file, error.source().begin.line, error.description()));
   }
-}
-
-Course read_course(const std::filesystem::path& file, const Catalogue& catalogue) {
-  return parse_course(cli::read_text(file), file.string(), catalogue);
 }
 
 }  // namespace cs550::gradebook

@@ -2,7 +2,6 @@
 /// @file course_file.hpp
 /// Reading the course file (TOML).
 
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -21,8 +20,5 @@ class CourseError : public std::runtime_error {
 /// @param catalogue the labs and tests that the file may name
 /// Throws CourseError.
 Course parse_course(const std::string& text, const std::string& file, const Catalogue& catalogue);
-
-/// Throws CourseError; std::runtime_error if the file cannot be read.
-Course read_course(const std::filesystem::path& file, const Catalogue& catalogue);
 
 }  // namespace cs550::gradebook
