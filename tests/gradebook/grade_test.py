@@ -214,6 +214,65 @@ def test_gradescope_names_the_time_of_submission(folder):
     assert "created_at" in graded("damaged", "--gradescope-metadata", metadata, code=1)
 
 
+def test_gradescope_names_the_student(folder):
+    (folder / "submission").mkdir()
+    (folder / "submission/hill_climbing.cpp").write_text("// fake: fails FirstOfEqualVerticesWins")
+    metadata = folder / "submission_metadata.json"
+    metadata.write_text('{"created_at": "2026-10-14T14:22:32-07:00",'
+                        ' "users": [{"email": "ada@example.org", "id": 7, "name": "Ada Lovelace"}]}')
+    (folder / "roster.csv").write_text("id,email\ns0101,Ada@example.org\n")
+
+    def score(student, *more):
+        (folder / "course.toml").write_text(
+            "[lab.3]\ndue = 2026-10-12T23:59:00+02:00\n[late]\nclock = 'file'\npercent_per_day = 10\n"
+            f"[[extension]]\nstudent = '{student}'\nlab = 3\ndue = 2026-10-19T23:59:00+02:00\nreason = 'illness'\n"
+            f"[[adjustment]]\nstudent = '{student}'\nlab = 3\npoints = -5\nreason = 'r'\n"
+            f"[[regrade]]\nstudent = '{student}'\nlab = 3\ntest = 'Lab3.FirstOfEqualVerticesWins'\n"
+            "status = 'granted'\n")
+        shutil.rmtree(folder / "out", ignore_errors=True)
+        grade(folder / "submission", "--out", folder / "out", "--labs", "3", "--course", folder / "course.toml",
+              "--gradescope-metadata", metadata, *more)
+        result, = (folder / "out/gradescope").glob("*.json")
+        return json.loads(result.read_text())["score"]
+
+    assert score("ada@example.org") == 55, "of 60, with the regrade and the adjustment, and not late"
+    assert score("s0101", "--roster", folder / "roster.csv") == 55
+    assert score("s0101") == 46.4, "of 58, two days late"
+
+
+def test_an_upload_to_gradescope_is_one_submission(folder):
+    upload = folder / "submission"
+    for copy in ("mine", "theirs"):
+        (upload / copy / "labs/lab3_hill_climbing").mkdir(parents=True)
+        (upload / copy / HILL).write_text(f"// {copy}")
+    (upload / "__MACOSX").mkdir()
+    metadata = folder / "submission_metadata.json"
+    metadata.write_text('{"created_at": "2026-10-13T14:22:32-07:00"}')
+
+    def graded(out):
+        grade(upload, "--out", folder / out, "--labs", "3", "--gradescope-metadata", metadata)
+        result, = (folder / out / "gradescope").glob("*.json")
+        return json.loads(result.read_text())
+
+    result = graded("several")
+    assert result["score"] == 0 and "2 submissions, and none was graded: mine, theirs" in result["output"], result
+    shutil.rmtree(upload / "theirs")
+    assert graded("one")["score"] == 60, "the folders of an operating system do not count"
+
+
+def test_entries_without_effect_on_gradescope_are_printed(folder):
+    course = folder / "course.toml"
+    course.write_text("".join(f"[[adjustment]]\nstudent = '{student}'\nlab = 3\npoints = 1\nreason = 'r'\n"
+                              for student in ("s0101", "ada@example.org")))
+    (folder / "roster.csv").write_text("id,email\ns0101,ada@example.org\n")
+    zip_file = ("--gradescope-zip", folder / "lab3.zip", "--labs", "3", "--course", course)
+    printed = grade(*zip_file)
+    assert "[[adjustment]] of lab 3 for s0101 has no effect" in printed and "ada@" not in printed, printed
+    assert "no effect" not in grade(*zip_file, "--roster", folder / "roster.csv")
+    names = zipfile.ZipFile(folder / "lab3.zip").namelist()
+    assert any(name.endswith("roster.csv") for name in names), "the autograder has the roster"
+
+
 def test_a_missing_file_is_the_starter(folder):
     pack(folder / "class/ada.zip", {"merging.cpp": "// mine"})
     pack(folder / "class/bob.zip", {"labs/lab2_half_edge_mesh/merging.cpp": "// both in one file"})

@@ -185,7 +185,7 @@ std::vector<Submission> in_any_order(std::vector<std::pair<std::string, std::str
     submissions.push_back(read(scratch / "ada.zip"));
     for (const auto& [path, text] : files) files::write_file(scratch / "ada/" / path, text);
     submissions.push_back(
-        read_submission({scratch / "ada", "ada", "ada", {}}, project_catalogue()));
+        read_submission({scratch / "ada", "ada", "ada", {}, ""}, project_catalogue()));
     std::reverse(files.begin(), files.end());
   }
   return submissions;

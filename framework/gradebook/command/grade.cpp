@@ -6,21 +6,19 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
-#include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
 #include "files/interruption.hpp"
+#include "gradebook/command/gradescope_upload.hpp"
 #include "gradebook/command/settings.hpp"
 #include "gradebook/marks/mark.hpp"
-#include "gradebook/marks/time_text.hpp"
 #include "gradebook/reports/write_reports.hpp"
 #include "gradebook/run/class_run.hpp"
 #include "gradebook/run/reference_check.hpp"
@@ -57,18 +55,6 @@ std::string isolation_in_force(const fs::path& judge, const std::string& wanted)
   std::string kind = cli::output_of({judge, "--probe", wanted});
   while (!kind.empty() && kind.back() == '\n') kind.pop_back();
   return kind;
-}
-
-/// When Gradescope received the submission, in seconds since 1970.
-long submission_time(const fs::path& metadata) {
-  const auto json = nlohmann::json::parse(cli::read_text(metadata), nullptr, false);
-  const bool has_time =
-      json.is_object() && json.contains("created_at") && json["created_at"].is_string();
-  const std::optional<Time> time =
-      has_time ? parse_time(json["created_at"].get<std::string>()) : std::nullopt;
-  if (time) return time->time_since_epoch().count();
-  throw std::runtime_error(metadata.string() +
-                           " has no time created_at such as 2026-10-12T23:59:00+02:00");
 }
 
 std::vector<int> numbers_of(const Catalogue& catalogue) {
@@ -236,8 +222,8 @@ bool grade(const GradeRequest& request) {
   std::cout << std::flush;  // a log should have this before the run, which may take an hour
 
   if (!request.metadata.empty()) {
-    const long time = submission_time(request.metadata);
-    for (FoundSubmission& submission : found.submissions) submission.time = time;
+    found.submissions = {
+        gradescope_upload(found.submissions, request.metadata, settings.catalogue)};
   }
 
   const RecordFolder folder(request.out);

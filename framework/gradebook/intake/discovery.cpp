@@ -117,7 +117,7 @@ class Finder {
     for (int n = 2; !names_.insert(name).second; ++n) name = base + '-' + std::to_string(n);
     found_.submissions.push_back(
         {source, name, plain_line(folders.empty() ? student_of(stem(source)) : folders.front()),
-         modification_time(source)});
+         modification_time(source), ""});
   }
 
   const Catalogue& catalogue_;
@@ -153,6 +153,8 @@ Submission read_submission(const FoundSubmission& found, const Catalogue& catalo
   submission.path = recorded_path(found);
   submission.student = found.student;
   submission.file_time = found.time;
+  submission.trouble = found.trouble;
+  if (!submission.trouble.empty()) return submission;
   Collector collector(submission, catalogue);
   try {
     submission.trouble = fs::is_directory(found.source) ? read_folder(found.source, collector)

@@ -20,6 +20,7 @@ struct FoundSubmission {
   /// Seconds since 1970: modification time of an archive. That of a folder changes when it is copied or
   /// unpacked, so it is unknown when the folder was handed in.
   std::optional<long> time;
+  std::string trouble;  ///< why it must not be read; empty if it may
 };
 
 struct Discovery {

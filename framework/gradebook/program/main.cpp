@@ -68,8 +68,8 @@ int run_grade(const GradeOptions& options) {
       throw std::invalid_argument("--pseudonyms needs --report DIR, a folder with records");
     }
     if (!options.gradescope_zip.empty()) {
-      gradebook::make_gradescope_zip(project_root(), options.grading.labs, options.grading.course,
-                                     options.gradescope_zip);
+      gradebook::make_gradescope_zip({project_root(), options.grading.labs, options.grading.course,
+                                      options.grading.roster, options.gradescope_zip});
       return Good;
     }
     if (options.grading.submissions.empty()) {
@@ -113,7 +113,7 @@ void add_grading_options(CLI::App& app, gradebook::GradeRequest& request) {
       ->option_text("FILE")
       ->check(CLI::ExistingFile);
   app.add_option("--gradescope-metadata", request.metadata,
-                 "submission_metadata.json of Gradescope, which has the time of submission")
+                 "submission_metadata.json of Gradescope: time and student of the upload")
       ->option_text("FILE")
       ->check(CLI::ExistingFile);
   app.add_option("--isolation", request.isolation,
@@ -142,7 +142,7 @@ void declare(CLI::App& app, GradeOptions& options) {
       ->option_text("FOLDER")
       ->check(files::fault_of_path);
   app.add_option("--gradescope-zip", options.gradescope_zip,
-                 "write the autograder of --labs, with --course, for an upload to Gradescope")
+                 "write the autograder of --labs for Gradescope, with --course and --roster")
       ->option_text("FILE")
       ->check(files::fault_of_path);
 }
