@@ -67,10 +67,33 @@ TEST(Gradescope, HasTheFieldsOfItsFormat) {
   EXPECT_EQ(json.at("extra_data").at("submission"), "ada");
 }
 
+TEST(Gradescope, ShowsNothingOfHiddenTestsBeforeTheirTime) {
+  LabRecord lab = lab_record(24, 24, 12);
+  lab.challenge = {{"vertices visited", true, 42}};
+  const Record record = record_of("ada", lab);
+  const auto json_with = [&](Visibility hidden_tests) {
+    Course course = course_of("leaderboard = ['points', 'challenge']\n[lab.3]\npoints = 120\n");
+    course.hidden_tests = hidden_tests;
+    course.regrades = {{"ada", 3, "Lab3.Secret", RegradeRequest::Status::Open, ""}};
+    return Json::parse(gradescope_json(mark_of(record, course), course));
+  };
+  const Json hidden = json_with(Visibility::AfterPublished);
+  ASSERT_EQ(hidden.at("leaderboard").size(), 1U) << "a challenge needs the hidden tests";
+  EXPECT_DOUBLE_EQ(hidden.at("leaderboard")[0].at("value"), 96);
+  EXPECT_EQ(hidden.at("output"), "Lab 3: regrade of a hidden test requested\n");
+  const Json visible = json_with(Visibility::Visible);
+  EXPECT_EQ(visible.at("leaderboard").size(), 2U);
+  EXPECT_DOUBLE_EQ(visible.at("leaderboard")[0].at("value"), 120);
+  const std::string output = visible.at("output");
+  EXPECT_NE(output.find("60 of 60 points"), std::string::npos) << output;
+  EXPECT_NE(output.find("Lab3.Secret"), std::string::npos) << output;
+}
+
 TEST(Gradescope, RanksTheChallengesOfFinishedLabs) {
   LabRecord lab = lab_record(24, 24, 12);
   lab.challenge = {{"vertices visited", true, 42}, {"ids kept", false, 7}};
-  const Course course = course_of("leaderboard = ['challenge', 'points']\n");
+  const Course course =
+      course_of("leaderboard = ['challenge', 'points']\n[visibility]\nhidden_tests = 'visible'\n");
   const Record record = record_of("ada", lab_from_json(to_json(lab), "a record"));
   const Json board =
       Json::parse(gradescope_json(mark_of(record, course), course)).at("leaderboard");
@@ -111,6 +134,17 @@ TEST(Feedback, ShowsHiddenTestsByNameAndPointsOnly) {
       EXPECT_EQ(text.find("Secret") != std::string::npos, listed);
       EXPECT_NE(text.find("12"), std::string::npos) << "the points of hidden tests";
     }
+  }
+}
+
+TEST(Feedback, MasksTheNamesOfHiddenTestsInNotes) {
+  const Record record = record_of("ada", lab_record(24, 0, 0));
+  Course course = course_of("[visibility]\nhidden_tests = 'hidden'\n");
+  course.regrades = {{"ada", 3, "Lab3.Secret", RegradeRequest::Status::Declined, ""}};
+  for (const std::string& text : {feedback_markdown(mark_of(record, course), course),
+                                  feedback_html(mark_of(record, course), course)}) {
+    EXPECT_EQ(text.find("Secret"), std::string::npos);
+    EXPECT_NE(text.find("regrade of a hidden test declined"), std::string::npos);
   }
 }
 

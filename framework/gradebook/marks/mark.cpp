@@ -120,6 +120,11 @@ void apply_own_tests(LabMark& mark, const LabRecord& lab, const Course& course) 
                                    own.caught, own.mistakes, points_text(mark.bonus)));
 }
 
+/// The points of the tests on the scale of the course.
+double scaled(const LabMark& mark) {
+  return mark.of == 0 ? 0 : mark.earned * mark.points / mark.of;
+}
+
 /// The mark that one of the student's records earns.
 LabMark mark_record(const Student& student, const Record& record, const LabRecord& lab,
                     const Course& course) {
@@ -132,12 +137,8 @@ LabMark mark_record(const Student& student, const Record& record, const LabRecor
   mark.is_graded = lab.not_graded.empty();
   if (!mark.is_graded) mark.notes.emplace_back("NOT GRADED: the grader failed");
   apply_regrades(mark, student, lab, course);
-  mark.mark = mark.of == 0 ? 0 : mark.earned * mark.points / mark.of;
-  if (mark.points != mark.of) {
-    mark.notes.push_back(fmt::format("the tests give {} of {} points, which count as {} of {}",
-                                     mark.earned, mark.of, points_text(mark.mark),
-                                     points_text(mark.points)));
-  }
+  mark.mark = scaled(mark);
+  if (const std::string note = note_on_scale(mark); !note.empty()) mark.notes.push_back(note);
   apply_own_tests(mark, lab, course);
   apply_late_policy(mark, student, course);
   return mark;
@@ -291,6 +292,12 @@ std::vector<std::string> entries_about_nobody(const Course& course,
   check("adjustment", course.adjustments);
   check("regrade", course.regrades);
   return lines;
+}
+
+std::string note_on_scale(const LabMark& mark) {
+  if (mark.points == mark.of) return {};
+  return fmt::format("the tests give {} of {} points, which count as {} of {}", mark.earned,
+                     mark.of, points_text(scaled(mark)), points_text(mark.points));
 }
 
 std::string points_text(double points) {

@@ -71,6 +71,9 @@ std::vector<StudentMark> mark_class(const std::vector<Student>& students,
 std::vector<std::string> entries_about_nobody(const Course& course,
                                               const std::vector<Student>& students);
 
+/// "the tests give 47 of 60 points, which count as 78.33 of 100"; empty if points count as they are.
+std::string note_on_scale(const LabMark& mark);
+
 /// A mark as people write it: "47.5", "60".
 std::string points_text(double points);
 

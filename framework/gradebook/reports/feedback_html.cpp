@@ -55,7 +55,9 @@ std::string lab_section(const LabMark& mark, const Course& course) {
   std::string text = fmt::format("<h2>Lab {}: {} of {} points</h2>\n", mark.lab,
                                  points_text(mark.mark), points_text(mark.points));
   std::string notes;
-  for (const std::string& note : mark.notes) notes += "<li>" + html(note) + "</li>\n";
+  for (const std::string& note : mark.notes) {
+    notes += "<li>" + html(note_in_feedback(note, mark, course)) + "</li>\n";
+  }
   const LabRecord* lab = mark.lab_record();
   if (lab != nullptr) {
     for (const std::string& file : lab->supplied) {

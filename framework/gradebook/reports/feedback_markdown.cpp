@@ -39,7 +39,9 @@ std::string failures(const LabRecord& lab) {
 std::string lab_in_markdown(const LabMark& mark, const Course& course) {
   std::string text = fmt::format("\n## Lab {}: {} of {} points\n\n", mark.lab,
                                  points_text(mark.mark), points_text(mark.points));
-  for (const std::string& note : mark.notes) text += "- " + markdown(note) + '\n';
+  for (const std::string& note : mark.notes) {
+    text += "- " + markdown(note_in_feedback(note, mark, course)) + '\n';
+  }
   const LabRecord* lab = mark.lab_record();
   if (lab == nullptr) return text;
   for (const std::string& file : lab->supplied) {

@@ -13,6 +13,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Visibility visibility_of(const TestResult& test, const Course& course) {
+  return test.hidden ? course.hidden_tests : course.visible_tests;
+}
+
+/// Whether students see every test at once, as they see the texts above the tests and the leaderboard.
+bool shows_all(const Course& course) {
+  return course.hidden_tests == Visibility::Visible && course.visible_tests == Visibility::Visible;
+}
+
 const char* word(Visibility visibility) {
   switch (visibility) {
     case Visibility::Visible:
@@ -36,11 +45,24 @@ Json test_json(const TestResult& test, double scale, const Course& course) {
           {"name", test.name},
           {"number", test.step.substr(test.step.starts_with('L') ? 1 : 0)},
           {"output", plain_text(shown_message(test))},
-          {"visibility", word(test.hidden ? course.hidden_tests : course.visible_tests)},
+          {"visibility", word(visibility_of(test, course))},
           {"tags", {test.step, test.hidden ? "hidden" : "visible"}}};
 }
 
-/// The challenges of the labs that pass every test.
+/// What the tests earn that students see at once, on the scale of the course.
+double visible_points(const StudentMark& mark, const Record& record, const Course& course) {
+  double sum = 0;
+  for (const LabMark& lab : mark.labs) {
+    const LabRecord& of_lab = *record.lab(lab.lab);
+    for (const TestResult& test : of_lab.tests) {
+      if (visibility_of(test, course) != Visibility::Visible) continue;
+      sum += test.earned * lab.points / of_lab.points();
+    }
+  }
+  return sum;
+}
+
+/// The challenges of the labs that pass every test, also the hidden ones.
 void add_challenges(const StudentMark& mark, const Record& record, Json& board) {
   for (const LabMark& lab : mark.labs) {
     for (const ChallengeResult& one : record.lab(lab.lab)->challenge) {
@@ -52,12 +74,14 @@ void add_challenges(const StudentMark& mark, const Record& record, Json& board) 
 }
 
 Json leaderboard(const StudentMark& mark, const Course& course, double score, double seconds) {
+  const Record& record = *mark.student.records.front();
+  const double points = shows_all(course) ? score : visible_points(mark, record, course);
   Json board = Json::array();
   for (const std::string& entry : course.leaderboard) {
     if (entry == "points") {
-      board.push_back({{"name", "Points"}, {"value", rounded(score)}, {"order", "desc"}});
+      board.push_back({{"name", "Points"}, {"value", rounded(points)}, {"order", "desc"}});
     } else if (entry == "challenge") {
-      add_challenges(mark, *mark.student.records.front(), board);
+      if (shows_all(course)) add_challenges(mark, record, board);
     } else {
       board.push_back({{"name", "Seconds"}, {"value", rounded(seconds)}, {"order", "asc"}});
     }
@@ -65,12 +89,21 @@ Json leaderboard(const StudentMark& mark, const Course& course, double score, do
   return board;
 }
 
+/// A note on a lab; empty if it tells what the tests earn together.
+std::string shown_note(const std::string& note, const LabMark& lab, const Course& course) {
+  if (shows_all(course) || lab.lab_record() == nullptr) return note;
+  return note == note_on_scale(lab) ? "" : without_hidden_names(note, *lab.lab_record());
+}
+
 /// What is said above the tests.
-std::string summary(const StudentMark& mark, const Record& record) {
+std::string summary(const StudentMark& mark, const Record& record, const Course& course) {
   std::string text = record.trouble.empty() ? "" : "Not readable: " + record.trouble + '\n';
   for (const LabMark& lab : mark.labs) {
     const LabRecord* of_lab = lab.lab_record();
-    for (const std::string& note : lab.notes) text += fmt::format("Lab {}: {}\n", lab.lab, note);
+    for (const std::string& note : lab.notes) {
+      const std::string shown = shown_note(note, lab, course);
+      if (!shown.empty()) text += fmt::format("Lab {}: {}\n", lab.lab, shown);
+    }
     if (of_lab != nullptr && !of_lab->compile_errors.empty()) {
       text += fmt::format("Lab {} {}:\n{}\n", lab.lab, compile_verdict(*of_lab),
                           of_lab->compile_errors);
@@ -106,7 +139,7 @@ std::string gradescope_json(const StudentMark& mark, const Course& course) {
       {"score", rounded(score)},
       {"max_score", rounded(most)},
       {"execution_time", rounded(seconds)},
-      {"output", summary(mark, record)},
+      {"output", summary(mark, record, course)},
       {"visibility", "visible"},
       {"stdout_visibility", "hidden"},
       {"tests", tests},

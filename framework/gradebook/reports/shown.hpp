@@ -23,6 +23,16 @@ inline bool lists_hidden_tests(const Course& course) {
   return course.hidden_tests != Visibility::Hidden;
 }
 
+/// A note without the names of hidden tests.
+std::string without_hidden_names(std::string note, const LabRecord& lab);
+
+/// A note on a lab in feedback.
+inline std::string note_in_feedback(const std::string& note, const LabMark& mark,
+                                    const Course& course) {
+  const bool hides = mark.lab_record() != nullptr && !lists_hidden_tests(course);
+  return hides ? without_hidden_names(note, *mark.lab_record()) : note;
+}
+
 /// "crashed" for crashed, "not compiled" for not_compiled.
 inline std::string status_text(const TestResult& test) {
   std::string text = test.status;
