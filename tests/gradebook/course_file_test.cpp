@@ -52,6 +52,9 @@ TEST(CourseFile, RefusesDatesThatCannotBeMeant) {
   const std::string good = extension("2026-10-14T23:59:00+02:00");
   EXPECT_EQ(fault_of(lab + good), "");
   EXPECT_NE(fault_of(lab + good + good).find("another one"), std::string::npos);
+  std::string capitals = good;
+  capitals.replace(capitals.find("'ada'"), 5, "'ADA'");
+  EXPECT_NE(fault_of(lab + good + capitals).find("another one"), std::string::npos);
   EXPECT_NE(fault_of(lab + extension("2026-10-01T23:59:00+02:00")).find("before the lab's due"),
             std::string::npos);
   EXPECT_NE(fault_of(lab + extension("2026-11-01T23:59:00+02:00")).find("after solution_released"),

@@ -2,12 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 #include <utility>
 
 #include "gradebook/course/course_file.hpp"
 
 namespace cs550::gradebook {
+namespace {
+
+/// An entry is about a student in capitals or not.
+std::string lower(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+}  // namespace
 
 void check_dates(const Course& course, const std::string& file) {
   for (const auto& [number, lab] : course.labs) {
@@ -24,7 +36,7 @@ void check_dates(const Course& course, const std::string& file) {
                                     extension.student, why));
     };
     const LabSettings lab = course.lab(extension.lab);
-    if (!known.emplace(extension.student, extension.lab).second) {
+    if (!known.emplace(lower(extension.student), extension.lab).second) {
       refuse("the student has another one; keep the one that counts");
     }
     if (lab.due && extension.due < *lab.due) refuse("it ends before the lab's due date");
