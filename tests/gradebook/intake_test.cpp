@@ -11,6 +11,7 @@
 #include "gradebook/intake/discovery.hpp"
 #include "gradebook/intake/lab_path.hpp"
 #include "gradebook/intake/read_archive.hpp"
+#include "gradebook/intake/read_folder.hpp"
 #include "gradebook/run/grade_lab.hpp"
 #include "gradebook_test.hpp"
 
@@ -267,6 +268,44 @@ TEST(Archive, AZipBombIsRefused) {
   limits.entries = 5;
   EXPECT_EQ(read_archive(scratch / "bomb.zip", collector, limits),
             "the archive has more than 5 entries");
+}
+
+TEST(Archive, ContentWithAWrongChecksumIsCounted) {
+  const ScratchFolder scratch;
+  {
+    ArchiveWriter writer(scratch / "bomb.zip");
+    const std::string megabyte(1 << 20, '0');
+    for (int i = 0; i < 8; ++i) writer.add("zeros" + std::to_string(i), megabyte);
+    writer.add("hill_climbing.cpp", "");
+  }
+  std::string bytes = cli::read_text(scratch / "bomb.zip");
+  const std::string central_entry("PK\1\2", 4);
+  constexpr std::size_t checksum = 16;  // in an entry of the central directory
+  for (auto at = bytes.find(central_entry); at != bytes.npos;
+       at = bytes.find(central_entry, at + 1)) {
+    bytes[at + checksum] = static_cast<char>(~bytes[at + checksum]);
+  }
+  files::write_file(scratch / "bomb.zip", bytes);
+  Submission submission;
+  Collector collector(submission, project_catalogue());
+  IntakeLimits limits;
+  limits.unpacked = 4 << 20;
+  EXPECT_EQ(read_archive(scratch / "bomb.zip", collector, limits),
+            "the archive unpacks to more than 4 MB");
+}
+
+TEST(Folder, FilesOfMoreThanTheLimitAreRefused) {
+  const ScratchFolder scratch;
+  for (int i = 0; i < 5; ++i) {
+    files::write_file(scratch / "ada/lab3" / (std::to_string(i) + ".cpp"),
+                      std::string(1 << 20, ' '));
+  }
+  Submission submission;
+  Collector collector(submission, project_catalogue());
+  IntakeLimits limits;
+  limits.unpacked = 4 << 20;
+  EXPECT_EQ(read_folder(scratch / "ada", collector, limits),
+            "the folder has files of more than 4 MB");
 }
 
 TEST(Archive, AManifestIsReadWithinLimits) {

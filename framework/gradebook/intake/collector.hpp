@@ -15,11 +15,12 @@ namespace cs550::gradebook {
 
 /// A submission beyond one of these is not read.
 struct IntakeLimits {
-  int entries = 20000;                       ///< files, folders and links
-  std::size_t unpacked = 256 * 1024 * 1024;  ///< bytes of all files, also of those not taken
-  std::size_t file = 1024 * 1024;            ///< bytes of one file that is taken
-  std::size_t manifest = 64 * 1024;          ///< bytes of the manifest of ./cs550 submit
-  int files_of_lab = 100;  ///< with its starter; grade_lab refuses a lab with more
+  int entries = 20000;  ///< files, folders and links
+  /// Bytes of all files; in an archive also of those not taken.
+  std::size_t unpacked = 256 * 1024 * 1024;
+  std::size_t file = 1024 * 1024;    ///< bytes of one file that is taken
+  std::size_t manifest = 64 * 1024;  ///< bytes of the manifest of ./cs550 submit
+  int files_of_lab = 100;            ///< with its starter; grade_lab refuses a lab with more
 };
 
 class Collector {

@@ -101,15 +101,14 @@ std::string read_archive(const std::filesystem::path& file, Collector& collector
     const bool wanted = !is_folder && fault.empty() && collector.wants(path);
     // Content that is not wanted is read too: only that limits what a bomb costs.
     std::string content;
-    if (!read_content(opened.get(), limits.unpacked - unpacked, content)) {
-      if (wanted) return damage(opened.get());
-      continue;
-    }
+    const bool is_whole = read_content(opened.get(), limits.unpacked - unpacked, content);
     unpacked += content.size();
     if (unpacked > limits.unpacked) {
       return fmt::format("the archive unpacks to more than {} MB", limits.unpacked >> 20U);
     }
-    if (wanted) collector.take(path, std::move(content));
+    if (!wanted) continue;
+    if (!is_whole) return damage(opened.get());
+    collector.take(path, std::move(content));
   }
   return entries == 0 ? "an empty archive" : "";
 }

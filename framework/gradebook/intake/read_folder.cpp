@@ -18,10 +18,13 @@ bool read_content(const fs::path& file, std::size_t most, std::string& content) 
   content.resize(most + 1);
   stream.read(content.data(), static_cast<std::streamsize>(content.size()));
   content.resize(static_cast<std::size_t>(stream.gcount()));
+  content.shrink_to_fit();
   return stream.eof() || content.size() > most;
 }
 
-void offer(const fs::path& file, const fs::path& folder, Collector& collector, std::size_t most) {
+/// @return the bytes that were taken
+std::size_t offer(const fs::path& file, const fs::path& folder, Collector& collector,
+                  std::size_t most) {
   const std::string path = file.lexically_relative(folder).string();
   const fs::file_status status = fs::symlink_status(file);
   if (fs::is_symlink(status)) {
@@ -31,11 +34,13 @@ void offer(const fs::path& file, const fs::path& folder, Collector& collector, s
   } else if (collector.wants(path)) {
     std::string content;
     if (read_content(file, most, content)) {
+      const std::size_t size = content.size();
       collector.take(path, std::move(content));
-    } else {
-      collector.ignore(path, "cannot be read");
+      return size;
     }
+    collector.ignore(path, "cannot be read");
   }
+  return 0;
 }
 
 }  // namespace
@@ -55,7 +60,13 @@ std::string read_folder(const fs::path& folder, Collector& collector, const Inta
   }
   if (error) return "the folder cannot be read: " + error.message();
   std::sort(files.begin(), files.end());  // the record must not depend on the order of a directory
-  for (const fs::path& file : files) offer(file, folder, collector, limits.file);
+  std::size_t taken = 0;
+  for (const fs::path& file : files) {
+    taken += offer(file, folder, collector, limits.file);
+    if (taken > limits.unpacked) {
+      return fmt::format("the folder has files of more than {} MB", limits.unpacked >> 20U);
+    }
+  }
   return "";
 }
 
