@@ -2,13 +2,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/system/files.hpp"
 #include "gradebook/command/compare.hpp"
 #include "gradebook/course/course_file.hpp"
 #include "gradebook/marks/pseudonyms.hpp"
+#include "gradebook/marks/time_text.hpp"
 #include "gradebook/records/merge.hpp"
 #include "gradebook/records/record_json.hpp"
 #include "gradebook/reports/class_page.hpp"
@@ -387,6 +391,45 @@ TEST(Merge, LabsOfOneSubmissionComeTogether) {
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].labs.size(), 2U);
   EXPECT_EQ(records[1].name, "ada-2");
+}
+
+TEST(Pseudonyms, LeaveNoOrderAndNoTime) {
+  constexpr long due = 1791842340;  // 2026-10-12T23:59:00+02:00
+  const std::string late =
+      "secret = 'x'\nattempt = 'last'\n[lab.3]\ndue = 2026-10-12T23:59:00+02:00\n"
+      "[late]\npercent_per_day = 10\ngrace_minutes = 15\nclock = ";
+  for (const char* clock : {"'file'", "'manifest'"}) {
+    const Course course = course_of(late + clock);
+    std::vector<Student> roster;
+    std::vector<Record> records;
+    for (int i = 0; i < 9; ++i) {
+      roster.push_back({"s" + std::to_string(i), "", "", "", {}, true, {}});
+      for (const int points : {24, 12}) {  // the second attempt is the last, and worse
+        records.push_back(record_of(roster.back().id, lab_record(points, 0, 0)));
+        records.back().file_time = due - 30000 + 20000 * i + points % 24;
+        records.back().claimed_date =
+            to_text(Time(std::chrono::seconds(*records.back().file_time)));
+        records.back().starter = "a commit";
+      }
+    }
+    const PseudonymousClass hidden = with_pseudonyms(records, roster, course);
+    EXPECT_TRUE(std::is_sorted(hidden.roster.begin(), hidden.roster.end(),
+                               [](const Student& a, const Student& b) { return a.id < b.id; }));
+    std::set<std::string> times;
+    for (const Record& record : hidden.records) {
+      EXPECT_EQ(record.starter, "");
+      times.insert(std::to_string(record.file_time.value_or(0)) + record.claimed_date);
+    }
+    EXPECT_EQ(times.size(), 6U) << "in time and 1 and 2 days late, two attempts each";
+    std::map<std::string, double> marks;
+    for (const StudentMark& mark : mark_class(assign(roster, records), {3}, course)) {
+      marks[mark.student.id] = mark.percent;
+    }
+    for (const StudentMark& mark :
+         mark_class(assign(hidden.roster, hidden.records), {3}, hidden.course)) {
+      EXPECT_DOUBLE_EQ(mark.percent, marks.at(hidden.key.at(mark.student.id)));
+    }
+  }
 }
 
 TEST(Pseudonyms, LeaveNoName) {

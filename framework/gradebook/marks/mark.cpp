@@ -6,33 +6,18 @@
 #include <cmath>
 #include <set>
 
+#include "gradebook/marks/dates.hpp"
 #include "gradebook/marks/time_text.hpp"
 
 namespace cs550::gradebook {
 namespace {
 
-/// When a student submitted, by the clock of the late policy.
-std::optional<Time> submission_time(const Student& student, const Record& record, Clock clock) {
-  switch (clock) {
-    case Clock::File:
-      if (!record.file_time) return std::nullopt;
-      return Time(std::chrono::seconds(*record.file_time));
-    case Clock::Manifest:
-      return parse_time(record.claimed_date);
-    case Clock::Roster:
-      return student.submitted;
-  }
-  return std::nullopt;
-}
-
 std::optional<Time> due_date(const Student& student, int lab, const Course& course,
                              std::vector<std::string>& notes) {
-  for (const Extension& extension : course.extensions) {
-    if (!is_about(extension.student, student) || extension.lab != lab) continue;
-    notes.push_back("extension until " + to_text(extension.due, extension.offset));
-    return extension.due;
-  }
-  return course.lab(lab).due;
+  const Extension* extension = extension_of(student, lab, course);
+  if (extension == nullptr) return course.lab(lab).due;
+  notes.push_back("extension until " + to_text(extension->due, extension->offset));
+  return extension->due;
 }
 
 void apply_regrades(LabMark& mark, const Student& student, const LabRecord& lab,
@@ -67,7 +52,7 @@ void apply_late_policy(LabMark& mark, const Student& student, const Course& cour
   const LabSettings settings = course.lab(mark.lab);
   const std::optional<Time> due = due_date(student, mark.lab, course, mark.notes);
   if (!course.late) return;
-  const std::optional<Time> time = submission_time(student, *mark.record, course.late->clock);
+  const std::optional<Time> time = time_of_submission(student, *mark.record, course);
   if (!time) {
     if (due) mark.notes.emplace_back("time of submission unknown: not counted as late");
     return;
@@ -158,8 +143,7 @@ std::vector<LabMark> attempts_at(const Student& student, int lab, const Course& 
 /// Leaves those that may be the last: of the latest time, or of an unknown one.
 void keep_last(std::vector<LabMark>& attempts, const Student& student, const Course& course) {
   const auto time = [&](const LabMark& mark) {
-    const Clock clock = course.late ? course.late->clock : Clock::File;
-    return submission_time(student, *mark.record, clock);
+    return time_of_submission(student, *mark.record, course);
   };
   std::optional<Time> latest;  // an empty one is before every time
   for (const LabMark& mark : attempts) latest = std::max(latest, time(mark));

@@ -1,5 +1,10 @@
 #include "gradebook/marks/pseudonyms.hpp"
 
+#include <algorithm>
+#include <optional>
+
+#include "gradebook/marks/dates.hpp"
+#include "gradebook/marks/time_text.hpp"
 #include "gradebook/text/sha256.hpp"
 
 namespace cs550::gradebook {
@@ -29,12 +34,40 @@ void remove_texts(LabRecord& lab) {
   for (TestResult& test : lab.tests) test.message.clear();
 }
 
+std::vector<int> submitted_labs(const std::vector<const Record*>& records) {
+  std::vector<int> labs;
+  for (const Record* record : records) {
+    for (const LabRecord& lab : record->labs) {
+      if (lab.submitted) labs.push_back(lab.lab);
+    }
+  }
+  return labs;
+}
+
+/// Leaves so much of the time of a record as its marks and the order of the student's attempts need.
+void hide_time(Record& record, const Record& original, const Student& student,
+               const Course& course) {
+  record.file_time.reset();
+  record.claimed_date.clear();
+  const std::optional<Time> time = time_of_submission(student, original, course);
+  if (!time) return;
+  const auto later = std::count_if(
+      student.records.begin(), student.records.end(),
+      [&](const Record* other) { return time_of_submission(student, *other, course) > time; });
+  const Time shown = coarse_time(*time, submitted_labs({&original}), student, course) -
+                     std::chrono::seconds(later);
+  const Clock clock = course.late ? course.late->clock : Clock::File;
+  if (clock == Clock::File) record.file_time = shown.time_since_epoch().count();
+  if (clock == Clock::Manifest) record.claimed_date = to_text(shown);
+}
+
 Record without_names(Record record, const std::string& student, std::size_t number) {
   record.name = number == 0 ? student : student + '-' + std::to_string(number + 1);
   record.source = record.name;
   record.path.clear();
   record.student = student;
   record.claimed_student.clear();
+  record.starter.clear();
   record.ignored.clear();
   for (LabRecord& lab : record.labs) remove_texts(lab);
   if (record.engine) remove_texts(*record.engine);
@@ -53,11 +86,21 @@ PseudonymousClass with_pseudonyms(const std::vector<Record>& records,
     result.key[name] = student.id;
     for (std::size_t i = 0; i < student.records.size(); ++i) {
       result.records.push_back(without_names(*student.records[i], name, i));
+      hide_time(result.records.back(), *student.records[i], student, course);
     }
     if (!roster.empty() && student.on_roster) {
-      result.roster.push_back({name, "", "", student.section, student.submitted, true, {}});
+      std::optional<Time> submitted = student.submitted;
+      if (submitted) {
+        submitted = coarse_time(*submitted, submitted_labs(student.records), student, course);
+      }
+      result.roster.push_back({name, "", "", student.section, submitted, true, {}});
     }
   }
+  // The order of the roster, or of names, would tell who is who.
+  std::sort(result.roster.begin(), result.roster.end(),
+            [](const Student& a, const Student& b) { return a.id < b.id; });
+  std::sort(result.records.begin(), result.records.end(),
+            [](const Record& a, const Record& b) { return a.name < b.name; });
   const auto rename = [&](auto& entries) {
     for (auto& entry : entries) {
       entry.student = pseudonym(id_in(students, entry.student), course.secret);

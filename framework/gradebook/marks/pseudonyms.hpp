@@ -20,8 +20,8 @@ struct PseudonymousClass {
 };
 
 /// A pseudonym derives from the student's id and the secret of the course, so it is the same in
-/// every report. Names, addresses, times, the names of ignored files, compiler messages and what a
-/// test printed are left out.
+/// every report and tells nothing by its place. Names, addresses, paths, the names of ignored files,
+/// compiler messages and what a test printed are left out. Of times remains what marks need.
 PseudonymousClass with_pseudonyms(const std::vector<Record>& records,
                                   const std::vector<Student>& roster, const Course& course);
 
