@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "autograder/grader/message.hpp"
+#include "autograder/grader/place.hpp"
 #include "files/interruption.hpp"
 
 namespace cs550::grader {
@@ -35,8 +36,7 @@ void add_system(std::vector<std::string>& words) {
   const auto add = [&](std::initializer_list<std::string> more) {
     words.insert(words.end(), more);
   };
-  add({"--ro-bind", "/usr", "/usr"});
-  for (const char* folder : {"/lib", "/lib32", "/lib64", "/bin"}) {
+  for (const char* folder : seen_by_submissions) {
     std::error_code absent;
     if (fs::is_symlink(folder, absent)) {
       add({"--symlink", fs::read_symlink(folder).string(), folder});
