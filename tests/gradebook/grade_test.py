@@ -356,6 +356,17 @@ def test_results_of_other_programs_are_not_reused(folder):
     assert [reused(""), reused(""), reused("# changed\n")] == ["0", "3", "0"]
 
 
+def test_the_judge_learns_how_many_run_at_a_time(folder):
+    small_class(folder / "class")
+    judge = folder / "judge.sh"
+    judge.write_text(f'#!/bin/sh\necho "$*" >>{folder}/log\nexec "{FAKE}" "$@"\n')
+    judge.chmod(0o755)
+    subprocess.run([PROGRAM, "--judge", judge, folder / "class", "--out", folder / "out", "--labs", "3", "--jobs", "2"],
+                   capture_output=True, check=True, env={**os.environ, "CS550_ROOT": str(ROOT)})
+    runs = [line for line in (folder / "log").read_text().splitlines() if "--submission" in line]
+    assert len(runs) == 3 and all("--jobs 2" in line for line in runs), runs
+
+
 def test_a_timeout_is_graded_again(folder):
     pack(folder / "class/ada.zip", {HILL: "// fake: times out FirstOfEqualVerticesWins"})
     pack(folder / "class/bob.zip", {HILL: "// all right"})

@@ -18,6 +18,7 @@ std::string Order::to_environment() const {
                              {"bubblewrap", isolation == Isolation::Bubblewrap},
                              {"cpu", limits.cpu.count()},
                              {"memory", limits.memory},
+                             {"processes", limits.processes},
                              {"wall", wall.count()},
                              {"deadline", deadline.time_since_epoch().count()}};
   return std::string(variable) + '=' + order.dump();
@@ -33,6 +34,7 @@ std::optional<Order> Order::from_environment() {
   order.isolation = values.at("bubblewrap") ? Isolation::Bubblewrap : Isolation::Plain;
   order.limits.cpu = std::chrono::seconds(values.at("cpu").get<int>());
   order.limits.memory = values.at("memory");
+  order.limits.processes = values.at("processes");
   order.wall = std::chrono::seconds(values.at("wall").get<int>());
   // The clock of another process of this machine is the same.
   using Clock = std::chrono::steady_clock;

@@ -29,7 +29,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* bubblewrap = "/usr/bin/bwrap";
 constexpr int cannot_start = 127;
-constexpr rlim_t most_processes = 256;
 
 /// What a program and the compiler need of the system, read only.
 void add_system(std::vector<std::string>& words) {
@@ -120,7 +119,7 @@ struct Start {
     if (chdir(folder) != 0) _exit(cannot_start);
     if (becomes_nobody) {
       constexpr uid_t nobody = 65534;
-      limit(RLIMIT_NPROC, most_processes);
+      limit(RLIMIT_NPROC, limits.processes);
       if (setgroups(0, nullptr) != 0 || setresgid(nobody, nobody, nobody) != 0 ||
           setresuid(nobody, nobody, nobody) != 0) {
         _exit(cannot_start);

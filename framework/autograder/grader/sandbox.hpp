@@ -28,6 +28,8 @@ struct Limits {
   std::chrono::seconds cpu{60};
   std::size_t memory = std::size_t{2} << 30U;      ///< bytes of address space
   std::size_t file_size = std::size_t{64} << 20U;  ///< bytes
+  /// Of the user who runs all submissions of a machine, without bubblewrap.
+  std::size_t processes = 256;
 };
 
 /// What runs, and what it can see.

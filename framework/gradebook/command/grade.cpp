@@ -239,7 +239,8 @@ bool grade(const GradeRequest& request) {
                     fs::absolute(request.out) / "work",
                     project_version(request.root),
                     isolation,
-                    versions_of(program, labs)};
+                    versions_of(program, labs),
+                    request.jobs};
   std::optional<Temporary> work(judge.work);
   const auto start = std::chrono::steady_clock::now();
   // Where the solutions have been removed (gradescope/setup.sh), the reference has been graded

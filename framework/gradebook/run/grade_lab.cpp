@@ -42,7 +42,8 @@ std::vector<std::string> command_for(const CatalogueLab& lab, const Course& cour
       "--submission", folder / "submission",
       "--work",       folder / "work",
       "--results",    folder / "result.json",
-      "--isolation",  judge.isolation};
+      "--isolation",  judge.isolation,
+      "--jobs",       std::to_string(judge.jobs)};
   if (lab.is_engine()) command.emplace_back("--milestones");
   if (course.counts_challenges()) command.emplace_back("--challenge");
   if (!course.secret.empty()) command.insert(command.end(), {"--salt", seed_salt(course.secret)});

@@ -23,6 +23,7 @@ struct Judge {
   std::string project;                  ///< commit
   std::string isolation;                ///< of submissions: bubblewrap or plain
   std::map<int, std::string> versions;  ///< versions_of() the labs and the engine
+  int jobs = 1;                         ///< judges that run at the same time
 };
 
 /// The files of one lab as they are graded.

@@ -142,7 +142,7 @@ class Compiler {
     command_.folder = std::move(stage);
     command_.writes = true;
     command_.isolation = order.isolation;
-    command_.limits = compiler_limits();
+    command_.limits = compiler_limits(order);
     // Relative, because another user may not be able to enter the folders above the stage.
     command_.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "TMPDIR=out"};
   }

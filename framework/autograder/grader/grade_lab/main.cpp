@@ -64,6 +64,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--lab-time", options.lab_time,
                  "longest time for compilation and all tests together (s)")
       ->check(CLI::Range(1, 3600));
+  app.add_option("--jobs", options.jobs,
+                 "runs of this program at the same time, which share a limit of processes")
+      ->check(CLI::Range(1, 256));
   app.add_option("--isolation", options.isolation)
       ->check(CLI::IsMember({"auto", "bubblewrap", "plain"}));
   add_probe(app);

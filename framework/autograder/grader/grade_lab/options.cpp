@@ -69,14 +69,16 @@ Order order_for(const Options& options) {
   order.isolation = chosen_isolation(options.isolation);
   order.limits.cpu = std::chrono::seconds(options.cpu);
   order.limits.memory = static_cast<std::size_t>(options.memory) << 20U;
+  order.limits.processes *= static_cast<std::size_t>(options.jobs);
   order.wall = std::chrono::seconds(options.wall);
   order.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(options.lab_time);
   order.salt = options.salt;
   return order;
 }
 
-Limits compiler_limits() {
+Limits compiler_limits(const Order& order) {
   Limits limits;
+  limits.processes = order.limits.processes;
   limits.cpu = longest_compilation;
   return limits;
 }

@@ -26,6 +26,7 @@ struct Options {
   int cpu = 1800;
   int memory = 2048;
   int lab_time = 600;
+  int jobs = 1;
   std::string isolation = "auto";
 };
 
@@ -41,7 +42,7 @@ std::filesystem::path empty_work_folder(const Options& options);
 Order order_for(const Options& options);
 
 /// Of a compilation: a minute and 2 GB, whatever the tests may take.
-Limits compiler_limits();
+Limits compiler_limits(const Order& order);
 
 /// At most `longest`, and no longer than until the lab's deadline.
 std::chrono::milliseconds time_left(const Order& order, std::chrono::milliseconds longest);
