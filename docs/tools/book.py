@@ -44,6 +44,7 @@ class Book:
         self.tests = visible_tests()
         self.mutants = known_mistakes()
         self.sources = given_sources(self.tests)
+        self.contract_names = contract_names()
         self.settings = members_of("WorldSettings")
         self.numbers = default_numbers(self.settings)
         self.measured = Measured(DOCS / "figures" / "benchmarks.json")
@@ -159,6 +160,13 @@ def given_sources(tests):
     engine = {str(file.relative_to(framework)): file for file in sorted((framework / "engine").rglob("*.?pp"))}
     tested = {file: ROOT / file for file, _ in sorted(set(tests.values()))}
     return engine | tested
+
+
+def contract_names():
+    """The names of the contract's functions and types."""
+    headers = "".join(header.read_text() for header in sorted((ROOT / "framework/include/cs550").glob("*.hpp")))
+    code = re.sub(r"//[^\n]*", "", headers)
+    return set(re.findall(r"\b(\w+)\(", code)) | set(re.findall(r"\b(?:class|struct|using) (\w+)", code))
 
 
 class Setting:

@@ -1,5 +1,6 @@
 """What a page is written in, as Doxygen takes it. Every name that a page mentions in one of the forms below
-must exist: a figure, a test, a known mistake, a source file, a citation. What does not is an error.
+must exist: a figure, a test, a known mistake, a source file, a citation. What does not is an error, and so is a
+misspelt form.
 
   $x$, $$x$$                       formulas
   [text](chapter.md#anchor)        a link to another page of the book, which works in the Markdown file, too
@@ -24,7 +25,7 @@ must exist: a figure, a test, a known mistake, a source file, a citation. What d
 """
 import math
 import re
-from html import escape
+from html import escape, unescape
 from pathlib import Path
 
 from book import FIGURE, figure_key, is_of_handout, listing_name
@@ -38,6 +39,11 @@ MEASURED = re.compile(r"\{measured:([^}]+)\}")
 DEFAULT = re.compile(r"\{default:([^}|]+)(?:\|([^}]*))?\}")
 CODE = re.compile(r"^\{code:(\S+) (\w+)\}$", re.M)
 MATH = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.S)
+# Of a converted page.
+CODE_OR_FORMULA = re.compile("|".join([r"^```.*?^```", r"``[^`]+``", r"`[^`]+`", r"<code>.*?</code>",
+                                       r"\\f\[.*?\\f\]", r"\\f\$.*?\\f\$", r"\\\(.*?\\\)"]), re.M | re.S)
+LOOKS_LIKE_FORM = re.compile(r"\{[A-Za-z]+[: ][^}]*\}")
+FORMS = "fig, api, src, test, mutant, ref, default, defaults, measured, and code in a paragraph of its own"
 
 
 class Markup:
@@ -49,6 +55,9 @@ class Markup:
 
     def error(self, message, line=None):
         self.book.error(self.page, message, line)
+
+    def line_of(self, form):
+        return self.page.source.read_text().split(form)[0].count("\n") + 1
 
     def convert(self, text):
         # Listings are put in last, since code looks like markup.
@@ -69,7 +78,14 @@ class Markup:
         text = re.sub(r"(\]\([\w-]+)\.md#", r"\1.html#", text)
         text = re.sub(r"\[`?([^\]`]+)`?\]\(([^)#]+)\)", lambda m: self.link(*m.groups()), text)
         pieces = re.split(r"(@htmlonly.*?@endhtmlonly)", text, flags=re.S)
-        return "".join(piece if piece.startswith("@htmlonly") else self.convert_prose(piece) for piece in pieces)
+        text = "".join(piece if piece.startswith("@htmlonly") else self.convert_prose(piece) for piece in pieces)
+        self.find_unknown_forms(text)
+        return text
+
+    def find_unknown_forms(self, text):
+        """A form that was not converted would be printed as it is written."""
+        for form in map(unescape, LOOKS_LIKE_FORM.findall(CODE_OR_FORMULA.sub("", text))):
+            self.error(f"{form} is no form of a page; known: {FORMS}", self.line_of(form))
 
     def heading(self, fence, marks, title):
         """An anchor that stays the same when other headings are added, so that it can be cited."""
@@ -117,8 +133,7 @@ class Markup:
     def listing(self, place, name, form):
         found = find_function(place, name)
         if not found:
-            line = self.page.source.read_text().split(form)[0].count("\n") + 1
-            self.error(f"{form} names no function that exists", line)
+            self.error(f"{form} names no function that exists", self.line_of(form))
             return form
         code, file, is_definition = found
         note = "" if is_definition else ". Writing its body is part of the lab."
@@ -146,7 +161,7 @@ class Markup:
             try:
                 return getattr(self, "role_" + kind)(value, link)
             except KeyError:
-                self.error(f"{{{kind}:{value}}} names nothing that exists")
+                self.error(f"{match[0]} names nothing that exists", self.line_of(match[0]))
                 return value
 
         text = re.sub(r"\{(fig|api|src|test|mutant|ref):([^}]+)\}", role, text)
@@ -164,7 +179,9 @@ class Markup:
         return link(f"Figure {number}", f"{page.html}#fig_{name}")
 
     def role_api(self, name, link):
-        if link is html_link:
+        if link is html_link:  # Doxygen checks names in other text
+            if name.removesuffix("()") not in self.book.contract_names:
+                raise KeyError(name)
             return f"<code>{escape(name)}</code>"
         return f'@ref cs550::{name.rstrip("()")} "{name}"'
 

@@ -20,10 +20,11 @@ if(CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
   set_tests_properties(docs.firefox PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 600 RUN_SERIAL ON)
 endif()
 
-# docs.listings: functions that chapters show are cut from the source.
+# docs.listings: functions that chapters show are cut from the source. docs.markup: pages have no misspelt forms.
 if(CS550_SYSTEM_PYTHON)
   add_test(NAME docs.listings COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/listing_test.py")
-  set_tests_properties(docs.listings PROPERTIES LABELS docs TIMEOUT 60)
+  add_test(NAME docs.markup COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/markup_test.py")
+  set_tests_properties(docs.listings docs.markup PROPERTIES LABELS docs TIMEOUT 60)
 endif()
 
 # docs.figure: one figure by its name.
