@@ -33,7 +33,7 @@ document.addEventListener('DOMContentLoaded', () => {
     const found = words.length === 0 ? [] : bookText.map(passage => ({passage, score: score(passage, words)}))
         .filter(({score}) => score > 0).sort((a, b) => b.score - a.score);
     list.replaceChildren(...found.slice(0, MOST).map(({passage}) => entry(passage, words)));
-    count.textContent = words.length === 0 ? '' : `${found.length} passages`;
+    count.textContent = words.length === 0 ? '' : `${found.length} passage${found.length === 1 ? '' : 's'}`;
     try {
       history.replaceState(null, '', `?q=${encodeURIComponent(field.value)}`);
     } catch {

@@ -10,6 +10,7 @@ from book import Book
 
 FORMULA = re.compile(r"\\\(.*?\\\)|\\\[.*?\\\]", re.S)
 VOID = {"img", "br", "input", "hr", "link", "meta", "area", "source", "wbr", "col"}
+SKIPPED = {("div", "toc"), ("nav", "pages")}
 
 
 class Sections(HTMLParser):
@@ -19,8 +20,13 @@ class Sections(HTMLParser):
         super().__init__()
         self.found = [["", title, ""]]
         self.depth = 0  # inside of the contents; 0 outside
+        self.skipped = 0  # depth of the table of contents or the links to other pages; 0 outside
         self.heading = False
         self.feed(html)
+
+    @property
+    def is_text(self):
+        return self.depth and not self.skipped
 
     def handle_starttag(self, tag, attributes):
         values = dict(attributes)
@@ -28,7 +34,9 @@ class Sections(HTMLParser):
             self.depth = 1
         elif self.depth and tag not in VOID:
             self.depth += 1
-        if self.depth and tag in ("h1", "h2", "h3"):
+        if self.depth and not self.skipped and (tag, values.get("class")) in SKIPPED:
+            self.skipped = self.depth
+        if self.is_text and tag in ("h1", "h2", "h3"):
             self.found.append(["", "", ""])
             self.heading = True
         if self.heading and tag == "a" and values.get("id"):
@@ -37,11 +45,13 @@ class Sections(HTMLParser):
     def handle_endtag(self, tag):
         if self.depth and tag not in VOID:
             self.depth -= 1
+        if self.depth < self.skipped:
+            self.skipped = 0
         if tag in ("h1", "h2", "h3"):
             self.heading = False
 
     def handle_data(self, data):
-        if self.depth and self.lasttag not in ("script", "style"):
+        if self.is_text and self.lasttag not in ("script", "style"):
             self.found[-1][1 if self.heading else 2] += data
 
 

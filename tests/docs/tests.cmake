@@ -21,10 +21,12 @@ if(CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
 endif()
 
 # docs.listings: functions that chapters show are cut from the source. docs.markup: pages have no misspelt forms.
+# docs.search: the text that the search finds.
 if(CS550_SYSTEM_PYTHON)
   add_test(NAME docs.listings COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/listing_test.py")
   add_test(NAME docs.markup COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/markup_test.py")
-  set_tests_properties(docs.listings docs.markup PROPERTIES LABELS docs TIMEOUT 60)
+  add_test(NAME docs.search COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/search_test.py")
+  set_tests_properties(docs.listings docs.markup docs.search PROPERTIES LABELS docs TIMEOUT 60)
 endif()
 
 # docs.figure: one figure by its name.
