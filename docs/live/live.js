@@ -5,6 +5,7 @@ const KEY_DRAG = 15; // pixels per key
 const ZOOM = 1.1; // per key or notch of the wheel
 const FRAME = 1000 / 30; // ms between steps of a walk that plays
 const NARROW = 520; // pixels
+const LAST_STEP = -1; // as a setting
 const MOST_STEPS = 3; // of a world between two pictures; a slower machine plays in slow motion
 const NUMBERS_EVERY = 100; // ms, while a world runs
 const PLOTS_EVERY = 300; // ms, while a world runs
@@ -15,6 +16,8 @@ function element(name, properties = {}, ...children) {
   return made;
 }
 
+/** The setting of the shown step. Pages without a walk have none. */
+const stepOf = described => described.find(({name}) => name === 'step');
 const short = number => String(Number(Number(number).toPrecision(4)));
 const sleep = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
 const nextFrame = () => new Promise(resolve => requestAnimationFrame(resolve));
@@ -136,13 +139,28 @@ class LiveFigure {
   /** A figure that has been stopped gets a new worker. */
   restart() {
     this.problem.textContent = '';
-    return this.engine.stopped ? this.begin([...this.changed]) : this.run('rewind');
+    return this.engine.stopped ? this.begin([...this.changed]) : this.walk('rewind');
   }
 
-  async advance(steps = 1) {
-    await this.run('advance', steps);
-    const range = this.controls.elements.step;
-    if (range) range.value = (Number(range.value) + 1) % (Number(range.max) + 1);
+  advance(steps = 1) {
+    return this.walk('advance', steps);
+  }
+
+  /** Goes to another step. What is refused is shown. */
+  async walk(name, ...values) {
+    try {
+      await this.engine.ask(name, ...values);
+      if (this.step) await this.readStep();
+      this.drawSoon();
+    } catch (reason) {
+      this.fail(reason);
+    }
+  }
+
+  /** The step to which the engine has gone belongs to the link, as far as a setting can name it. */
+  async readStep() {
+    this.step = stepOf(JSON.parse(await this.engine.ask('describe')));
+    this.changed.set('step', String(Math.min(this.step.value, this.step.most)));
   }
 
   /** Through a point of the canvas; the middle if none is given. A world that stands still gets a step. */
@@ -202,6 +220,7 @@ class LiveFigure {
 
   async set(name, value) {
     this.problem.textContent = '';
+    if (name === 'step' && this.step) this.step.value = value === 'last' ? LAST_STEP : Number(value);
     try {
       await this.engine.ask('set', `${name}=${value}`);
       if (name === 'scene') this.changed.clear();  // a scene brings its own settings
@@ -217,6 +236,7 @@ class LiveFigure {
   async list() {
     const described = JSON.parse(await this.engine.ask('describe'));
     const vectors = described.filter(({kind}) => kind === 'vector');
+    this.step = stepOf(described);
     this.vectors = new Map(vectors.map(({name, value}) => [name, value.join()]));
     this.controls.replaceChildren();
     let group = this.controls;
@@ -253,7 +273,7 @@ class LiveFigure {
     } else {
       const values = control.kind === 'vector' ? control.value : [control.value];
       const ranges = values.map(value => this.range(control, value));
-      const shown = each => (control.name === 'step' && Number(each) === -1 ? 'last' : short(each));
+      const shown = each => (control.name === 'step' && Number(each) === LAST_STEP ? 'last' : short(each));
       const output = element('output', {textContent: values.map(shown).join(', ')});
       for (const range of ranges) {
         range.oninput = () => {
@@ -358,13 +378,15 @@ class LiveFigure {
     this.plots.replaceChildren(...plots.map((svg, i) => element('div', {innerHTML: this.unique(svg, `plot${i}`)})));
   }
 
-  /** The shown step runs over the steps that the walk has; as a setting, -1 is the last. */
+  /** The shown step runs over the steps that the walk has, as far as the setting goes. */
   fitSteps(steps) {
     const range = this.controls.elements.step;
     if (!range || steps < 1) return;
-    const isLast = range.value === '-1' || range.value === range.max;
-    Object.assign(range, {min: 0, max: steps - 1});
-    if (isLast) range.value = steps - 1;
+    const {value, most} = this.step;
+    const isLast = value === LAST_STEP;
+    Object.assign(range, {min: 0, max: Math.min(steps - 1, most)});
+    range.value = isLast ? range.max : value;
+    range.parentElement.querySelector('output').textContent = isLast ? 'last' : Math.min(value, steps - 1);
   }
 
   /** Pictures share a page: the names inside of each become its own. */
