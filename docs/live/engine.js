@@ -37,7 +37,8 @@ class Engine {
     });
   }
 
-  receive({id, result, problem}) {
+  receive({id, result, problem, crashed}) {
+    if (crashed) return this.stop(problem);  // its memory may be damaged
     const {resolve, reject, limit} = this.waiting.get(id);
     clearTimeout(limit);
     this.waiting.delete(id);

@@ -35,6 +35,7 @@ class LiveFigure {
     this.name = figure.id.replace(/^fig_/, '');
     this.changed = new Map();
     this.pictures = 0;
+    this.loops = 0;
   }
 
   /** In a new worker, with the settings. */
@@ -43,9 +44,14 @@ class LiveFigure {
     await this.engine.ask('open', this.figure.dataset.live);
     this.facts = JSON.parse(await this.engine.ask('facts'));
     if (!this.stage) this.build();
-    for (const [name, value] of settings) await this.set(name, value);
-    await this.list();
-    await this.drawSoon();
+    this.again.hidden = true;
+    try {
+      for (const [name, value] of settings) await this.set(name, value);
+      await this.list();
+      await this.drawSoon();
+    } catch (reason) {  // of code that crashes with these settings
+      this.fail(reason);
+    }
   }
 
   /** Asks the engine for a change, and draws. What is refused is shown. */
@@ -60,9 +66,11 @@ class LiveFigure {
     }
   }
 
+  /** Whatever failed, playing on would fail again. */
   fail(reason) {
     this.problem.textContent = reason.message;
-    if (this.engine.stopped) this.stopPlaying();
+    this.stopPlaying();
+    this.again.hidden = !this.engine.stopped;
   }
 
   build() {
@@ -99,10 +107,14 @@ class LiveFigure {
     const button = (text, act) => element('button', {type: 'button', textContent: text, onclick: act});
     this.addDrags();
     this.playing = button('play', () => this.play());
-    if (this.facts.walks) {
+    this.again = button('begin again', () => this.restart());
+    this.walks = this.facts.walks;
+    if (this.walks) {
       const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
       this.buttons.append(button('step', () => this.advance()), ...(still ? [] : [this.playing]),
                           button('from the start', () => this.restart()));
+    } else {
+      this.buttons.append(this.again);
     }
     if (this.facts.canvas) this.buttons.append(button('throw a box', () => this.throwBox()));
     this.buttons.append(this.link);
@@ -182,12 +194,15 @@ class LiveFigure {
     if (this.isPlaying) return this.stopPlaying();
     this.playing.textContent = 'stop';
     this.numbers.setAttribute('aria-live', 'off');
-    await (this.canvas ? this.playWorld() : this.playWalk());
+    // A loop that was stopped ends, even if the next one has begun meanwhile.
+    const loop = ++this.loops;
+    const isOn = () => this.isPlaying && this.loops === loop;
+    await (this.canvas ? this.playWorld(isOn) : this.playWalk(isOn));
   }
 
   /** A step per frame. */
-  async playWalk() {
-    while (this.isPlaying) {
+  async playWalk(isOn) {
+    while (isOn()) {
       await this.advance();
       await this.drawSoon();
       await sleep(FRAME);
@@ -195,7 +210,7 @@ class LiveFigure {
   }
 
   /** As many steps as time has passed. The engine makes the next picture while this one is painted. */
-  async playWorld() {
+  async playWorld(isOn) {
     let last = performance.now();
     let next = null;
     const askForNext = () => {
@@ -205,9 +220,9 @@ class LiveFigure {
       return this.engine.ask('frame', Math.min(due, MOST_STEPS), ...this.fitCanvas());
     };
     try {
-      while (this.isPlaying) {
+      while (isOn()) {
         const picture = await next;
-        next = this.isPlaying ? askForNext() : null;  // stopped meanwhile: no further step
+        next = isOn() ? askForNext() : null;  // stopped meanwhile: no further step
         if (picture) this.showPicture(picture);
         await nextFrame();
       }
@@ -227,6 +242,10 @@ class LiveFigure {
       this.changed.set(name, value);
     } catch (reason) {
       this.fail(reason);
+      if (this.engine.stopped) {
+        this.changed.set(name, value);  // for the next worker
+        return;
+      }
     }
     if (name === 'scene') await this.list();
     this.drawSoon();

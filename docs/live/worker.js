@@ -1,5 +1,5 @@
 // Runs in a worker, after the engine and its `hulls`: one figure, which live.js asks by messages {id, name, values}.
-// An answer is {id, result} or {id, problem}.
+// An answer is {id, result} or {id, problem}, with crashed: true where the engine cannot go on.
 const starting = cs550LiveEngine();
 
 function tasks(engine) {
@@ -31,8 +31,10 @@ function tasks(engine) {
   };
 }
 
+const isCrash = reason => reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError;
+
 function explain(reason) {
-  if (reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError) return `the code crashed: ${reason.message}`;
+  if (isCrash(reason)) return `the code crashed: ${reason.message}`;
   return reason.message ?? 'the code threw something that is not a std::exception';
 }
 
@@ -41,6 +43,6 @@ self.onmessage = async ({data: {id, name, values}}) => {
     const {call, ...own} = tasks(await starting);
     self.postMessage({id, result: own[name] ? own[name](...values) : call(name, ...values)});
   } catch (reason) {
-    self.postMessage({id, problem: explain(reason)});
+    self.postMessage({id, problem: explain(reason), crashed: isCrash(reason)});
   }
 };

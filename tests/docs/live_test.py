@@ -16,6 +16,7 @@ from book_test import LOOK, SETTLE
 from browsers import errors_logged, in_browsers
 from live_actions import KEYS, POINTERS, drag, open_first, run, wait_for
 from live_figures import BEGIN, CHANGE, STATE, figure_count, is_built, pages_with_figures
+from live_play import check_begin_again, check_play
 from live_walk import PAGES_WITH_WALKS, check_long_walk, check_walk
 from live_world import check_acts, check_scenes, check_settings, check_speed, check_world
 
@@ -155,6 +156,8 @@ def main():
     tasks += [partial(check_first, folder / "separating_axis.html", check_link)]
     tasks += [partial(check_first, folder / f"{page}.html", check_walk) for page in PAGES_WITH_WALKS]
     tasks += [partial(check_first, folder / "rigid_body.html", check_long_walk)]
+    tasks += [partial(check_first, page, check_play) for page in (world, folder / "hill_climbing.html")]
+    tasks += [partial(check_first, folder / "separating_axis.html", check_begin_again)]
     tasks += [partial(check_first, world, check_settings), partial(check_first, world, check_acts)]
     faults = sum(in_browsers(tasks), [])
     # Alone, since it counts pictures per second.

@@ -1,0 +1,90 @@
+"""What happens to a live figure that plays: when it is stopped, when its code fails or crashes, when it begins again."""
+from live_actions import run
+
+PAUSE = "await new Promise(resolve => setTimeout(resolve, 500));"
+
+# A double click on "stop". Returns how many loops run afterwards, and after "stop".
+LOOPS = """
+const live = figure.live;
+let running = 0;
+for (const name of ['playWorld', 'playWalk']) {
+  const play = live[name];
+  live[name] = async (...values) => {
+    ++running;
+    await play.apply(live, values);
+    --running;
+  };
+}
+live.play();
+""" + PAUSE + """
+live.play();
+live.play();
+""" + PAUSE + """
+const after = [running, live.isPlaying];
+live.play();
+""" + PAUSE + """
+return [...after, running];
+"""
+
+# The engine refuses everything. Returns whether the figure still plays, and its problem.
+FAILURE = """
+const live = figure.live;
+live.play();
+""" + PAUSE + """
+live.engine.ask = () => Promise.reject(new Error('Failed by the test'));
+""" + PAUSE + """
+const found = [live.isPlaying, live.problem.textContent];
+delete live.engine.ask;
+return found;
+"""
+
+# A worker that crashes. Returns the message and whether the engine is stopped.
+CRASH = """
+const Engine = figure.live.engine.constructor;
+const answer = "postMessage({id: data.id, problem: 'the code crashed: by the test', crashed: true})";
+const engine = new Engine(URL.createObjectURL(new Blob([`onmessage = ({data}) => ${answer}`])));
+try {
+  await engine.ask('advance', 1);
+} catch (reason) {
+  return [reason.message, Boolean(engine.stopped)];
+}
+"""
+
+BUTTONS = "return [...figure.live.buttons.querySelectorAll('button')].filter(each => each.checkVisibility())" \
+          ".map(each => each.textContent);"
+
+BEGIN_AGAIN = """
+const live = figure.live;
+[...live.buttons.querySelectorAll('button')].find(each => each.textContent === 'begin again').click();
+const end = performance.now() + 10000;
+while (!live.again.hidden && performance.now() < end) await new Promise(resolve => setTimeout(resolve, 50));
+await live.engine.ask('facts');
+await live.drawSoon();
+await live.list();
+return [live.problem.textContent, live.vectors.get('position')];
+"""
+
+
+def check_play(browser, figure):
+    """A double click on "stop" leaves one loop. A failure of the code ends it, and the button shows that."""
+    if (loops := run(browser, LOOPS, figure)) != [1, True, 0]:
+        yield f"after a double click on 'stop': loops, 'plays' and loops after 'stop' are {loops}"
+    playing, problem = run(browser, FAILURE, figure)
+    if playing or problem != "Failed by the test":
+        yield f"code that fails leaves a figure that {'plays' if playing else 'stops'} with '{problem}'"
+    crash = run(browser, CRASH, figure)
+    if crash != ["the code crashed: by the test", True]:
+        yield f"a crash leaves the message and a stopped engine: {crash}"
+
+
+def check_begin_again(browser, figure):
+    """A figure without steps that has been stopped begins again, with a setting that was changed meanwhile."""
+    if "begin again" in run(browser, BUTTONS, figure):
+        yield "'begin again' is offered before anything has been stopped"
+    run(browser, "figure.live.engine.stop('Stopped by the test'); await figure.live.set('position', '0.1,0.2,1.5')", figure)
+    if "begin again" not in run(browser, BUTTONS, figure):
+        yield "'begin again' is not offered"
+    problem, position = run(browser, BEGIN_AGAIN, figure)
+    moved = [round(float(each), 6) for each in position.split(",")]
+    if problem or moved != [0.1, 0.2, 1.5] or "begin again" in run(browser, BUTTONS, figure):
+        yield f"a stopped figure does not begin again: position {position}, {problem}"
