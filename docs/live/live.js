@@ -99,6 +99,7 @@ class LiveFigure {
       this.canvas = element('canvas');
       this.canvas.setAttribute('role', 'img');
       this.stage.append(this.canvas);
+      new ResizeObserver(() => this.fitsStage() || this.drawSoon()).observe(this.stage);
     }
     listenToPointers(this);
   }
@@ -338,6 +339,11 @@ class LiveFigure {
   pictureSize() {
     const width = this.stage.clientWidth;
     return width > 0 && width < NARROW ? [width, Math.round(0.85 * width)] : [];
+  }
+
+  /** Whether the canvas was drawn for the stage as wide as it is. A hidden stage has no width. */
+  fitsStage() {
+    return this.stage.clientWidth === 0 || this.stage.clientWidth === this.width;
   }
 
   /** Width and height of the canvas in pixels of the page. */

@@ -65,6 +65,16 @@ await live.drawSoon();
 return live.shapes.join();
 """
 
+# Changes the width of the figure, and returns those of the stage and its canvas in pixels of the page.
+RESIZE = """
+const live = figure.live;
+await live.drawSoon();
+figure.style.width = `${place}px`;
+await new Promise(resolve => setTimeout(resolve, 500));
+await live.engine.ask('facts');
+return [live.stage.clientWidth, live.canvas.width / devicePixelRatio];
+"""
+
 
 def check_world(browser, figure):
     """Its settings matter when time goes on. The picture moves, a throw adds a body, a body can be picked."""
@@ -120,6 +130,14 @@ def check_acts(browser, figure):
                                "return live.numbers.textContent;", figure)
         if "body" not in numbers:
             yield f"a drag by {device} takes no body"
+
+
+def check_width(browser, figure):
+    """A world that stands still is drawn again for another width of the page."""
+    for width in (300, 350):
+        widths = run(browser, RESIZE, figure, width)
+        if widths != [width, width]:
+            yield f"at {width} pixels, the stage and its canvas are {widths} wide"
 
 
 def check_scenes(browser, figure, demo):
