@@ -377,7 +377,8 @@ class LiveFigure {
     this.shown = performance.now();
     if (this.canvas) this.showLegend();
     const arrows = facts.handles.length > 0 ? 'turn the view, or do what the list below names' : 'turn the view';
-    this.stage.setAttribute('aria-label', `${facts.title}. Arrow keys ${arrows}; space goes a step further.` +
+    this.stage.setAttribute('aria-label', `${facts.title}. Arrow keys ${arrows}` +
+        (this.walks ? '; space goes a step further.' : '.') +
         (this.canvas ? ' Plus and minus zoom; P plays; N selects the next body; T throws a box.' : ''));
     this.canvas?.setAttribute('aria-label', facts.story);
     this.fitSteps(facts.steps);
@@ -390,7 +391,8 @@ class LiveFigure {
 
   showLegend() {
     const {legend, notes} = this.words;
-    const mark = colour => Object.assign(element('span', {textContent: '■ '}), {style: `color: ${colour}`});
+    const mark = colour => Object.assign(element('span', {className: 'live-mark', textContent: '■'}),
+                                         {style: `color: ${colour}`});
     this.legend.replaceChildren(...legend.map(({text, colour}) => element('li', {}, mark(colour), text)),
                                 ...notes.map(note => element('li', {textContent: note})));
   }
@@ -436,7 +438,7 @@ class LiveFigure {
                       t: () => this.throwBox()};
     if (turns[event.key]) {
       this.dragByKey(...turns[event.key]);
-    } else if (event.key === ' ') {
+    } else if (event.key === ' ' && this.walks) {
       this.advance();
     } else if (this.canvas && onCanvas[event.key]) {
       onCanvas[event.key]();

@@ -1,4 +1,4 @@
-"""What happens to a live figure that plays: when it is stopped, when its code fails or crashes, when it begins again."""
+"""A live figure that plays: what happens when it is stopped, when its code fails or crashes, when it begins again."""
 from live_actions import run
 
 PAUSE = "await new Promise(resolve => setTimeout(resolve, 500));"
@@ -81,7 +81,8 @@ def check_begin_again(browser, figure):
     """A figure without steps that has been stopped begins again, with a setting that was changed meanwhile."""
     if "begin again" in run(browser, BUTTONS, figure):
         yield "'begin again' is offered before anything has been stopped"
-    run(browser, "figure.live.engine.stop('Stopped by the test'); await figure.live.set('position', '0.1,0.2,1.5')", figure)
+    run(browser, "figure.live.engine.stop('Stopped by the test');"
+                 "await figure.live.set('position', '0.1,0.2,1.5')", figure)
     if "begin again" not in run(browser, BUTTONS, figure):
         yield "'begin again' is not offered"
     problem, position = run(browser, BEGIN_AGAIN, figure)

@@ -3,8 +3,8 @@
 
 A figure passes when it loads, its first picture is the one that the book shows without JavaScript, every control
 and every drag changes it, a link restores its state, the step control shows the engine's step, nothing is wider than
-the screen and the browser logs no error. In the World every scene steps, and every setting, button and key has an effect.
-Prints milliseconds per picture. Exit code 77: the book has no live figures, since emscripten is not installed.
+the screen and the browser logs no error. In the World every scene steps, and every setting, button and key has an
+effect. Prints milliseconds per picture. Exit code 77: the book has no live figures, since emscripten is not installed.
 
     tests/docs/live_test.py build/docs/html build/test/bin/cs550_demo
 """
@@ -17,7 +17,7 @@ from browsers import errors_logged, in_browsers
 from live_actions import KEYS, POINTERS, drag, open_first, run, wait_for
 from live_figures import BEGIN, CHANGE, STATE, figure_count, is_built, pages_with_figures
 from live_play import check_begin_again, check_play
-from live_walk import PAGES_WITH_WALKS, check_long_walk, check_walk
+from live_walk import PAGES_WITH_WALKS, check_long_walk, check_space, check_walk
 from live_world import check_acts, check_scenes, check_settings, check_speed, check_width, check_world
 
 WITHOUT_EFFECT = {("live_naive", "push")}  # nothing pushes back sideways where there is no friction
@@ -158,6 +158,7 @@ def main():
     tasks += [partial(check_first, folder / "rigid_body.html", check_long_walk)]
     tasks += [partial(check_first, page, check_play) for page in (world, folder / "hill_climbing.html")]
     tasks += [partial(check_first, folder / "separating_axis.html", check_begin_again)]
+    tasks += [partial(check_first, folder / "separating_axis.html", check_space)]
     tasks += [partial(check_first, world, check_settings), partial(check_first, world, check_acts)]
     tasks += [partial(check_first, world, check_width)]
     faults = sum(in_browsers(tasks), [])

@@ -1,4 +1,4 @@
-"""What the step control of a live figure must do: show the engine's step, keep it in the link, and stay in its range."""
+"""The steps of a live figure: the control shows the engine's step, the link keeps it, and space goes a step further."""
 from live_actions import run, wait_for
 from live_figures import BEGIN, STATE
 
@@ -30,6 +30,13 @@ range.value = range.max;
 range.dispatchEvent(new Event('input'));
 """
 
+PRESS_SPACE = """
+const stage = figure.live.stage;
+const isOthers = stage.dispatchEvent(new KeyboardEvent('keydown', {key: ' ', cancelable: true}));
+await figure.live.drawSoon();
+return [isOthers, stage.getAttribute('aria-label')];
+"""
+
 
 def agrees(steps):
     return steps["range"] == steps["output"] == steps["link"] == steps["engine"]
@@ -52,6 +59,13 @@ def check_walk(browser, figure):
     figure = browser.find_element("id", f"fig_{name}")
     if not wait_for(browser, figure) or run(browser, STATE, figure) != expected:
         yield f"{name}: {link} does not restore the step"
+
+
+def check_space(browser, figure):
+    """Where there are no steps, space scrolls the page as elsewhere, and the figure's description does not name it."""
+    scrolls, description = run(browser, PRESS_SPACE, figure)
+    if not scrolls or "space" in description:
+        yield f"a figure without steps {'leaves' if scrolls else 'takes'} the space bar; its description: {description}"
 
 
 def check_long_walk(browser, figure):

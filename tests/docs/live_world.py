@@ -75,6 +75,11 @@ await live.engine.ask('facts');
 return [live.stage.clientWidth, live.canvas.width / devicePixelRatio];
 """
 
+MARKS = """
+const marks = [...figure.live.legend.querySelectorAll('.live-mark')];
+return [...new Set(marks.map(mark => getComputedStyle(mark).backgroundColor))];
+"""
+
 
 def check_world(browser, figure):
     """Its settings matter when time goes on. The picture moves, a throw adds a body, a body can be picked."""
@@ -95,6 +100,8 @@ def check_world(browser, figure):
     run(browser, "await figure.live.set('impulses', 'on'); await figure.live.advance()", figure)
     if not run(browser, "await figure.live.drawSoon(); return figure.live.legend.textContent", figure):
         yield "impulses have no legend"
+    if run(browser, MARKS, figure) != ["rgb(255, 255, 255)"]:
+        yield "colours of the legend have another background than the picture"
     if run(browser, "return figure.live.plots.querySelectorAll('svg').length", figure) < 2:
         yield "plots are missing"
     if run(browser, "await figure.live.drawSoon(); return new Set(figure.live.canvas.getContext('2d')"
