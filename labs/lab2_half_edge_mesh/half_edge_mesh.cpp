@@ -1,5 +1,5 @@
 /// @file half_edge_mesh.cpp
-/// Lab 2, L2.1 to L2.5: from triangles to a closed mesh; L2.6 and L2.7 are in merging.cpp. The
+/// Lab 2, L2.1 to L2.5: from triangles to a closed mesh; L2.6 to L2.9 are in merging.cpp. The
 /// handout is README.md in this folder. The contract of each function is in
 /// framework/include/cs550/half_edge_mesh.hpp.
 

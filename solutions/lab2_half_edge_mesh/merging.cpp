@@ -247,7 +247,7 @@ class CoplanarMerger {
                              [&](Index a, Index b) { return mesh.origin(a) < mesh.origin(b); });
   }
 
-  HalfEdgeMesh mesh_;  ///< keeps all vertices: the removed ones bound the error
+  HalfEdgeMesh mesh_;  ///< keeps all vertices of the pass: the removed ones bound the error
   Real slack_;         ///< m
 };
 

@@ -54,6 +54,11 @@ GRADED_TEST(Lab7, BaumgarteUndoesAShareOfThePenetration, 1, "L7.3") {
   limited.given("max_push_speed", step.max_push_speed, "m/s");
   limited.likely("Baumgarte's push is limited: b is at least −max_push_speed, however deep it is");
   limited.expect_near("bias, 1 m deep, limited", bias(-1), -3, 0, "m/s");
+  const ContactBias push = contact_bias(soft_constraint(), Real(-0.011), step);
+  Story rigid("Baumgarte: the pass is rigid, with the scales 1 and 0");
+  rigid.likely("the softness belongs to soft contacts: Baumgarte's scales are 1 and 0");
+  rigid.expect_near("mass scale, 11 mm deep", static_cast<double>(push.mass_scale), 1, 0);
+  rigid.expect_near("impulse scale, 11 mm deep", static_cast<double>(push.impulse_scale), 0, 0);
   step.use_bias = false;
   story.expect_near("bias in the relax pass", bias(Real(-0.011)), 0, 0, "m/s");
 }
@@ -80,6 +85,8 @@ GRADED_TEST(Lab7, SoftContactsPushLikeADampedSpring, 2, "L7.3") {
   const ContactBias relaxing = contact_bias(soft_constraint(), Real(-0.011), step);
   story.expect_near("bias in the relax pass", static_cast<double>(relaxing.velocity), 0, 0, "m/s");
   story.expect_near("mass scale in the relax pass", static_cast<double>(relaxing.mass_scale), 1, 0);
+  story.expect_near("impulse scale in the relax pass", static_cast<double>(relaxing.impulse_scale),
+                    0, 0);
 }
 
 GRADED_TEST(Lab7, PushAndBounceAreNeverAdded, 2, "L7.3") {
@@ -102,6 +109,12 @@ GRADED_TEST(Lab7, PushAndBounceAreNeverAdded, 2, "L7.3") {
                     "m/s");
   story.expect_near("bias, slower than the threshold", bias(Real(-0.4), 0), 0, 0, "m/s");
   story.expect_near("bias, hit at 4 m/s while 1 mm apart", bias(-4, Real(0.001)), -2, 1e-6, "m/s");
+  step.use_bias = false;
+  Story relaxing("Baumgarte: nothing bounces in the relax pass");
+  relaxing.given("e", constraint.restitution);
+  relaxing.likely("the bounce belongs to passes with bias, as the push does");
+  relaxing.expect_near("bias, hit at 4 m/s", bias(-4, 0), 0, 0, "m/s");
+  step.use_bias = true;
   step.model = ContactModel::Soft;
   story.expect_near("bias of a soft contact, which bounces later", bias(-4, 0), 0, 0, "m/s");
 }

@@ -113,11 +113,14 @@ GRADED_TEST(Lab7, ContactsWithAnImmovableBodyAreStiffer, 1, "L7.4") {
   ContactStep step = rigid_step();
   step.soft = {10, Real(0.5), Real(0.5)};
   step.soft_static = {20, Real(0.6), Real(0.4)};
-  std::vector<SolverBody> bodies = {random_body(random), random_body(random), immovable_body()};
-  std::vector<ContactConstraint> constraints(3, random_constraint(random));
+  std::vector<SolverBody> bodies = {random_body(random), random_body(random), immovable_body(),
+                                    immovable_body()};
+  std::vector<ContactConstraint> constraints(4, random_constraint(random));
   constraints[1].body_b = 2;
   constraints[2].body_a = 2;
   constraints[2].body_b = 0;
+  constraints[3].body_a = 2;
+  constraints[3].body_b = 3;
   prepare_contacts(constraints, bodies, step);
   Story story(
       "a constraint uses soft between movable bodies and soft_static where either is immovable");
@@ -128,6 +131,11 @@ GRADED_TEST(Lab7, ContactsWithAnImmovableBodyAreStiffer, 1, "L7.4") {
                      step.soft_static.bias_rate);
   story.expect_equal("bias rate, A immovable", constraints[2].softness.bias_rate,
                      step.soft_static.bias_rate);
+  Story walls("between two immovable bodies both masses are zero");
+  walls.likely("no impulse moves two immovable bodies: the tangents' matrix has no inverse");
+  walls.expect_near("normal mass", static_cast<double>(constraints[3].normal_mass), 0, 0);
+  walls.expect_near("largest entry of the tangents' mass",
+                    static_cast<double>(constraints[3].tangent_mass.cwiseAbs().maxCoeff()), 0, 0);
 }
 
 }  // namespace

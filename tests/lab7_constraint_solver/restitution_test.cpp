@@ -121,6 +121,19 @@ GRADED_TEST(Lab7, OnlyFreshHardImpactsBounce, 1, "L7.9") {
   close.likely("the first corners of a body stop it before the others arrive: those bounce, too");
   close.expect_near("v_n of the cube above", static_cast<double>(bodies[2].v.z()), 2, 1e-6, "m/s");
 
+  constraints[1].separation = Real(0.5);
+  constraints[1].impact_handled = false;
+  constraints[1].normal_impulse = 0;
+  bodies[2].v = Vec3(0, 0, -4);
+  bodies[2].delta_position = Vec3(0, 0, Real(-0.49));
+  constraints[0] = hit.constraint;
+  apply_restitution(constraints, bodies, step);
+  Story arrived = story;
+  arrived.given("the same cube, 0.5 m above the floor when the step began, and 10 mm now");
+  arrived.likely("whether it arrives depends on the separation now: its body has moved since");
+  arrived.expect_near("v_n of the cube above", static_cast<double>(bodies[2].v.z()), 2, 1e-6,
+                      "m/s");
+
   Meeting fast = landing(2, Vec3(0, 0, 5));
   fast.constraint.restitution = Real(0.5);
   fast.constraint.approach_velocity = -4;

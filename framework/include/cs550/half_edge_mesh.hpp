@@ -206,14 +206,17 @@ inline constexpr Real coplanar_tolerance = Real(1e-5);
 /// triangular reference face would clip away half of a box's contact polygon.
 ///
 /// - L2.6: two faces are merged only if the *merged* face is valid: all its vertices lie within
-///   tolerance·size of its Newell plane (nearly coplanar is not transitive), its outline is convex,
-///   and no vertex of the mesh is farther than that in front of it.
+///   tolerance·size of its Newell plane (nearly coplanar is not transitive), no vertex of the mesh is
+///   farther than that in front of it, and its outline is convex, up to dents: of two edges in a row
+///   the longer may end 4·tolerance·size outside the line of the shorter.
 /// - L2.7: a vertex that is left with only two edges is removed from both of its faces. Nothing is
 ///   merged if one of them would not be valid without it.
 /// - L2.8: if the union of two faces has a reflex vertex, the coplanar faces behind that vertex are
 ///   included, so that a flat face becomes one polygon however it was triangulated. A chain of shared
 ///   edges is removed as a whole, with its inner vertices.
-/// - L2.9: the order of the triangles does not matter, and merging the result changes nothing.
+/// - L2.9: the order of the triangles does not matter, and merging the result changes nothing: passes
+///   over the edges are repeated, each on the renumbered mesh that the last one left, until one
+///   merges nothing. Vertices that are removed count as vertices of the mesh until their pass ends.
 ///
 /// Unused vertices are removed; the rest keep their order.
 /// @param tolerance relative to the largest extent of the mesh's bounds
