@@ -28,6 +28,17 @@ std::string dot_text(Index vertex, Real dot) {
   return "v" + std::to_string(vertex) + ": " + number_text(static_cast<double>(dot));
 }
 
+Bounds bounds_of(const HalfEdgeMesh& mesh) {
+  Bounds box;
+  for (const Vec3& vertex : mesh.vertices) box.include(vertex);
+  return box;
+}
+
+/// Whether a vertex is beyond the plane through another one, by more than rounding.
+bool is_any_beyond(const HalfEdgeMesh& mesh, const Vec3& through, const Vec3& normal, Real size) {
+  return highest(mesh, normal) - through.dot(normal) > Real(1e-5) * size;
+}
+
 /// A square through a point, perpendicular to a direction.
 Polygon support_plane(const Vec3& through, const Vec3& normal, Real half_side) {
   const Vec3 u = half_side * any_perpendicular(normal);
@@ -38,6 +49,14 @@ Polygon support_plane(const Vec3& through, const Vec3& normal, Real half_side) {
 }
 
 }  // namespace
+
+ClimbArrow climb_arrow(const HalfEdgeMesh& mesh, const Vec3& direction) {
+  if (mesh.vertices.empty()) return {};
+  const Bounds box = bounds_of(mesh);
+  const Vec3 across = box.extent().maxCoeff() * unit(direction);
+  const Vec3 tail = box.center() + Real(0.62) * across;
+  return {box.center(), tail, tail + Real(0.4) * across};
+}
 
 Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<const Index> path,
                    Role role) {
@@ -53,9 +72,7 @@ Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<co
   if (mesh.vertices.empty()) return drawing;
 
   const Vec3 up = unit(direction);
-  Bounds box;
-  for (const Vec3& vertex : mesh.vertices) box.include(vertex);
-  const Real size = box.extent().maxCoeff();
+  const Real size = bounds_of(mesh).extent().maxCoeff();
 
   Index last = no_index;
   for (const Index v : path) {
@@ -79,19 +96,23 @@ Drawing draw_climb(const HalfEdgeMesh& mesh, const Vec3& direction, std::span<co
     drawing.points.push_back({vertex, role, i == 0 || i + 1 == path.size() ? Real(5.5) : Real(4)});
     drawing.labels.push_back({vertex, dot_text(path[i], vertex.dot(direction)), Role::Text});
   }
-  add_arrow(drawing, box.center() + Real(0.62) * size * up, Real(0.4) * size * up,
-            {Role::Axis, Real(2.5)}, "direction");
+  const ClimbArrow arrow = climb_arrow(mesh, direction);
+  add_arrow(drawing, arrow.tail, arrow.tip - arrow.tail, {Role::Axis, Real(2.5)}, "direction");
+  drawing.legend = {{"walk", {role, 3}, LegendMark::Line}};
 
   if (last != no_index) {
     const Vec3& end = mesh.vertex(last);
     drawing.polygons.push_back(support_plane(end, up, Real(0.35) * size));
+    // A walk that is shown step by step, or a wrong one, may not have reached the end.
+    const char* meaning = is_any_beyond(mesh, end, up, size)
+                              ? "vertices are beyond this plane: walk on"
+                              : "no vertex beyond this plane";
+    drawing.legend.push_back({meaning, {Role::Faint, 2}, LegendMark::Patch});
     const Real missing = highest(mesh, direction) - end.dot(direction);
     drawing.alt_text += " A walk from vertex " + std::to_string(path.front()) + " to vertex " +
                         std::to_string(last) + " in " + std::to_string(path.size() - 1) + " steps" +
                         (missing > 0 ? ", which is not the most extreme one." : ".");
   }
-  drawing.legend = {{"walk", {role, 3}, LegendMark::Line},
-                    {"no vertex beyond this plane", {Role::Faint, 2}, LegendMark::Patch}};
   return drawing;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "drawing/climb_drawing.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/impulse_drawing.hpp"
@@ -91,6 +93,35 @@ TEST(ClimbDrawing, HasAnArrowForEachStepAndALabelForEachVertex) {
   for (const Line& line : drawing.lines) steps += line.stroke.role == Role::Highlight ? 1 : 0;
   EXPECT_EQ(steps, 2);
   EXPECT_EQ(drawing.labels.size(), 3U + 1U);  // and the direction
+}
+
+TEST(ClimbDrawing, TheArrowEndsAtItsTip) {
+  const HalfEdgeMesh& mesh = fixture_mesh("cube");
+  const Index path[] = {0};
+  for (const Vec3& direction : {Vec3(1, 2, -3), Vec3(0, 0, 0), Vec3(0, 0, Real(1e-3))}) {
+    const ClimbArrow arrow = climb_arrow(mesh, direction);
+    const Drawing drawing = draw_climb(mesh, direction, path);
+    const auto drawn = std::find_if(
+        drawing.lines.begin(), drawing.lines.end(),
+        [](const Line& line) { return line.stroke.role == Role::Axis && line.stroke.arrow; });
+    ASSERT_NE(drawn, drawing.lines.end());
+    EXPECT_LT((drawn->to - arrow.tip).norm(), 1e-5);
+    EXPECT_LT((arrow.tip - arrow.middle).cross(direction).norm(), 1e-4);
+  }
+}
+
+TEST(ClimbDrawing, ThePlaneSaysWhetherVerticesAreBeyondIt) {
+  const HalfEdgeMesh& mesh = fixture_mesh("cube");
+  const Vec3 direction(1, Real(0.5), Real(0.25));
+  Index end = 0;
+  for (Index v = 1; v < mesh.vertex_count(); ++v) {
+    if (mesh.vertex(v).dot(direction) > mesh.vertex(end).dot(direction)) end = v;
+  }
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Index path[] = {v};
+    const Drawing drawing = draw_climb(mesh, direction, path);
+    EXPECT_EQ(drawing.legend.back().text == "no vertex beyond this plane", v == end) << v;
+  }
 }
 
 TEST(ClimbDrawing, NotesAVertexThatDoesNotExist) {

@@ -104,6 +104,31 @@ TEST(Handles, TheArrowOfAClimbOnlyMoves) {
   EXPECT_GT(page->handles()[0].point.z(), 1);
 }
 
+/// The end of the line that shows the direction.
+Vec3 drawn_tip(const Page& page) {
+  for (const drawing::Line& line : page.content().drawing.lines) {
+    if (line.stroke.role == drawing::Role::Axis && line.stroke.arrow) return line.to;
+  }
+  return Vec3::Constant(NAN);
+}
+
+TEST(Handles, TheArrowOfAClimbIsTakenAtItsTipWhichIsInTheFocus) {
+  for (const char* assignment : {"direction=0.45,-0.75,0.55", "direction=1,0,0", "direction=0,0,-2",
+                                 "direction=0,0,0", "shape=tetrahedron"}) {
+    const std::unique_ptr<Page> page = page_of(3);
+    ControlSetter setter(assignment);
+    page->describe(setter);
+    page->refresh();
+    const Vec3 tip = page->handles().at(0).point;
+    EXPECT_LT((drawn_tip(*page) - tip).norm(), 1e-4) << assignment;
+    const Focus& focus = page->content().focus;
+    EXPECT_LT((tip - focus.center).norm(), focus.radius) << assignment;
+    // Holding it still does not move it.
+    page->move_handle(0, tip);
+    EXPECT_LT((page->handles().at(0).point - tip).norm(), 1e-4) << assignment;
+  }
+}
+
 TEST(Handles, AbsentWhereThereIsNothingToDrag) { EXPECT_TRUE(page_of(1)->handles().empty()); }
 
 }  // namespace

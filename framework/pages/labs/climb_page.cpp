@@ -9,8 +9,6 @@ namespace {
 
 using drawing::Role;
 
-constexpr Real handle_distance = Real(1.45);  ///< m, from the middle of the shape
-
 struct ClimbSettings {
   int shape = Icosphere;
   Vec3 direction = {Real(0.45), Real(-0.75), Real(0.55)};
@@ -26,6 +24,15 @@ void describe(ClimbSettings& settings, ControlVisitor& visit) {
   visit.vector({"direction", "direction", ""}, settings.direction, 2);
   visit.whole({"start", "start at vertex", ""}, settings.start, 0, 161);
   visit.step({"step", "shown step", ""}, settings.step, 60);
+}
+
+/// The ball around the shape and the arrow. A margin leaves room for the texts beside them.
+Focus focus_on_shape_and(const drawing::ClimbArrow& arrow) {
+  constexpr Real around_shape = Real(1.1);  // m; all shapes have a radius of 1 m
+  const Vec3 to_tip = arrow.tip - arrow.middle;
+  const Real reach = Real(1.05) * to_tip.norm();
+  const Vec3 shift = Real(0.5) * (reach - around_shape) * to_tip.normalized();
+  return {arrow.middle + shift, Real(0.5) * (reach + around_shape)};
 }
 
 Content show(const ClimbSettings& settings) {
@@ -53,16 +60,19 @@ Content show(const ClimbSettings& settings) {
                                  std::to_string(climbed.visited) + " dot products"},
                    {"brute force", "vertex " + std::to_string(searched.vertex) + ", " +
                                        std::to_string(searched.visited) + " dot products"}};
-  content.focus = {Vec3::Zero(), Real(1.35)};
+  content.focus = focus_on_shape_and(drawing::climb_arrow(mesh, settings.direction));
   return content;
 }
 
 std::vector<Handle> handles(const ClimbSettings& settings) {
-  return {{"the arrow", handle_distance * settings.direction.normalized()}};
+  const ShapePtr shape = recorded_shape(settings.shape);
+  return {{"the arrow", drawing::climb_arrow(shape->mesh, settings.direction).tip}};
 }
 
 void move_handle(ClimbSettings& settings, std::size_t /*handle*/, const Vec3& point) {
-  if (point.norm() > Real(0.1)) settings.direction = point.normalized();
+  const ShapePtr shape = recorded_shape(settings.shape);
+  const Vec3 way = point - drawing::climb_arrow(shape->mesh, settings.direction).middle;
+  if (way.norm() > Real(0.1)) settings.direction = way.normalized();
 }
 
 }  // namespace
