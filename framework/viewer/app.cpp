@@ -24,6 +24,7 @@ App::App(const Options& options, Interface& interface) : options_(options), inte
     page_->describe(setter);
     setter.expect_found();
   }
+  page_->refresh();  // The settings determine how many steps a walk has.
   const int default_steps = world_ != nullptr ? options.default_steps() : 0;
   const int steps = options.steps.value_or(default_steps);
   if (world_ != nullptr) {

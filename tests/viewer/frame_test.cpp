@@ -88,6 +88,15 @@ TEST_F(Frames, TheTitleNamesTheStudentsCode) {
   }
 }
 
+TEST_F(Frames, StepsCountTheWalkOfTheSettings) {
+  Options options;
+  options.lab = 1;
+  options.settings = {"seconds=10"};  // the default is half as long
+  options.steps = 400;
+  const App app(options, ui);
+  EXPECT_EQ(app.page().content().facts.front().value, "6.67 s");
+}
+
 TEST_F(Frames, EverySizeCanBeDrawn) {
   Options options;
   options.lab = 4;

@@ -31,6 +31,11 @@ struct LabPageParts {
   /// @}
 };
 
+/// The index of the displayed step. A negative step counts from the end.
+inline int shown_step(int step, int count) {
+  return std::clamp(step < 0 ? step + count : step, 0, std::max(count - 1, 0));
+}
+
 /// The page of a lab.
 template <class Settings>
 class LabPage final : public Page {
@@ -64,8 +69,7 @@ class LabPage final : public Page {
   void advance() override {
     if (!shown_) refresh();
     const int count = std::max(content_.step_count, 1);
-    const int now = settings_.step < 0 ? settings_.step + count : settings_.step;
-    settings_.step = (now + 1) % count;
+    settings_.step = (shown_step(settings_.step, count) + 1) % count;
   }
 
   void rewind() override { settings_.step = 0; }
@@ -88,11 +92,6 @@ class LabPage final : public Page {
   std::optional<Settings> shown_;
   Content content_;
 };
-
-/// The index of the displayed step. A negative step counts from the end.
-inline int shown_step(int step, int count) {
-  return std::clamp(step < 0 ? step + count : step, 0, std::max(count - 1, 0));
-}
 
 /// The pages of the labs.
 /// @{
