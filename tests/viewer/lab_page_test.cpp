@@ -1,8 +1,10 @@
 // The steps that the pages of labs show, and settings at the ends of their ranges.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "pages/make_page.hpp"
 
@@ -39,6 +41,25 @@ TEST(LabPage, TheStepAfterOneBeyondTheEndIsTheFirst) {
     page->advance();
     page->refresh();
     EXPECT_EQ(fact_of(*page, "shown"), "the incident face") << beyond;
+  }
+}
+
+TEST(LabPage, ARunEndsWithItsDuration) {
+  for (const char* seconds : {"seconds=5", "seconds=0.5", "seconds=7", "seconds=20"}) {
+    const std::unique_ptr<Page> page = lab_page(1, {seconds});
+    const double end = std::stod(std::string(seconds).substr(8));
+    EXPECT_EQ(page->content().step_count, std::lround(60 * end) + 1) << seconds;
+  }
+}
+
+TEST(LabPage, ABodyWithoutSpinHasNumbersAndAPicture) {
+  const std::unique_ptr<Page> page = lab_page(1, {"spin=0,0,0"});
+  for (const char* name : {"energy, explicit", "energy, midpoint", "|L|, explicit"}) {
+    EXPECT_EQ(fact_of(*page, name), "0.00 %") << name;
+  }
+  EXPECT_FALSE(page->content().drawing.polygons.empty());
+  for (const std::string& note : page->content().drawing.notes) {
+    EXPECT_EQ(note.find("not finite"), std::string::npos) << note;
   }
 }
 

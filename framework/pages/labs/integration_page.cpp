@@ -50,10 +50,15 @@ RigidBody spinning_box(const IntegrationSettings& settings) {
   return body;
 }
 
+/// The last step is at the end of the duration, which rounding may put just before it.
+int step_count_of(const IntegrationSettings& settings) {
+  return static_cast<int>(std::floor(settings.seconds / settings.h + Real(1e-3)));
+}
+
 Run run(const IntegrationSettings& settings, RotationMethod method) {
   RigidBody body = spinning_box(settings);
   Run run;
-  const int steps = static_cast<int>(settings.seconds / settings.h);
+  const int steps = step_count_of(settings);
   for (int i = 0; i <= steps; ++i) {
     refresh_velocity(body);
     const Vec3 spin = body.pose.unrotate(body.angular_velocity);
@@ -86,6 +91,7 @@ Drawing column(const IntegrationSettings& settings, const Run& run, int step, Ro
                      {Role::Highlight, Real(2.5), false, true}, "L");
   body.labels.push_back({Vec3(0, 0, Real(1.55)), name, Role::Text});
   Drawing result = drawing::transformed(body, {{x, 0, Real(1.25)}, Quat::Identity()});
+  if (run.energies.front() == 0) return result;  // the ellipsoid is a point
 
   Drawing polhode = drawing::draw_energy_ellipsoid(start.inertia.diagonal(), run.energies.front());
   Drawing curve = drawing::draw_polhode(start.inertia.diagonal(), until(run.spins, step),
@@ -101,6 +107,7 @@ Drawing column(const IntegrationSettings& settings, const Run& run, int step, Ro
 std::string change(const std::vector<Real>& values, int step) {
   const double start = static_cast<double>(values.front());
   const double now = static_cast<double>(values[step]);
+  if (start == 0) return now == 0 ? quantity(0, "%") : "from zero to " + quantity(now, "");
   return quantity(100 * (now / start - 1), "%");
 }
 
@@ -121,6 +128,9 @@ Content show(const IntegrationSettings& settings) {
       {"angular momentum L", {Role::Highlight, 2, false, true}, {}},
       {"axes of ω in the body", {Role::Axis, 2, false, true}, {}}};
   content.drawing.notes.clear();
+  if (explicit_run.energies.front() == 0) {
+    content.drawing.notes.push_back("Without spin there is no energy and no ellipsoid.");
+  }
 
   const std::vector<Recorded> energies{{"explicit", explicit_run.energies, Role::Got, false},
                                        {"midpoint", midpoint_run.energies, Role::BodyA, false}};
