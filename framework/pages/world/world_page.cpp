@@ -31,7 +31,11 @@ void WorldPage::describe(ControlVisitor& visit) {
 }
 
 void WorldPage::load(const std::string& scene) {
-  if (scene != scene_) is_loaded_ = false;
+  if (scene != scene_) {
+    is_loaded_ = false;
+    info_ = {};
+    settings_ = {};
+  }
   scene_ = scene;
   reset();
 }
