@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pages/make_page.hpp"
+#include "pages/world/world_page.hpp"
 
 namespace cs550::test {
 namespace {
@@ -61,6 +62,54 @@ TEST(LabPage, ABodyWithoutSpinHasNumbersAndAPicture) {
   for (const std::string& note : page->content().drawing.notes) {
     EXPECT_EQ(note.find("not finite"), std::string::npos) << note;
   }
+}
+
+/// The corners of A and B, which are solids on one page and drawn on another.
+std::vector<Vec3> corners_of_bodies(const Content& content) {
+  std::vector<Vec3> corners;
+  for (const Solid& solid : content.solids) {
+    for (const Vec3& vertex : solid.mesh->vertices) corners.push_back(solid.pose.to_world(vertex));
+  }
+  for (const drawing::Polygon& polygon : content.drawing.polygons) {
+    if (polygon.role != drawing::Role::BodyA && polygon.role != drawing::Role::BodyB) continue;
+    corners.insert(corners.end(), polygon.corners.begin(), polygon.corners.end());
+  }
+  return corners;
+}
+
+/// Drags move the bodies of labs 4 and 5 up to 4 m from the middle along each axis.
+TEST(LabPage, TwoBodiesAreInTheFirstViewHoweverFarApart) {
+  const Size canvas{300, 300};
+  const Area area{0, 0, 300, 300};
+  for (const int lab : {4, 5}) {
+    for (const char* place : {"position=4,4,4", "position=4,-4,-4", "position=0,-4,2"}) {
+      const std::unique_ptr<Page> page = lab_page(lab, {place, "position_a=-4,4,-1"});
+      const Focus& focus = page->content().focus;
+      const Projection seen(fitted(page->first_view(), focus.center, focus.radius), canvas, area);
+      const std::vector<Vec3> corners = corners_of_bodies(page->content());
+      EXPECT_GE(corners.size(), 16U);
+      for (const Vec3& corner : corners) {
+        const Vec2 pixel = seen.pixel(corner);
+        EXPECT_GE(pixel.minCoeff(), -0.5) << "lab " << lab << ", " << place;
+        EXPECT_LE(pixel.maxCoeff(), 300.5) << "lab " << lab << ", " << place;
+      }
+    }
+  }
+}
+
+TEST(WorldPageOf, ASceneThatFailsHasNothingOfTheOneBefore) {
+  WorldPage page("bounce", Isolation::Here);
+  page.refresh();
+  EXPECT_NE(page.story(), "");
+  page.load("no_such_scene");
+  page.refresh();
+  EXPECT_NE(page.content().problem, "");
+  EXPECT_EQ(page.title(), "no_such_scene");
+  EXPECT_EQ(page.story(), "");
+  page.load("bounce");
+  page.refresh();
+  EXPECT_EQ(page.content().problem, "");
+  EXPECT_NE(page.story(), "");
 }
 
 }  // namespace

@@ -78,6 +78,14 @@ Camera fitted(Camera camera, const Vec3& center, Real radius) {
   return camera;
 }
 
+Real radius_that_shows(const Camera& camera, const Vec3& center, const Vec3& point) {
+  const Vec3 way = point - center;
+  const Vec3 backward = direction_from_target(camera);
+  const Real nearer = way.dot(backward);
+  const Real beside = (way - nearer * backward).norm();
+  return std::sin(field_of_view / 2) * (nearer + beside / std::tan(field_of_view / 2));
+}
+
 Camera parse_camera(const std::string& text, Camera camera) {
   const std::vector<Real> values = numbers(text);
   if (values.size() != 2 && values.size() != 3 && values.size() != 6) {

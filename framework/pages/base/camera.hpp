@@ -38,6 +38,10 @@ inline constexpr Real field_of_view = Real(0.56);
 /// The camera with its direction, moved so that a ball is completely visible.
 Camera fitted(Camera camera, const Vec3& center, Real radius);
 
+/// The smallest radius for which fitted() shows a point (m).
+/// @param camera only its direction matters
+Real radius_that_shows(const Camera& camera, const Vec3& center, const Vec3& point);
+
 /// Reads YAW,PITCH[,DISTANCE[,X,Y,Z]] (degrees, metres). Omitted values are kept.
 /// @throws std::invalid_argument with what is wrong and how to fix it
 Camera parse_camera(const std::string& text, Camera camera);

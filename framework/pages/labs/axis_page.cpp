@@ -82,6 +82,8 @@ std::vector<drawing::LegendEntry> legend_of_bodies() {
           {"best axis and its feature", {Role::Axis, 3, false, true}, {}}};
 }
 
+const Camera axis_view = seen_from(Real(-1.5), Real(0.22));
+
 /// Moves a drawing beside the bodies, to their right in the initial view.
 constexpr Real beside = Real(2.6);
 
@@ -118,7 +120,7 @@ Content show(const AxisSettings& settings) {
   const std::array<PosedShape, 2> both{a, b};
   content.focus = focus_on(content.drawing, both);
   const bool is_flat = !settings.minkowski;  // seen from this side
-  if (is_flat) content.focus.radius *= Real(0.9);
+  if (is_flat) content.focus = closer(content.focus, Real(0.9), both, axis_view);
   return content;
 }
 
@@ -139,7 +141,7 @@ std::unique_ptr<Page> make_axis_page(Isolation isolation) {
       "Two edges make a face of the Minkowski difference if their arcs cross on the Gauss maps of "
       "A and −B. Only these pairs and the faces are tried, and the largest separation wins. Drag "
       "A or B by its middle to move it, and with the right button to turn it.";
-  parts.first_view = seen_from(Real(-1.5), Real(0.22));
+  parts.first_view = axis_view;
   parts.describe = describe;
   parts.show = show;
   parts.handles = handles;

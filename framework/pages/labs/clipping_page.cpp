@@ -27,6 +27,8 @@ void describe(ClippingSettings& settings, ControlVisitor& visit) {
   pages::describe(settings.pair, visit);
 }
 
+const Camera clipping_view = seen_from(Real(-1.2), Real(0.62));
+
 /// The corners of a face, world frame.
 std::vector<Vec3> corners_of(const PosedShape& body, Index face) {
   std::vector<Vec3> corners;
@@ -114,8 +116,7 @@ Content show(const ClippingSettings& settings) {
     content.solids.push_back(solid_of(bodies.b, Role::BodyB, 0.28F));
   }
   const std::array<PosedShape, 2> both{bodies.a, bodies.b};
-  content.focus = focus_on({}, both);
-  content.focus.radius *= Real(0.85);
+  content.focus = closer(focus_on({}, both), Real(0.85), both, clipping_view);
   return content;
 }
 
@@ -138,7 +139,7 @@ std::unique_ptr<Page> make_clipping_page(Isolation isolation) {
       "The incident face is clipped by the planes beside the reference face, one after the other. "
       "On a box these are its side planes. The last step shows the manifold: at most four points. "
       "Drag A or B by its middle to move it, and with the right button to turn it.";
-  parts.first_view = seen_from(Real(-1.2), Real(0.62));
+  parts.first_view = clipping_view;
   parts.describe = describe;
   parts.show = show;
   parts.handles = handles;

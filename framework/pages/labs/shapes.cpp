@@ -1,5 +1,6 @@
 #include "pages/labs/shapes.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "cs550/assets.hpp"
@@ -97,6 +98,17 @@ Focus focus_on(const drawing::Drawing& drawing, std::span<const PosedShape> bodi
   for (const PosedShape& body : bodies) all.include(world_bounds(body));
   if (!(all.lower.array() <= all.upper.array()).all()) return {};
   return focus_of(all);
+}
+
+Focus closer(Focus focus, Real factor, std::span<const PosedShape> bodies, const Camera& view) {
+  focus.radius *= factor;
+  for (const PosedShape& body : bodies) {
+    for (Index v = 0; v < body.mesh().vertex_count(); ++v) {
+      const Real least = radius_that_shows(view, focus.center, body.vertex(v));
+      focus.radius = std::max(focus.radius, least);
+    }
+  }
+  return focus;
 }
 
 }  // namespace cs550::pages

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "cs550/convex_shape.hpp"
+#include "pages/base/camera.hpp"
 #include "pages/base/content.hpp"
 
 namespace cs550::pages {
@@ -37,6 +38,10 @@ drawing::Drawing scaled(drawing::Drawing drawing, Real factor);
 
 /// A drawing without the polygons and plain lines of a role, for use with a shaded body.
 drawing::Drawing without_faces(drawing::Drawing drawing, drawing::Role role);
+
+/// A focus that is closer by a factor, but shows the bodies completely.
+/// @param view the direction from which they are seen
+Focus closer(Focus focus, Real factor, std::span<const PosedShape> bodies, const Camera& view);
 
 /// The ball around a drawing and bodies.
 Focus focus_on(const drawing::Drawing& drawing, std::span<const PosedShape> bodies = {});
