@@ -90,7 +90,8 @@ std::optional<App::Grip> App::grip_at(const Vec2& mouse, ImGuiMouseButton button
 void App::hear_drag_of_handle(const Vec2& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   for (const ImGuiMouseButton button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right}) {
-    const bool pressed = ImGui::IsMouseClicked(button) && !io.WantCaptureMouse;
+    const bool pans = button == ImGuiMouseButton_Left && io.KeyShift;
+    const bool pressed = ImGui::IsMouseClicked(button) && !io.WantCaptureMouse && !pans;
     if (pressed && !grip_) grip_ = grip_at(mouse, button);
   }
   if (!grip_) return;

@@ -41,6 +41,9 @@ void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int mod
   const bool types_text = ImGui::GetIO().WantTextInput;
   if (action == GLFW_RELEASE || app == nullptr || types_text) return;
   if (hear_nudge(*app, key, modifiers)) return;
+  // Of the keys that are held down only those of steps repeat, not those that switch something.
+  const bool steps = key == GLFW_KEY_N || key == GLFW_KEY_RIGHT;
+  if (action == GLFW_REPEAT && !steps) return;
   if (key >= GLFW_KEY_0 && key <= GLFW_KEY_0 + lab_page_count) app->open(key - GLFW_KEY_0);
   switch (key) {
     case GLFW_KEY_SPACE:
