@@ -72,11 +72,21 @@ struct Box {
   bool overlaps(const Box& other) const {
     return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
   }
+  bool is_inside(const Area& area) const {
+    return area.left <= left && right <= area.left + area.width && area.top <= top &&
+           bottom <= area.top + area.height;
+  }
 };
 
+bool is_inside(const Vec2& pixel, const Area& area) {
+  const Box point{pixel.x(), pixel.y(), pixel.x(), pixel.y()};
+  return point.is_inside(area);
+}
+
 /// A free place for a text beside a point: to the upper right, at another corner, or farther away.
-/// Nothing if all of these overlap other texts.
-std::optional<Box> free_place(const Vec2& point, ImVec2 size, std::span<const Box> taken) {
+/// One that leaves the area is the last resort. Nothing if all of these overlap other texts.
+std::optional<Box> free_place(const Vec2& point, ImVec2 size, const Area& area,
+                              std::span<const Box> taken) {
   constexpr float gap = 6;
   const auto at = [&](bool right, bool above, float line) {
     const float left = std::floor(right ? point.x() + gap : point.x() - gap - size.x);
@@ -84,16 +94,18 @@ std::optional<Box> free_place(const Vec2& point, ImVec2 size, std::span<const Bo
     const float top = std::floor(above ? point.y() - shift - size.y : point.y() + shift);
     return Box{left, top, left + size.x, top + size.y};
   };
+  std::optional<Box> last_resort;
   for (const float line : {0.0F, 1.0F, 2.0F}) {
     for (const auto& [right, above] :
          {std::pair{true, true}, {true, false}, {false, true}, {false, false}}) {
       const Box box = at(right, above, line);
       const bool is_free = std::none_of(taken.begin(), taken.end(),
                                         [&](const Box& other) { return box.overlaps(other); });
-      if (is_free) return box;
+      if (is_free && box.is_inside(area)) return box;
+      if (is_free && !last_resort) last_resort = box;
     }
   }
-  return {};
+  return last_resort;
 }
 
 }  // namespace
@@ -106,9 +118,11 @@ int show_labels(const drawing::Drawing& drawing, const Projection& projection, c
   int missing = 0;
   for (const drawing::Label& label : drawing.labels) {
     if (!projection.is_in_front(label.position)) continue;
+    const Vec2 pixel = projection.pixel(label.position);
+    if (!is_inside(pixel, area)) continue;
     const ImVec2 size =
         fonts.small.font->CalcTextSizeA(fonts.small.size, FLT_MAX, 0, label.text.c_str());
-    const std::optional<Box> box = free_place(projection.pixel(label.position), size, taken);
+    const std::optional<Box> box = free_place(pixel, size, area, taken);
     if (!box) {
       ++missing;
       continue;
@@ -132,7 +146,8 @@ void show_legend(const drawing::Drawing& drawing, const Area& area, const Fonts&
   float top = area.top + area.height - margin;
   std::vector<std::string> notes = drawing.notes;
   if (missing_labels > 0) {
-    notes.push_back("No room for " + std::to_string(missing_labels) + " labels: zoom in.");
+    notes.push_back("No room for " + std::to_string(missing_labels) +
+                    (missing_labels == 1 ? " label" : " labels") + ": zoom in.");
   }
   for (auto note = notes.rbegin(); note != notes.rend(); ++note) {
     const float height =

@@ -10,8 +10,8 @@ namespace cs550::viewer {
 
 using namespace pages;
 
-/// Writes the labels of a drawing, with a light rim. Labels without room are left out.
-/// @return the number of labels left out
+/// Writes the labels of the points in the area, with a light rim. Labels without room are left
+/// out. @return their number
 int show_labels(const drawing::Drawing& drawing, const Projection& projection, const Area& area,
                 const Fonts& fonts);
 
