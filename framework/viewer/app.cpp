@@ -40,7 +40,9 @@ App::App(const Options& options, Interface& interface) : options_(options), inte
 void App::open(int lab) {
   PageChoice choice = options_.page();
   choice.lab = lab;
-  page_ = make_page(choice);
+  const bool was_read = lab == failure_page && failure_ != nullptr;
+  page_ = was_read ? failure_ : make_page(choice);
+  if (lab == failure_page) failure_ = page_;
   world_ = dynamic_cast<WorldPage*>(page_.get());
   if (world_ != nullptr) world_->show_times(!hides_times_);
   drag_depth_.reset();
@@ -53,6 +55,8 @@ void App::open(int lab) {
 void App::reset() {
   if (world_ != nullptr) {
     world_->reset();
+  } else if (page_->lab() == failure_page) {
+    page_->rewind();
   } else {
     open(page_->lab());
   }

@@ -30,7 +30,7 @@ class App {
   void draw(Canvas& canvas);
   /// Advances the page by one step.
   void advance() { page_->advance(); }
-  /// Restarts the page.
+  /// Restarts the page. That of a failing test returns to its first drawing.
   void reset();
   /// Plays or pauses.
   void toggle_play() { plays_ = !plays_; }
@@ -90,7 +90,8 @@ class App {
   Options options_;
   Interface& interface_;
   ContentRenderer renderer_;
-  std::unique_ptr<Page> page_;
+  std::shared_ptr<Page> page_;
+  std::shared_ptr<Page> failure_;  ///< kept, because the next passing test removes its picture
   WorldPage* world_ = nullptr;
   Camera camera_;
   bool plays_ = false;

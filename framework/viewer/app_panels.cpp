@@ -75,6 +75,9 @@ void App::show_pages() {
       return;
     }
   }
+  if (failure_ == nullptr || page_ == failure_) return;
+  const std::string back = "Back to " + failure_->title();
+  if (ImGui::Button(back.c_str(), {-1, 0})) open(failure_page);
 }
 
 void App::show_scenes() {

@@ -1,16 +1,21 @@
 // Memory and time over many frames.
 #include <gtest/gtest.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include "cs550/primitives.hpp"
 #include "pages/base/colours.hpp"
+#include "pages/failure/failure_panels.hpp"
 #include "pictures.hpp"
 #include "viewer/app.hpp"
 #include "viewer/gl/headless_context.hpp"
+#include "viewer/ui/captions.hpp"
 
 namespace cs550::test {
 namespace {
@@ -95,6 +100,45 @@ TEST_F(Frames, StepsCountTheWalkOfTheSettings) {
   options.steps = 400;
   const App app(options, ui);
   EXPECT_EQ(app.page().content().facts.front().value, "6.67 s");
+}
+
+/// A later run of the test may have removed the picture.
+TEST_F(Frames, TheFailureStaysWhenItsPictureIsGone) {
+  const std::filesystem::path picture =
+      std::filesystem::temp_directory_path() / ("Lab3.Gone" + std::to_string(getpid()) + ".svg");
+  std::ofstream(picture) << with_panels("<svg></svg>", std::vector<FailurePanel>(3));
+  Options options;
+  options.failure = picture;
+  App app(options, ui);
+  std::filesystem::remove(picture);
+  const std::string title = app.page().title();
+  app.reset();
+  EXPECT_EQ(app.page().title(), title);
+  app.open(3);
+  EXPECT_NE(app.page().title(), title);
+  app.open(failure_page);
+  EXPECT_EQ(app.page().title(), title);
+  Canvas canvas({320, 180});
+  app.draw(canvas);
+  EXPECT_EQ(app.page().content().problem, "");
+}
+
+/// Many labels at one point: there is room for a few of them.
+TEST_F(Frames, OnlyLabelsInThePictureAreMissed) {
+  const Size size{400, 300};
+  const Area area{0, 0, 400, 300};
+  Canvas canvas(size);
+  const auto missing_at = [&](const Vec3& place) {
+    drawing::Drawing drawing;
+    for (int i = 0; i < 40; ++i) drawing.labels.push_back({place, "label", drawing::Role::Text});
+    ui.begin_frame(size, false);
+    const Projection seen(fitted({}, Vec3::Zero(), 1), size, area);
+    const int missing = show_labels(drawing, seen, area, ui.fonts());
+    ui.end_frame();
+    return missing;
+  };
+  EXPECT_GT(missing_at(Vec3::Zero()), 10);
+  EXPECT_EQ(missing_at({0, 0, 5}), 0) << "above the picture";
 }
 
 TEST_F(Frames, EverySizeCanBeDrawn) {
