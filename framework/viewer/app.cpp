@@ -106,6 +106,7 @@ bool App::is_still() const {
 }
 
 void App::pass_time() {
+  plays_ = plays_ && can_step();
   if (!plays_) return;
   const int wait = world_ != nullptr ? slowness_ : frames_per_lab_step;
   if (++frames_since_step_ < wait) return;

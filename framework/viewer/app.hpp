@@ -32,8 +32,10 @@ class App {
   void advance() { page_->advance(); }
   /// Restarts the page. That of a failing test returns to its first drawing.
   void reset();
-  /// Plays or pauses.
-  void toggle_play() { plays_ = !plays_; }
+  /// Whether there is another step: always in the world, on other pages if they have several.
+  bool can_step() const { return world_ != nullptr || page_->content().step_count > 1; }
+  /// Plays or pauses. Without a step there is nothing to play.
+  void toggle_play() { plays_ = !plays_ && can_step(); }
   /// Frames all content, seen from the page's initial direction.
   void frame_focus();
   /// Shows or hides the panels.

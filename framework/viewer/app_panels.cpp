@@ -97,9 +97,11 @@ void App::show_scenes() {
 void App::show_transport() {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  ImGui::BeginDisabled(!can_step());
   if (ImGui::Button(plays_ ? "Pause" : "Play", {width, 0})) toggle_play();
   ImGui::SameLine();
   if (ImGui::Button("Step", {width, 0})) advance();
+  ImGui::EndDisabled();
   ImGui::SameLine();
   if (ImGui::Button("Reset", {width, 0})) reset();
   if (world_ == nullptr) return;

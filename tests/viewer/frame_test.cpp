@@ -123,6 +123,21 @@ TEST_F(Frames, TheFailureStaysWhenItsPictureIsGone) {
   EXPECT_EQ(app.page().content().problem, "");
 }
 
+TEST_F(Frames, APageWithoutStepsDoesNotPlay) {
+  Options options;
+  options.lab = 4;
+  App app(options, ui);
+  EXPECT_FALSE(app.can_step());
+  app.toggle_play();
+  EXPECT_FALSE(app.plays());
+  app.open(5);
+  EXPECT_TRUE(app.can_step());
+  app.toggle_play();
+  EXPECT_TRUE(app.plays());
+  app.toggle_play();
+  EXPECT_FALSE(app.plays());
+}
+
 /// Many labels at one point: there is room for a few of them.
 TEST_F(Frames, OnlyLabelsInThePictureAreMissed) {
   const Size size{400, 300};
