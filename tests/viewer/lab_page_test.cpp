@@ -112,5 +112,19 @@ TEST(WorldPageOf, ASceneThatFailsHasNothingOfTheOneBefore) {
   EXPECT_NE(page.story(), "");
 }
 
+TEST(WorldPageOf, CountsTheContactsThatAreAwakeOnceBodiesSleep) {
+  WorldPage page("bounce", Isolation::Here);
+  page.take_steps(1);
+  page.refresh();
+  EXPECT_NE(fact_of(page, "contacts"), "missing");
+  for (int i = 0; i < 40 && fact_of(page, "asleep") == "missing"; ++i) {
+    page.take_steps(30);
+    page.refresh();
+  }
+  ASSERT_NE(fact_of(page, "asleep"), "missing") << "nothing sleeps after 20 s";
+  EXPECT_EQ(fact_of(page, "contacts"), "missing");
+  EXPECT_NE(fact_of(page, "awake contacts"), "missing");
+}
+
 }  // namespace
 }  // namespace cs550::test

@@ -16,6 +16,11 @@ namespace {
 constexpr std::size_t history_length = 900;  ///< number of steps in the plots
 constexpr Real throw_speed = 20;             ///< m/s
 
+/// "1 body", "3 bodies".
+std::string counted(std::ptrdiff_t count, const char* one, const char* several) {
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
 }  // namespace
 
 WorldPage::WorldPage(std::string scene, Isolation isolation)
@@ -187,16 +192,17 @@ std::vector<Fact> WorldPage::facts() const {
   std::vector<Fact> facts;
   facts.push_back({"time", quantity(frame_.time, "s")});
   facts.push_back({"step", std::to_string(frame_.step)});
+  const auto asleep = std::count_if(frame_.bodies.begin(), frame_.bodies.end(),
+                                    [](const RigidBody& body) { return body.asleep; });
   if (!history_.empty()) {
     const StepSample& now = history_.back();
-    facts.push_back(
-        {"contacts", std::to_string(now.contacts) + ", " + std::to_string(now.points) + " points"});
+    // A step counts the contacts that it solves. Those of sleepers are drawn, but not counted.
+    facts.push_back({asleep > 0 ? "awake contacts" : "contacts",
+                     std::to_string(now.contacts) + ", " + counted(now.points, "point", "points")});
     facts.push_back({"kinetic energy", quantity(now.kinetic, "J")});
     facts.push_back({"penetration", quantity(static_cast<double>(now.penetration), "m")});
   }
-  const auto asleep = std::count_if(frame_.bodies.begin(), frame_.bodies.end(),
-                                    [](const RigidBody& body) { return body.asleep; });
-  if (asleep > 0) facts.push_back({"asleep", std::to_string(asleep) + " bodies"});
+  if (asleep > 0) facts.push_back({"asleep", counted(asleep, "body", "bodies")});
   if (!selected_) return facts;
   const auto place = static_cast<std::size_t>(*selected_);
   const RigidBody& body = frame_.bodies[place];
