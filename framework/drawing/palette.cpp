@@ -48,8 +48,8 @@ Colour colour(Role role) {
 bool needs_outline(Role role) { return role == Role::Highlight; }
 
 Role series_role(int index) {
-  constexpr std::array<Role, 6> roles = {Role::BodyA,    Role::Got,   Role::Expected,
-                                         Role::Incident, Role::BodyB, Role::Reference};
+  constexpr std::array<Role, series_role_count> roles = {
+      Role::BodyA, Role::Got, Role::Expected, Role::Incident, Role::BodyB, Role::Reference};
   return roles.at(index % roles.size());
 }
 

@@ -3,6 +3,7 @@
 /// The meaning of colours, shared by the pictures of tests, the viewer and the book.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -46,6 +47,9 @@ Colour colour(Role role);
 
 /// Whether lines of this role need a dark outline on white, like yellow lines.
 bool needs_outline(Role role);
+
+/// The number of roles that series_role() gives before it begins again.
+inline constexpr std::size_t series_role_count = 6;
 
 /// Roles for items that only need different colours, such as the curves of a plot. They repeat
 /// after the last.

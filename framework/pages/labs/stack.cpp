@@ -120,6 +120,7 @@ drawing::Plot plot_levels(std::span<const std::vector<Real>> history) {
   plot.y_label = "N·s";
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     plot.series[i].name = "box " + std::to_string(i + 1);
+    plot.series[i].dashed = i >= drawing::series_role_count;  // the colours begin again
   }
   return plot;
 }
