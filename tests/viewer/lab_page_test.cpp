@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pages/make_page.hpp"
@@ -92,6 +94,32 @@ TEST(LabPage, TwoBodiesAreInTheFirstViewHoweverFarApart) {
         const Vec2 pixel = seen.pixel(corner);
         EXPECT_GE(pixel.minCoeff(), -0.5) << "lab " << lab << ", " << place;
         EXPECT_LE(pixel.maxCoeff(), 300.5) << "lab " << lab << ", " << place;
+      }
+    }
+  }
+}
+
+TEST(LabPage, NothingIsClippedWhereEdgesMeet) {
+  const std::vector<std::string> pair{"shape_a=box", "shape_b=box", "position=0.35,-0.62,0.98",
+                                      "turn=38,24,72"};
+  ASSERT_EQ(fact_of(*lab_page(4, pair), "winner").substr(0, 5), "edges");
+  const std::unique_ptr<Page> clipping = lab_page(5, pair);
+  EXPECT_EQ(clipping->content().problem, "");
+  EXPECT_EQ(clipping->content().step_count, 1);
+  EXPECT_EQ(fact_of(*clipping, "incident face"), "missing");
+  EXPECT_NE(fact_of(*clipping, "edge of A"), "missing");
+  EXPECT_EQ(fact_of(*clipping, "points kept"), "1");
+}
+
+/// There are fewer colours than boxes.
+TEST(LabPage, EachBoxOfAStackHasItsOwnCurve) {
+  for (const int lab : {6, 7}) {
+    const std::unique_ptr<Page> page = lab_page(lab, {"boxes=10"});
+    for (const drawing::Plot& plot : page->content().plots) {
+      std::set<std::pair<drawing::Role, bool>> styles;
+      for (const drawing::Series& series : plot.series) {
+        EXPECT_TRUE(styles.emplace(series.role, series.dashed).second)
+            << plot.title << ": " << series.name;
       }
     }
   }

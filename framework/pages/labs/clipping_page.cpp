@@ -69,9 +69,23 @@ void add_bodies_to_legend(Drawing& drawing) {
   drawing.legend.insert(drawing.legend.begin(), std::begin(bodies), std::end(bodies));
 }
 
-Content show(const ClippingSettings& settings) {
-  const BodyPair bodies(settings.pair);
-  const SeparatingAxis axis = find_separating_axis(bodies.a, bodies.b, {}, HUGE_VALF);
+void show_manifold(const BodyPair& bodies, const SeparatingAxis& axis, Content& content) {
+  const Manifold manifold = build_manifold(bodies.a, bodies.b, axis, HUGE_VALF);
+  content.drawing =
+      drawing::draw_manifold(bodies.a.pose, bodies.b.pose, manifold, Role::Highlight, Real(0.35));
+  content.drawing.legend = {{"contact points", {Role::Highlight, 3}, drawing::LegendMark::Dot},
+                            {"separation", {Role::Warning, 2}, {}},
+                            {"normal n", {Role::Axis, 2, false, true}, {}},
+                            {"tangent u", {Role::Incident, 2, false, true}, {}}};
+  add_bodies_to_legend(content.drawing);
+  content.facts.push_back({"points kept", std::to_string(manifold.points.size())});
+  for (const ContactPoint& point : manifold.points) {
+    content.facts.push_back({"separation", quantity(static_cast<double>(point.separation), "m")});
+  }
+}
+
+/// A face of one body meets the other body: the incident face is clipped.
+void show_faces(const BodyPair& bodies, const SeparatingAxis& axis, int shown, Content& content) {
   const bool on_b = axis.feature == AxisFeature::FaceB;
   const PosedShape& reference_body = on_b ? bodies.b : bodies.a;
   const PosedShape& incident_body = on_b ? bodies.a : bodies.b;
@@ -86,9 +100,8 @@ Content show(const ClippingSettings& settings) {
       clipped_by_each(corners_of(incident_body, incident_face), planes);
   const int plane_count = static_cast<int>(planes.size());
 
-  Content content;
   content.step_count = plane_count + 2;
-  const int step = shown_step(settings.step, content.step_count);
+  const int step = shown_step(shown, content.step_count);
   const int clips = std::min(step, plane_count);
   content.drawing = drawing::draw_clipping(reference, planes, polygons, clips);
   add_bodies_to_legend(content.drawing);
@@ -97,19 +110,36 @@ Content show(const ClippingSettings& settings) {
       {"reference", std::string(on_b ? "B" : "A") + ", face " + std::to_string(reference_face)},
       {"incident face", std::to_string(incident_face)},
       {"corners", std::to_string(polygons[clips].size())}};
-  if (step > plane_count) {
-    const Manifold manifold = build_manifold(bodies.a, bodies.b, axis, HUGE_VALF);
-    content.drawing =
-        drawing::draw_manifold(bodies.a.pose, bodies.b.pose, manifold, Role::Highlight, Real(0.35));
-    content.drawing.legend = {{"contact points", {Role::Highlight, 3}, drawing::LegendMark::Dot},
-                              {"separation", {Role::Warning, 2}, {}},
-                              {"normal n", {Role::Axis, 2, false, true}, {}},
-                              {"tangent u", {Role::Incident, 2, false, true}, {}}};
-    add_bodies_to_legend(content.drawing);
-    content.facts.push_back({"points kept", std::to_string(manifold.points.size())});
-    for (const ContactPoint& point : manifold.points) {
-      content.facts.push_back({"separation", quantity(static_cast<double>(point.separation), "m")});
-    }
+  if (step > plane_count) show_manifold(bodies, axis, content);
+}
+
+void add_edge(Drawing& drawing, const PosedShape& body, Index edge, Role role) {
+  const HalfEdgeMesh& mesh = body.mesh();
+  if (edge < 0 || edge >= mesh.edge_count()) return;
+  drawing.lines.push_back(
+      {body.vertex(mesh.origin(edge)), body.vertex(mesh.edge(edge).vertex), {role, 4}});
+}
+
+/// Two edges meet in one point. Nothing is clipped.
+void show_edges(const BodyPair& bodies, const SeparatingAxis& axis, Content& content) {
+  const EdgeQuery& query = axis.edges;
+  content.step_count = 1;
+  content.facts = {{"shown", "the manifold: edges meet, nothing is clipped"},
+                   {"edge of A", std::to_string(query.edge_a)},
+                   {"edge of B", std::to_string(query.edge_b)}};
+  show_manifold(bodies, axis, content);
+  add_edge(content.drawing, bodies.a, query.edge_a, Role::BodyA);
+  add_edge(content.drawing, bodies.b, query.edge_b, Role::BodyB);
+}
+
+Content show(const ClippingSettings& settings) {
+  const BodyPair bodies(settings.pair);
+  const SeparatingAxis axis = find_separating_axis(bodies.a, bodies.b, {}, HUGE_VALF);
+  Content content;
+  if (axis.feature == AxisFeature::Edges) {
+    show_edges(bodies, axis, content);
+  } else {
+    show_faces(bodies, axis, settings.step, content);
   }
   if (settings.bodies) {
     content.solids.push_back(solid_of(bodies.a, Role::BodyA, 0.28F));
