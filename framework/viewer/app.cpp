@@ -2,12 +2,16 @@
 
 #include <imgui/imgui.h>
 
+#include <algorithm>
+
 #include "viewer/ui/captions.hpp"
 
 namespace cs550::viewer {
 namespace {
 
-constexpr int frames_per_lab_step = 24;  ///< of a lab's walk: slow enough to follow
+constexpr double seconds_per_lab_step = 0.4;  ///< of a lab's walk: slow enough to follow
+constexpr int most_steps_per_frame = 4;       ///< of a world that is slower than the clock
+constexpr double rounding_of_time = 1e-3;     ///< steps: a frame may be as long as a step
 
 Size display_size() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -105,13 +109,26 @@ bool App::is_still() const {
   return renderer_.still_frames() >= a_while;
 }
 
+/// The world keeps pace with the clock, whatever the rate of the display and the length of a step.
+/// If drawing takes too long, it falls behind. A picture takes a sixtieth of a second.
 void App::pass_time() {
   plays_ = plays_ && can_step();
-  if (!plays_) return;
-  const int wait = world_ != nullptr ? slowness_ : frames_per_lab_step;
-  if (++frames_since_step_ < wait) return;
-  frames_since_step_ = 0;
-  page_->advance();
+  if (!plays_) {
+    waiting_time_ = 0;
+    return;
+  }
+  const double step = world_ != nullptr ? static_cast<double>(world_->step_length()) * slowness_
+                                        : seconds_per_lab_step;
+  waiting_time_ += static_cast<double>(ImGui::GetIO().DeltaTime) / step;
+  const int due = static_cast<int>(waiting_time_ + rounding_of_time);
+  waiting_time_ = due > most_steps_per_frame ? 0 : waiting_time_ - due;
+  const int steps = std::min(due, most_steps_per_frame);
+  if (steps == 0) return;
+  if (world_ != nullptr) {
+    world_->take_steps(steps);
+  } else {
+    page_->advance();
+  }
 }
 
 Layout App::layout() const {

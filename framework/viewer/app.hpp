@@ -97,8 +97,8 @@ class App {
   WorldPage* world_ = nullptr;
   Camera camera_;
   bool plays_ = false;
-  int slowness_ = 1;  ///< frames per step
-  int frames_since_step_ = 0;
+  int slowness_ = 1;         ///< the clock's speed over the world's
+  double waiting_time_ = 0;  ///< since the last step, as a share of the time for one
   bool hides_times_ = false;
   std::optional<Real> drag_depth_;  ///< of a dragged body's point from the eye, along the view (m)
   std::optional<Grip> grip_;

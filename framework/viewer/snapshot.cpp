@@ -50,8 +50,11 @@ int default_frame_count(const Page& page) {
   return page.lab() == 0 ? most : std::clamp(page.content().step_count, 1, most);
 }
 
-/// A world runs in real time, a walk slowly enough to follow.
-double frames_per_second(const Page& page) { return page.lab() == 0 ? 60 : 2.5; }
+/// A world runs in real time with a step per frame, a walk slowly enough to follow.
+double frames_per_second(const Page& page) {
+  const auto* world = dynamic_cast<const WorldPage*>(&page);
+  return world != nullptr ? 1 / static_cast<double>(world->step_length()) : 2.5;
+}
 
 void write_frames(Studio& studio, const fs::path& folder, int count) {
   for (int i = 0; i < count; ++i) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "cs550/primitives.hpp"
 #include "pages/base/colours.hpp"
@@ -136,6 +137,25 @@ TEST_F(Frames, APageWithoutStepsDoesNotPlay) {
   EXPECT_TRUE(app.plays());
   app.toggle_play();
   EXPECT_FALSE(app.plays());
+}
+
+/// A frame without a window takes a sixtieth of a second.
+TEST_F(Frames, TheWorldKeepsPaceWithTheClock) {
+  const std::filesystem::path scene =
+      std::filesystem::temp_directory_path() / ("cs550-pace-" + std::to_string(getpid()) + ".json");
+  Canvas canvas({160, 90});
+  for (const auto& [h, steps] :
+       {std::pair{"0.0083333333", 60}, {"0.016666667", 30}, {"0.05", 10}}) {
+    std::ofstream(scene) << R"({"schema": 1, "h": )" << h << R"(, "bodies": [
+      {"shape": {"kind": "box", "half_extents": [1, 1, 1]}, "mass": 1}]})";
+    Options options;
+    options.scene = scene;
+    App app(options, ui);
+    app.toggle_play();
+    for (int frame = 0; frame < 30; ++frame) app.draw(canvas);
+    EXPECT_EQ(app.world()->frame().step, steps) << h;
+  }
+  std::filesystem::remove(scene);
 }
 
 /// Many labels at one point: there is room for a few of them.
