@@ -13,9 +13,7 @@ namespace cs550::drawing {
 /// The style of a series.
 enum class SeriesStyle : std::uint8_t {
   Curve,  ///< joined by a line
-  Steps,  ///< held until the next value
   Dots,   ///< one dot each
-  Bars,   ///< one bar each, from zero
 };
 
 /// The values of one curve.

@@ -54,11 +54,6 @@ class Axes {
         x_.include(value.x);
         y_.include(value.y);
       }
-      if (series.style == SeriesStyle::Bars && !x_.is_empty()) {
-        y_.include(0);
-        x_.include(x_.low - 0.5);
-        x_.include(x_.high + 0.5);
-      }
     }
     for (const PlotMark& mark : plot.marks) {
       const double at = on_axis(mark.at, mark.vertical ? plot.logarithmic_x : plot.logarithmic);
@@ -154,29 +149,15 @@ void draw_series(SvgWriter& svg, const Series& series, const Plot& plot, const A
   const Colour ink = colour(series.role);
   std::vector<PagePoint> points;
   for (const Value& value : drawable(series, plot)) {
-    const PagePoint at = axes.place(value.x, value.y);
-    if (series.style == SeriesStyle::Steps && !points.empty()) {
-      points.push_back({at.x, points.back().y});
-    }
-    points.push_back(at);
+    points.push_back(axes.place(value.x, value.y));
   }
   switch (series.style) {
     case SeriesStyle::Curve:
-    case SeriesStyle::Steps:
       if (points.size() == 1) svg.circle(points[0], 3, ink, paper, 1);
       if (points.size() > 1) svg.polyline(points, ink, 2, series.dashed);
       return;
     case SeriesStyle::Dots:
       for (const PagePoint& at : points) svg.circle(at, 3, ink, paper, 0.8);
-      return;
-    case SeriesStyle::Bars:
-      const double zero = axes.place(0, 0).y;
-      const double half = std::max(0.5, 0.36 * (axes.place(1, 0).x - axes.place(0, 0).x));
-      for (const PagePoint& at : points) {
-        svg.polygon(
-            {{at.x - half, at.y}, {at.x + half, at.y}, {at.x + half, zero}, {at.x - half, zero}},
-            ink, 1);
-      }
       return;
   }
 }
@@ -201,16 +182,7 @@ void draw_mark(SvgWriter& svg, const PlotMark& mark, const Plot& plot, const Axe
 }
 
 LegendMark legend_mark(SeriesStyle style) {
-  switch (style) {
-    case SeriesStyle::Curve:
-    case SeriesStyle::Steps:
-      return LegendMark::Line;
-    case SeriesStyle::Dots:
-      return LegendMark::Dot;
-    case SeriesStyle::Bars:
-      return LegendMark::Patch;
-  }
-  return LegendMark::Line;
+  return style == SeriesStyle::Dots ? LegendMark::Dot : LegendMark::Line;
 }
 
 }  // namespace

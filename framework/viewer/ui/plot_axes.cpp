@@ -75,9 +75,6 @@ PlotAxes axes_of(const Plot& plot, const Area& area, float text_height) {
     widen(x, horizontal);
     widen(y, vertical);
   });
-  for (const Series& series : plot.series) {
-    if (series.style == drawing::SeriesStyle::Bars) widen(y, 0);
-  }
   for (const drawing::PlotMark& mark : plot.marks) {
     widen(mark.vertical ? x : y, static_cast<double>(mark.at));
   }

@@ -74,31 +74,22 @@ void draw_curve(ImDrawList* list, const Series& series, const Axis& x, const Axi
       finish();
       continue;
     }
-    const ImVec2 here(x.pixel(static_cast<double>(value.x())),
-                      y.pixel(static_cast<double>(value.y())));
-    if (!run.empty() && series.style == SeriesStyle::Steps) run.push_back({here.x, run.back().y});
-    run.push_back(here);
+    run.push_back(
+        {x.pixel(static_cast<double>(value.x())), y.pixel(static_cast<double>(value.y()))});
   }
   finish();
 }
 
 void draw_series(ImDrawList* list, const Series& series, const Axis& x, const Axis& y) {
-  if (series.style == SeriesStyle::Curve || series.style == SeriesStyle::Steps) {
+  if (series.style == SeriesStyle::Curve) {
     draw_curve(list, series, x, y);
+    return;
   }
-  const auto count = static_cast<float>(std::max<std::size_t>(series.values.size(), 1));
-  const float bar = std::clamp((x.end - x.start) / count * 0.35F, 0.75F, 7.0F);
   for (const Vec2& value : series.values) {
     if (!y.can_show(static_cast<double>(value.y()))) continue;
     const ImVec2 at(x.pixel(static_cast<double>(value.x())),
                     y.pixel(static_cast<double>(value.y())));
-    if (series.style == SeriesStyle::Dots)
-      list->AddCircleFilled(at, 2.6F, packed(drawing::colour(series.role)));
-    if (series.style == SeriesStyle::Bars) {
-      const float zero = y.logarithmic ? y.start : y.pixel(0);
-      list->AddRectFilled({at.x - bar, std::min(at.y, zero)}, {at.x + bar, std::max(at.y, zero)},
-                          packed(drawing::colour(series.role)));
-    }
+    list->AddCircleFilled(at, 2.6F, packed(drawing::colour(series.role)));
   }
 }
 
