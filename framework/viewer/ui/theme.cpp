@@ -87,6 +87,7 @@ Fonts apply_theme(float scale) {
   ImGui::GetStyle() = style;
 
   Fonts fonts;
+  fonts.scale = scale;
   fonts.text = load_font(false, text_pixels * scale);
   fonts.title = load_font(true, title_pixels * scale);
   fonts.small = load_font(false, small_pixels * scale);

@@ -14,9 +14,10 @@ struct Typeface {
 
 /// The fonts of the panels. The built-in font of Dear ImGui is used if none is installed.
 struct Fonts {
-  Typeface text;   ///< panels
-  Typeface title;  ///< headings
-  Typeface small;  ///< axes of plots, labels in the picture
+  Typeface text;    ///< panels
+  Typeface title;   ///< headings
+  Typeface small;   ///< axes of plots, labels in the picture
+  float scale = 1;  ///< of the fonts, and of lines and gaps beside text
 };
 
 /// Sets colours, sizes and fonts of the present Dear ImGui context. @param scale 1 on a screen of
