@@ -34,8 +34,28 @@ std::string name_of(AxisFeature feature) {
   return names[static_cast<int>(feature)];
 }
 
+/// No arcs of aligned cubes cross. A face of each ties, and an edge query of separation 0 would beat both.
+void require_faces_without_edges(Story story) {
+  const ShapePtr cube = fixture_shape("cube");
+  const TestPair pair{{cube.get(), {Vec3::Zero(), Quat::Identity()}},
+                      {cube.get(), {Vec3(0, 0, Real(0.9)), Quat::Identity()}},
+                      "two aligned cubes of 1 m, B 0.9 m above A: no arcs cross"};
+  story.likely("an empty edge query has no separation: it is no candidate, though its 0 is larger");
+  for (const AxisFeature kind : {AxisFeature::None, AxisFeature::FaceA, AxisFeature::FaceB}) {
+    Story here = about(story, pair);
+    here.given("hint", name_of(kind));
+    const SeparatingAxis answer =
+        find_separating_axis(pair.a, pair.b, hint_of_kind(kind, pair), HUGE_VALF);
+    const AxisFeature expected = kind == AxisFeature::None ? AxisFeature::FaceA : kind;
+    require(here.expect_equal("feature", name_of(answer.feature), name_of(expected)));
+    require(here.expect_near("separation", answer.separation, -0.1, 1e-6, "m"));
+    require(here.expect_near("axis", answer.axis, Vec3::UnitZ(), 1e-6));
+  }
+}
+
 GRADED_TEST(Lab4, TiesKeepTheKindOfTheHint, 3, "L4.4") {
   Story story("On a tie last step's kind of feature stays; without one A's face comes first");
+  const Story without_edges = story;
   story.given("two crossed cubes, so deep that a face of A, a face of B and the edges tie");
   story.likely("a tie is a difference below tie_tolerance times the smaller radius: relative")
       .likely("compare every kind with the largest separation, not each with the one before");
@@ -54,6 +74,7 @@ GRADED_TEST(Lab4, TiesKeepTheKindOfTheHint, 3, "L4.4") {
       require(here.expect_equal("feature", name_of(answer.feature), name_of(expected)));
     }
   }
+  require_faces_without_edges(without_edges);
 }
 
 /// The kind that exceeds the two others by 1 % of the smaller radius, or None.
