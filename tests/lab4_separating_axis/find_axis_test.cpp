@@ -104,12 +104,48 @@ GRADED_TEST(Lab4, SwappedBodiesTurnTheAxisRound, 1, "L4.4") {
   }
 }
 
+/// The half-edge, of even number, with the middle farthest along a direction of the world.
+Index edge_towards(const PosedShape& body, const Vec3& direction) {
+  const HalfEdgeMesh& mesh = body.mesh();
+  const auto reach = [&](Index e) {
+    const Vec3 doubled_middle = mesh.vertex(mesh.origin(e)) + mesh.vertex(mesh.edge(e).vertex);
+    return body.pose.rotate(doubled_middle).dot(direction);
+  };
+  Index farthest = 0;
+  for (Index e = 2; e < mesh.edge_count(); e += 2) {
+    if (reach(e) > reach(farthest)) farthest = e;
+  }
+  return farthest;
+}
+
+/// Edges that still separate by more than the margin answer before any face is tested.
+void require_hinted_edges_first(Story story) {
+  constexpr Real margin = Real(0.01);
+  const CrossedPair crossed = cross(crossed_shapes()[0], 1, Real(-0.05));
+  const PosedShape& a = crossed.pair.a;
+  const PosedShape& b = crossed.pair.b;
+  SeparatingAxis hint;
+  hint.feature = AxisFeature::Edges;
+  hint.edges = {edge_towards(a, Vec3::UnitZ()), edge_towards(b, -Vec3::UnitZ()), Vec3::UnitZ(),
+                margin};
+  story = about(story, crossed.pair);
+  story.given("hint: the edges that face each other").given("margin", margin, "m");
+  const SeparatingAxis answer = find_separating_axis(a, b, hint, margin);
+  require(
+      story.expect("the answer has the feature of the hint", answer.feature == AxisFeature::Edges));
+  require(story.expect("no face was tested: both face queries are empty",
+                       !answer.face_a && !answer.face_b));
+  require(story.expect_near("separation", answer.separation, crossed.separation, 1e-5, "m"));
+  require(story.expect_near("axis", answer.axis, Vec3::UnitZ(), 1e-5));
+}
+
 GRADED_TEST(Lab4, TheMarginEndsTheSearch, 3, "L4.4") {
   Story story("A separation beyond the margin is an early out, the hint's own feature first");
-  story.given("two cubes of 1 m, B at (2, 3, 0) m: x separates by 1 m, y by 2 m");
   story.likely("evaluate the face or the edges of the hint at today's poses before all others")
       .likely("stop when separation > margin, not when it is > 0")
       .likely("a margin of HUGE_VALF never stops: then the largest separation is wanted");
+  const Story with_edges = story;
+  story.given("two cubes of 1 m, B at (2, 3, 0) m: x separates by 1 m, y by 2 m");
   const ShapePtr cube = fixture_shape("cube");
   const PosedShape a{cube.get(), {Vec3::Zero(), Quat::Identity()}};
   const PosedShape b{cube.get(), {Vec3(2, 3, 0), Quat::Identity()}};
@@ -147,6 +183,7 @@ GRADED_TEST(Lab4, TheMarginEndsTheSearch, 3, "L4.4") {
   const SeparatingAxis wide = find_separating_axis(a, b, hint_a, Real(1.5));
   story.expect_near("with a margin of 1.5 m, which x does not pass: separation", wide.separation, 2,
                     1e-6, "m");
+  require_hinted_edges_first(with_edges);
 }
 
 GRADED_TEST(Lab4, AStaleHintIsNotBelieved, 2, "L4.4") {
