@@ -124,7 +124,8 @@ GRADED_TEST(Lab4, EdgeQueryMatchesBruteForceOverAllPairs, 5, "L4.3") {
   }
   story.expect_at_least("pairs with negative separation, so that both signs occur", overlapping,
                         40);
-  story.expect_at_least("pairs with positive separation", 200 - overlapping, 40);
+  // 44 ± 5 over all seeds: the bound holds for every salt of a course.
+  story.expect_at_least("pairs with positive separation", 200 - overlapping, 20);
 }
 
 GRADED_TEST(Lab4, ParallelEdgesAreSkipped, 3, "L4.3") {

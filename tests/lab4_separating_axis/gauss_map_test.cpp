@@ -57,7 +57,8 @@ GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
     const bool got = is_minkowski_face(a, b, c, d);
     require(here.expect_equal("the arcs cross", got, expected == Crossing::Yes));
   }
-  story.expect_at_least("pairs that cross, so that both answers are asked for", crossing, 300);
+  // 354 ± 18 over all seeds: the bound holds for every salt of a course.
+  story.expect_at_least("pairs that cross, so that both answers are asked for", crossing, 250);
 }
 
 GRADED_TEST(Lab4, ArcsThatTouchOrLieOppositeDoNotCross, 3, "L4.1") {

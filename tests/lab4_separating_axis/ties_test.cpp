@@ -112,7 +112,8 @@ GRADED_TEST(Lab4, AHintDoesNotWinAgainstABetterAxis, 2, "L4.4") {
       }
     }
     for (int kind = 1; kind < 4; ++kind) {
-      story.expect_at_least("pairs in which each kind is the best", seen[kind], 10);
+      // 26 ± 5 over all seeds: the bound holds for every salt of a course.
+      story.expect_at_least("pairs in which each kind is the best", seen[kind], 5);
     }
   }
 }

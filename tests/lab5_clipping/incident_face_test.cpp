@@ -44,7 +44,7 @@ GRADED_TEST(Lab5, IncidentFaceIsTheMostAntiParallel, 3, "L5.2") {
     const ShapePtr shape = fixture_shape(name);
     std::vector<Index> all_faces(static_cast<std::size_t>(shape->mesh.face_count()));
     std::iota(all_faces.begin(), all_faces.end(), 0);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 400; ++i) {
       const Vec3 position = random.point_in_box(Vec3(100, 100, 100));
       const PosedShape body{shape.get(), {position, random.orientation()}};
       const Vec3 normal = random.unit_vector();
@@ -72,8 +72,8 @@ GRADED_TEST(Lab5, IncidentFaceIsTheMostAntiParallel, 3, "L5.2") {
       if (most_anti_parallel(body, normal, all_faces) != incident) ++without_the_vertex;
     }
   }
-  story.expect_at_least("cases in which another face is more anti-parallel", without_the_vertex,
-                        10);
+  // 30 ± 5 over all seeds: the bound holds for every salt of a course.
+  story.expect_at_least("cases in which another face is more anti-parallel", without_the_vertex, 5);
 }
 
 GRADED_TEST(Lab5, FirstOfEquallyIncidentFacesWins, 1, "L5.2") {
