@@ -99,9 +99,10 @@ inline constexpr Real gap_penalty = 5;
 /// A point with a separation s > 0 carries nothing until its gap closes. Wherever it is a candidate,
 /// its distance (not the square) or the area that it adds is multiplied by
 /// 1 / (1 + gap_penalty · s / margin). So a body that rests on an edge mostly keeps both ends of it.
+/// A point with s ≤ 0 counts fully, also if the margin is 0.
 /// @param points anchors in body frames
 /// @param normal the manifold's normal in A's **body** frame, unit
-/// @param margin largest separation of a contact point (m), positive
+/// @param margin largest separation of a contact point (m), ≥ 0
 StaticVector<ContactPoint, max_manifold_points> reduce_manifold(
     std::span<const ContactPoint> points, const Vec3& normal, Real margin);
 
