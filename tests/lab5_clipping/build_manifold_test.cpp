@@ -57,6 +57,19 @@ GRADED_TEST(Lab5, OverlappingBodiesReportTheirDepth, 3, "L5.6") {
   }
 }
 
+/// Only the edges are known, as after an early out by the edges of the hint.
+void require_edges_without_faces(Story here, const PosedShape& a, const PosedShape& b,
+                                 SeparatingAxis axis) {
+  axis.feature = AxisFeature::Edges;
+  axis.face_a = {};
+  axis.face_b = {};
+  here.given("the queries of both bodies' faces are empty")
+      .likely("if both face queries are empty, there is no face to choose: the edges are used");
+  const Manifold manifold = build_manifold(a, b, axis, 0);
+  require(here.expect_equal("points", manifold.points.size(), 1));
+  require(here.expect_equal("winner", name_of(manifold.reference), name_of(AxisFeature::Edges)));
+}
+
 GRADED_TEST(Lab5, EdgesAreComparedWithTheFaceQuery, 2, "L5.6") {
   Story story = with_choice_causes(Story(
       "Edges that separate best win, though clipping leaves a point that is hardly deep at all"));
@@ -81,22 +94,31 @@ GRADED_TEST(Lab5, EdgesAreComparedWithTheFaceQuery, 2, "L5.6") {
     require_depth(here, a.body, b.body, axis, seen);
     here.expect_equal("manifolds made by edges", seen[static_cast<std::size_t>(AxisFeature::Edges)],
                       1);
+    require_edges_without_faces(here, a.body, b.body, axis);
   }
 }
 
 /// An edge query is empty if no arcs cross, as for aligned boxes. After an early out only A's face
-/// is known.
+/// is known, or only B's if that was in the hint.
 void require_face_without_edges(Story here, const PosedShape& a, const PosedShape& b,
                                 SeparatingAxis axis) {
+  SeparatingAxis only_b = axis;
+  only_b.feature = AxisFeature::FaceB;
+  only_b.face_a = {};
+  only_b.edges = {};
   axis.edges = {};
   here.given("an empty edge query: its separation is 0, its edges are no_index")
       .likely("an empty query has no separation: test it before you compare");
   require(here.expect_equal("winner", name_of(build_manifold(a, b, axis, 0).reference),
                             name_of(AxisFeature::FaceA)));
   axis.face_b = {};
-  here.given("an empty query of B's faces, too");
-  require(here.expect_equal("winner", name_of(build_manifold(a, b, axis, 0).reference),
-                            name_of(AxisFeature::FaceA)));
+  Story face_of_a = here;
+  face_of_a.given("an empty query of B's faces, too");
+  require(face_of_a.expect_equal("winner", name_of(build_manifold(a, b, axis, 0).reference),
+                                 name_of(AxisFeature::FaceA)));
+  here.given("an empty query of A's faces, too");
+  require(here.expect_equal("winner", name_of(build_manifold(a, b, only_b, 0).reference),
+                            name_of(AxisFeature::FaceB)));
 }
 
 GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
