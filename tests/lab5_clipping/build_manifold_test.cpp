@@ -121,6 +121,28 @@ void require_face_without_edges(Story here, const PosedShape& a, const PosedShap
                             name_of(AxisFeature::FaceB)));
 }
 
+/// Faces of nearly equal separation, and edges that are no better. @param axis two faces of equal separation
+void require_steady_face(Story story, const PosedShape& a, const PosedShape& b,
+                         SeparatingAxis axis) {
+  story.likely("faces within tie_tolerance of each other tie, and axis.feature decides");
+  axis.edges.separation = axis.face_a.separation;
+  const Real tie = tie_tolerance * std::min(a.shape->radius, b.shape->radius);
+  for (const AxisFeature feature : {AxisFeature::FaceA, AxisFeature::FaceB, AxisFeature::Edges}) {
+    for (const Real ties : {Real(-2), Real(-0.5), Real(0.5), Real(2)}) {
+      SeparatingAxis changed = axis;
+      changed.feature = feature;
+      changed.face_b.separation += ties * tie;
+      const bool tied = std::abs(ties) < 1;
+      const bool b_wins = tied ? feature == AxisFeature::FaceB : ties > 0;
+      Story here = story;
+      here.given("axis.feature names " + name_of(feature))
+          .given("lead of B's face, in tie_tolerance × the smaller radius", ties);
+      require(here.expect_equal("winner", name_of(build_manifold(a, b, changed, 0).reference),
+                                name_of(b_wins ? AxisFeature::FaceB : AxisFeature::FaceA)));
+    }
+  }
+}
+
 GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
   Story story = with_choice_causes(Story(
       "Edges replace a face only if they are better by edge_preference × the smaller radius"));
@@ -155,6 +177,7 @@ GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
       here.expect_equal("winner if both faces are equal and axis.feature is FaceB",
                         name_of(built_with(0, AxisFeature::FaceB)), name_of(AxisFeature::FaceB));
       require_face_without_edges(here, a.body, b.body, axis);
+      require_steady_face(here, a.body, b.body, axis);
     }
   }
 }
