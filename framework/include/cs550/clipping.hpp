@@ -120,9 +120,11 @@ inline constexpr Real edge_preference = Real(5e-3);
 /// - Edges replace a face if they are better by more than edge_preference. Their separation is
 ///   compared with that of the face's *query*.
 /// - For overlapping bodies the deepest point is as deep as the axis, up to edge_preference, even
-///   where clipping loses the deepest vertex. If neither a clipped point nor the edges are, the
-///   manifold has one point: the deepest vertex of the face's query, with its projection onto the
-///   face, named as a vertex on that face. The same point is returned if clipping leaves none.
+///   where clipping loses the deepest vertex. If no clipped point is as deep as the face's query, up
+///   to edge_preference, the edges replace the face if their separation is not below that of the
+///   query. Otherwise the manifold has one point: the deepest vertex of the query, with its
+///   projection onto the face, named as a vertex on that face. Bodies that are apart keep their
+///   clipped points instead, if there are any.
 ///
 /// Any query may be empty. An empty query has a separation of 0 and no features, so test the query
 /// before comparing its separation. The edge query is empty if no arcs cross, as for aligned boxes;
