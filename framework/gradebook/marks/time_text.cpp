@@ -23,9 +23,8 @@ std::optional<Time> parse_time(const std::string& text) {
 }
 
 std::string to_text(Time time, std::chrono::minutes offset) {
-  const std::string local =
-      fmt::format("{:%Y-%m-%dT%H:%M:%S}",
-                  fmt::gmtime(std::chrono::system_clock::to_time_t(time + offset)));
+  const std::string local = fmt::format(
+      "{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::chrono::system_clock::to_time_t(time + offset)));
   if (offset.count() == 0) return local + 'Z';
   const auto minutes = std::abs(offset.count());
   return fmt::format("{}{}{:02}:{:02}", local, offset.count() < 0 ? '-' : '+', minutes / 60,
