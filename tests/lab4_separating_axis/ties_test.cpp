@@ -1,6 +1,7 @@
 // L4.4: the preference among features of equal separation, and its limits.
 #include <cs550/graded_test.hpp>
 
+#include "helpers/fixtures.hpp"
 #include "lab4_separating_axis/axis_oracle.hpp"
 #include "lab4_separating_axis/crossed_shapes.hpp"
 
