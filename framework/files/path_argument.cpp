@@ -24,7 +24,8 @@ std::string fault_of_ending(const std::string& word, const std::string& ending) 
   std::error_code unknown;
   const fs::file_status status = fs::status(word, unknown);
   const bool is_file = fs::is_regular_file(status) && word.rfind("/dev/", 0) != 0;
-  if (fs::exists(status) && !is_file) return "";
+  const bool is_absent = status.type() == fs::file_type::not_found;
+  if (!is_file && !is_absent) return "";
   return "'" + word + "' must end in " + ending;
 }
 

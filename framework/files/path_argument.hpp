@@ -11,7 +11,8 @@ namespace cs550::files {
 std::string fault_of_path(const std::string& word);
 
 /// Why a file of one kind is not written there: its name has another ending, so that it might replace a file of
-/// another kind. Empty if it has that ending, or is the name of a device, a pipe or a folder.
+/// another kind. Empty if it has that ending, or is the name of something else than a file, or of nothing that can
+/// be reached.
 /// @param ending such as ".png"
 std::string fault_of_ending(const std::string& word, const std::string& ending);
 
