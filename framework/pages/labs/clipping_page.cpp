@@ -85,8 +85,10 @@ void show_manifold(const BodyPair& bodies, const SeparatingAxis& axis, Content& 
 }
 
 /// A face of one body meets the other body: the incident face is clipped.
-void show_faces(const BodyPair& bodies, const SeparatingAxis& axis, int shown, Content& content) {
-  const bool on_b = axis.feature == AxisFeature::FaceB;
+/// @param reference_feature FaceA or FaceB: the body of the reference face
+void show_faces(const BodyPair& bodies, const SeparatingAxis& axis, AxisFeature reference_feature,
+                int shown, Content& content) {
+  const bool on_b = reference_feature == AxisFeature::FaceB;
   const PosedShape& reference_body = on_b ? bodies.b : bodies.a;
   const PosedShape& incident_body = on_b ? bodies.a : bodies.b;
   const FaceQuery& query = on_b ? axis.face_b : axis.face_a;
@@ -132,14 +134,21 @@ void show_edges(const BodyPair& bodies, const SeparatingAxis& axis, Content& con
   add_edge(content.drawing, bodies.b, query.edge_b, Role::BodyB);
 }
 
+/// Even if edges separate best, the manifold may be that of a face.
+AxisFeature reference_of(const BodyPair& bodies, const SeparatingAxis& axis) {
+  if (axis.feature != AxisFeature::Edges) return axis.feature;
+  return build_manifold(bodies.a, bodies.b, axis, HUGE_VALF).reference;
+}
+
 Content show(const ClippingSettings& settings) {
   const BodyPair bodies(settings.pair);
   const SeparatingAxis axis = find_separating_axis(bodies.a, bodies.b, {}, HUGE_VALF);
   Content content;
-  if (axis.feature == AxisFeature::Edges) {
+  const AxisFeature reference = reference_of(bodies, axis);
+  if (reference == AxisFeature::Edges) {
     show_edges(bodies, axis, content);
   } else {
-    show_faces(bodies, axis, settings.step, content);
+    show_faces(bodies, axis, reference, settings.step, content);
   }
   if (settings.bodies) {
     content.solids.push_back(solid_of(bodies.a, Role::BodyA, 0.28F));
