@@ -250,6 +250,21 @@ TEST(Choice, StarterFilesHaveAPlaceAmongTheFilesOfALab) {
   }
 }
 
+IntakeLimits four_megabytes() {
+  IntakeLimits limits;
+  limits.unpacked = 4 << 20;
+  return limits;
+}
+
+/// What read_archive() or read_folder() reports.
+template <class Read>
+std::string trouble_within(const IntakeLimits& limits, const Read& read,
+                           const std::filesystem::path& source) {
+  Submission submission;
+  Collector collector(submission, project_catalogue());
+  return read(source, collector, limits);
+}
+
 TEST(Archive, AZipBombIsRefused) {
   const ScratchFolder scratch;
   {
@@ -258,15 +273,11 @@ TEST(Archive, AZipBombIsRefused) {
     for (int i = 0; i < 8; ++i) writer.add("zeros" + std::to_string(i), megabyte);
     writer.add("labs/lab3_hill_climbing/hill_climbing.cpp", "");
   }
-  Submission submission;
-  Collector collector(submission, project_catalogue());
-  IntakeLimits limits;
-  limits.unpacked = 4 << 20;
-  EXPECT_EQ(read_archive(scratch / "bomb.zip", collector, limits),
+  EXPECT_EQ(trouble_within(four_megabytes(), read_archive, scratch / "bomb.zip"),
             "the archive unpacks to more than 4 MB");
-  limits = {};
-  limits.entries = 5;
-  EXPECT_EQ(read_archive(scratch / "bomb.zip", collector, limits),
+  IntakeLimits few;
+  few.entries = 5;
+  EXPECT_EQ(trouble_within(few, read_archive, scratch / "bomb.zip"),
             "the archive has more than 5 entries");
 }
 
@@ -286,11 +297,7 @@ TEST(Archive, ContentWithAWrongChecksumIsCounted) {
     bytes[at + checksum] = static_cast<char>(~bytes[at + checksum]);
   }
   files::write_file(scratch / "bomb.zip", bytes);
-  Submission submission;
-  Collector collector(submission, project_catalogue());
-  IntakeLimits limits;
-  limits.unpacked = 4 << 20;
-  EXPECT_EQ(read_archive(scratch / "bomb.zip", collector, limits),
+  EXPECT_EQ(trouble_within(four_megabytes(), read_archive, scratch / "bomb.zip"),
             "the archive unpacks to more than 4 MB");
 }
 
@@ -300,11 +307,7 @@ TEST(Folder, FilesOfMoreThanTheLimitAreRefused) {
     files::write_file(scratch / "ada/lab3" / (std::to_string(i) + ".cpp"),
                       std::string(1 << 20, ' '));
   }
-  Submission submission;
-  Collector collector(submission, project_catalogue());
-  IntakeLimits limits;
-  limits.unpacked = 4 << 20;
-  EXPECT_EQ(read_folder(scratch / "ada", collector, limits),
+  EXPECT_EQ(trouble_within(four_megabytes(), read_folder, scratch / "ada"),
             "the folder has files of more than 4 MB");
 }
 

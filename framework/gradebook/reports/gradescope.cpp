@@ -89,7 +89,7 @@ Json leaderboard(const StudentMark& mark, const Course& course, double score, do
   return board;
 }
 
-/// A note on a lab; empty if it tells what the tests earn together.
+/// A note on a lab; empty if it would reveal the points of all tests.
 std::string shown_note(const std::string& note, const LabMark& lab, const Course& course) {
   if (shows_all(course) || lab.lab_record() == nullptr) return note;
   return note == note_on_scale(lab) ? "" : without_hidden_names(note, *lab.lab_record());

@@ -225,9 +225,9 @@ class World {
   /// ignored. What contacts() returned is invalid afterwards; ended() names the contacts after the
   /// next step.
   void remove_body(BodyId id);
-  /// Gives a body another definition, with its pose and velocities, as if it were removed and added
-  /// at the same index. It keeps its id. This changes its kind, shape, mass, friction, restitution
-  /// or filter; its contacts begin anew. What add_body() makes invalid is invalid afterwards.
+  /// Replaces the definition of a body, including its pose and velocities: the way to change its
+  /// kind, shape, mass, friction, restitution or filter. The body keeps its id and loses its
+  /// contacts, which are found again in the next step. Like add_body(), this invalidates references.
   /// @throws std::invalid_argument if the body is not alive, or as add_body() does; nothing has
   ///         changed then
   void redefine_body(BodyId id, const BodyDef& def);
