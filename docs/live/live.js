@@ -218,7 +218,9 @@ class LiveFigure {
       const due = Math.round((performance.now() - last) / (1000 * this.facts.h));
       if (due < 1) return null;
       last = performance.now();
-      return this.engine.ask('frame', Math.min(due, MOST_STEPS), ...this.fitCanvas());
+      const picture = this.engine.ask('frame', Math.min(due, MOST_STEPS), ...this.fitCanvas());
+      picture.catch(() => {});  // one that fails before the next round awaits it is no uncaught error
+      return picture;
     };
     try {
       while (isOn()) {

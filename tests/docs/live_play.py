@@ -26,14 +26,16 @@ live.play();
 return [...after, running];
 """
 
-# The engine refuses everything. Returns whether the figure still plays, and its problem.
+# The engine refuses everything. Returns whether the figure still plays, its problem, and what nobody catches.
 FAILURE = """
 const live = figure.live;
+const uncaught = [];
+addEventListener('unhandledrejection', ({reason}) => uncaught.push(String(reason)));
 live.play();
 """ + PAUSE + """
 live.engine.ask = () => Promise.reject(new Error('Failed by the test'));
 """ + PAUSE + """
-const found = [live.isPlaying, live.problem.textContent];
+const found = [live.isPlaying, live.problem.textContent, uncaught.join()];
 delete live.engine.ask;
 return found;
 """
@@ -69,9 +71,9 @@ def check_play(browser, figure):
     """A double click on "stop" leaves one loop. A failure of the code ends it, and the button shows that."""
     if (loops := run(browser, LOOPS, figure)) != [1, True, 0]:
         yield f"after a double click on 'stop': loops, 'plays' and loops after 'stop' are {loops}"
-    playing, problem = run(browser, FAILURE, figure)
-    if playing or problem != "Failed by the test":
-        yield f"code that fails leaves a figure that {'plays' if playing else 'stops'} with '{problem}'"
+    playing, problem, uncaught = run(browser, FAILURE, figure)
+    if playing or problem != "Failed by the test" or uncaught:
+        yield f"code that fails leaves a figure that {'plays' if playing else 'stops'} with '{problem}', and '{uncaught}'"
     crash = run(browser, CRASH, figure)
     if crash != ["the code crashed: by the test", True]:
         yield f"a crash leaves the message and a stopped engine: {crash}"
