@@ -14,6 +14,7 @@
 #include "cs550/static_vector.hpp"
 #include "cs550/world.hpp"
 #include "engine/constraint_mirror.hpp"
+#include "engine/passes.hpp"
 #include "engine/threads/thread_team.hpp"
 #include "engine/threads/thread_trial.hpp"
 
@@ -167,6 +168,7 @@ struct BodyParts {
   int age = 0;  ///< steps since the bodies were divided, if there are several parts
 
   bool renumbered = false;                    ///< whether the bodies are numbered part by part now
+  bool any_kinematic = false;                 ///< whether one of the numbered bodies is
   std::vector<Index> numbers;                 ///< of each body; empty once they are divided again
   std::vector<Index> bodies_by_number;        ///< of each number
   std::array<Index, most_parts + 1> first{};  ///< number of each part, and the number of bodies
@@ -262,6 +264,25 @@ struct SolveOrder {
   std::vector<LinkState> states;
   std::vector<Index> next_of_body;        ///< the next link of each body
   std::vector<unsigned> colours_of_body;  ///< a bit for each colour of its links between parts
+};
+
+/// What a substep does to a part of the world, or to a unit of contacts.
+enum class PartWork : std::uint8_t {
+  ApplyForces,  ///< those of the substep, to momenta
+  RefreshMasses,
+  BiasedPasses,
+  ResistRolling,
+  Move,
+  RefreshThinMasses,
+  RelaxPasses,
+  KeepMomenta,  ///< those that the relax passes gave
+};
+
+/// Work for all units of a phase, see run_substeps_by_part().
+struct PartTask {
+  PartWork work = PartWork::ApplyForces;
+  std::size_t phase = 0;  ///< of the solve order; its units of phase 0 are the parts
+  Passes passes;
 };
 
 /// What a body's mass and inertia say about its shape.
@@ -362,6 +383,7 @@ struct WorldState {
   std::vector<BodySize> sizes;             ///< of each body
   BodyParts parts;
   SolveOrder solve_order;
+  std::vector<PartTask> tasks;  ///< of a substep
   ColdStart cold_start;
   OverlapRecovery recovery;
   Impacts impacts;

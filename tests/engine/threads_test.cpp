@@ -110,6 +110,33 @@ TEST(Threads, LeaveTheSameStateInAPileThatFallsAsleep) {
   expect_equal_hashes(world, step_length, 60);
 }
 
+/// Five by five towers of six boxes on a floor that may turn. On top of each lies a needle that will tip.
+World towers(BodyKind kind_of_floor) {
+  World world;
+  BodyDef floor = floor_body();
+  floor.kind = kind_of_floor;
+  if (kind_of_floor == BodyKind::Kinematic) floor.angular_velocity = {0, 0, Real(0.3)};
+  world.add_body(floor);
+  const ShapePtr box = box_shape(Vec3::Constant(Real(0.25)));
+  const ShapePtr needle = box_shape({Real(0.4), Real(0.01), Real(0.01)});
+  for (int i = 0; i < 25; ++i) {
+    const Vec3 foot = {static_cast<Real>(i % 5), static_cast<Real>(i / 5), 0};
+    for (int story = 0; story < 6; ++story) {
+      world.add_body(body_at(box, foot + Vec3{0, 0, Real(0.5) * Real(story) + Real(0.25)}));
+    }
+    world.add_body(body_at(needle, foot + Vec3{Real(0.3), Real(0.1), Real(3.01)}));
+  }
+  return world;
+}
+
+TEST(Threads, LeaveTheSameStateInTowersThatStandApart) {
+  expect_equal_hashes(towers(BodyKind::Static), step_length, 40);
+}
+
+TEST(Threads, LeaveTheSameStateInTowersOnAFloorThatTurns) {
+  expect_equal_hashes(towers(BodyKind::Kinematic), step_length, 40);
+}
+
 TEST(Threads, MayChangeBetweenSteps) {
   World alternating = falling_hulls(20, 8);
   alternating.settings().adaptive_threads = false;

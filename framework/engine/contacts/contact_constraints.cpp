@@ -50,7 +50,7 @@ TurnSize turn_size_in_substep(const RigidBody& body, Real squared_slenderness, R
   return squared_turn * squared_slenderness > Real(0.25) ? TurnSize::PastThinness : TurnSize::Small;
 }
 
-bool any_turned(const std::vector<TurnSize>& turns) {
+bool any_turned(std::span<const TurnSize> turns) {
   return std::any_of(turns.begin(), turns.end(),
                      [](TurnSize turn) { return turn != TurnSize::Small; });
 }
@@ -172,6 +172,48 @@ void for_turned_contacts(WorldState& world, const std::vector<TurnSize>& turns,
   if (any) world.mirrors.set_stale_numbers();
 }
 
+/// The turns of the bodies that the contacts of a unit can have. The contacts of a part have immovable ones
+/// besides, which do not turn.
+std::span<const TurnSize> turns_for_unit(const WorldState& world, std::span<const TurnSize> turns,
+                                         std::size_t unit) {
+  const BodyParts& parts = world.parts;
+  if (unit >= static_cast<std::size_t>(parts.count)) return turns;
+  const auto first = static_cast<std::size_t>(parts.first[unit]);
+  return turns.subspan(first, static_cast<std::size_t>(parts.first[unit + 1]) - first);
+}
+
+/// The same for the contacts of one unit.
+template <class Refresh>
+void for_turned_contacts_of_unit(WorldState& world, const std::vector<TurnSize>& turns,
+                                 std::size_t unit, const Refresh& refresh) {
+  if (!any_turned(turns_for_unit(world, turns, unit))) return;
+  const SolveOrder& order = world.solve_order;
+  const SolveUnit& solved = order.units[unit];
+  for (Index i = solved.first_contact; i < solved.end_contact; ++i) {
+    const Index contact = order.contacts[i];
+    const std::span<const Index> places = order.places_of(contact);
+    const TurnSize turn = larger_turn(world, turns, places);
+    if (turn == TurnSize::Small) continue;
+    refresh(contact, places, turn);
+    world.mirrors.of_units[unit].stale_numbers = true;
+  }
+}
+
+/// Gives a contact masses that suit the present poses.
+auto refreshing(WorldState& world, const ContactStep& step) {
+  return [&](Index contact, std::span<const Index> places, TurnSize turn) {
+    const double before = impulse_energy(world, places);
+    if (turn == TurnSize::PastThinness) move_levers(world, world.pairs.contacts[contact], places);
+    prepare_again(world, step, places);
+    limit_impulse_energy(world, step, places, before);
+  };
+}
+
+auto preparing_again(WorldState& world, const ContactStep& step) {
+  return
+      [&](Index, std::span<const Index> places, TurnSize) { prepare_again(world, step, places); };
+}
+
 }  // namespace
 
 Vec3 ContactConstraint::v() const { return n.cross(u); }
@@ -219,6 +261,7 @@ void forget_turns(WorldState& world) {
 
 void measure_turns(WorldState& world, std::size_t first, std::size_t last, Real h) {
   for (std::size_t i = first; i < last; ++i) {
+    if (world.bodies[i].kind == BodyKind::Static) continue;  // other threads may read its turn
     const Real squared_slenderness = world.sizes[i].squared_slenderness;
     world.turns[i] = turn_size(world.solver_bodies[i], squared_slenderness);
     world.turns_in_substep[i] = turn_size_in_substep(world.bodies[i], squared_slenderness, h);
@@ -226,21 +269,19 @@ void measure_turns(WorldState& world, std::size_t first, std::size_t last, Real 
 }
 
 void refresh_masses(WorldState& world, const ContactStep& step) {
-  for_turned_contacts(world, world.turns,
-                      [&](Index contact, std::span<const Index> places, TurnSize turn) {
-                        const double before = impulse_energy(world, places);
-                        if (turn == TurnSize::PastThinness) {
-                          move_levers(world, world.pairs.contacts[contact], places);
-                        }
-                        prepare_again(world, step, places);
-                        limit_impulse_energy(world, step, places, before);
-                      });
+  for_turned_contacts(world, world.turns, refreshing(world, step));
+}
+
+void refresh_masses(WorldState& world, const ContactStep& step, std::size_t unit) {
+  for_turned_contacts_of_unit(world, world.turns, unit, refreshing(world, step));
 }
 
 void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step) {
-  for_turned_contacts(
-      world, world.turns_in_substep,
-      [&](Index, std::span<const Index> places, TurnSize) { prepare_again(world, step, places); });
+  for_turned_contacts(world, world.turns_in_substep, preparing_again(world, step));
+}
+
+void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step, std::size_t unit) {
+  for_turned_contacts_of_unit(world, world.turns_in_substep, unit, preparing_again(world, step));
 }
 
 }  // namespace cs550

@@ -29,9 +29,13 @@ void forget_turns(WorldState& world);
 /// A pass lowers the kinetic energy only if the masses belong to the present inertia. With twice
 /// the effective mass that a constraint has, every pass overshoots further than the last.
 void refresh_masses(WorldState& world, const ContactStep& step);
+/// The same for the constraints of a unit of the solve order. @pre bodies are numbered part by part
+void refresh_masses(WorldState& world, const ContactStep& step, std::size_t unit);
 /// Recomputes the masses of constraints whose bodies have turned far for their thinness within this
 /// substep. Call it before the relax passes: the impulses have been applied and stay as they are.
 void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step);
+/// The same for the constraints of a unit of the solve order. @pre bodies are numbered part by part
+void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step, std::size_t unit);
 
 /// The kinetic energy that the impulses of a contact's constraints give to bodies at rest, each
 /// impulse alone (J).

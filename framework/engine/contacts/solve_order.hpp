@@ -29,16 +29,22 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
 /// Lets the mirrors have the groups of the order, so that the points of a contact stay together.
 void keep_groups(const SolveOrder& order, ConstraintMirrors& mirrors, ThreadTeam* team = nullptr);
 
-/// Calls `visit(unit)` with the index of each unit, one phase after the other. Several threads share a phase if
-/// there are any; with as many parts, each begins with its own in every call.
+/// Calls `visit(unit)` with the index of each unit of a phase. Several threads share them if there are any; with as
+/// many parts, each begins with its own in every call.
+template <class Visit>
+void for_units_of_phase(ThreadTeam* team, const SolveOrder& order, std::size_t phase,
+                        const Visit& visit) {
+  const std::size_t begin = order.phases[phase];
+  for_blocks(team, order.phases[phase + 1] - begin, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t unit = begin + first; unit < begin + last; ++unit) visit(unit);
+  });
+}
+
+/// The same for all units, one phase after the other.
 template <class Visit>
 void for_units(ThreadTeam* team, const SolveOrder& order, bool backwards, const Visit& visit) {
   for (std::size_t i = 0; i < phase_count; ++i) {
-    const std::size_t phase = backwards ? phase_count - 1 - i : i;
-    const std::size_t begin = order.phases[phase];
-    for_blocks(team, order.phases[phase + 1] - begin, 1, [&](std::size_t first, std::size_t last) {
-      for (std::size_t unit = begin + first; unit < begin + last; ++unit) visit(unit);
-    });
+    for_units_of_phase(team, order, backwards ? phase_count - 1 - i : i, visit);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "engine/parts/part_numbering.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace cs550 {
@@ -45,11 +46,15 @@ PartNumbering::PartNumbering(WorldState& world) : world_(world) {
   number_bodies(world.bodies, parts);
   parts.other_bodies.resize(world.bodies.size());
   parts.renumbered = true;
+  std::atomic<bool> any_kinematic = false;
   for_body_blocks(world, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      parts.other_bodies[i] = world.bodies[parts.bodies_by_number[i]];
+      const RigidBody& body = world.bodies[parts.bodies_by_number[i]];
+      parts.other_bodies[i] = body;
+      if (body.kind == BodyKind::Kinematic) any_kinematic.store(true, std::memory_order_relaxed);
     }
   });
+  parts.any_kinematic = any_kinematic;
   std::swap(world.bodies, parts.other_bodies);
 }
 

@@ -4,20 +4,16 @@
 #include "engine/body_sweeps.hpp"
 #include "engine/contacts/contact_constraints.hpp"
 #include "engine/contacts/contact_passes.hpp"
-#include "engine/contacts/rolling_resistance.hpp"
 #include "engine/contacts/solve_order.hpp"
 #include "engine/contacts/solver_bodies.hpp"
 #include "engine/world/impact_energy.hpp"
 #include "engine/world/overlap_recovery.hpp"
 #include "engine/world/stages.hpp"
+#include "engine/world/substep_passes.hpp"
 
 namespace cs550 {
 
 namespace {
-
-bool is_soft(const WorldSettings& settings) {
-  return settings.solver == SolverKind::Constraint && settings.contact_model == ContactModel::Soft;
-}
 
 /// v_n⁰, before this substep's gravity and warm start. It stays what it is once the impact is
 /// handled.
@@ -58,22 +54,6 @@ void bounce_without_forces(std::span<ContactConstraint> constraints,
   }
 }
 
-/// `count` passes of a substep, after `done` of them.
-Passes passes_after(const WorldState& world, int done, int count) {
-  Passes passes;
-  passes.count = count;
-  passes.alternate = world.settings.pass_order == PassOrder::BackAndForth;
-  passes.backwards = (passes.alternate ? done : world.step_count) % 2 == 1;
-  return passes;
-}
-
-/// Whether no contact is between parts, as with towers that stand apart.
-bool are_units_independent(const SolveOrder& order) {
-  const std::size_t parts = order.phases[1];
-  return order.units.size() == parts ||
-         order.units[parts].first_contact == order.units.back().end_contact;
-}
-
 /// The passes over the units of the solve order: the same as over all constraints in turn.
 void run_passes_by_unit(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step,
                         const Passes& passes) {
@@ -84,12 +64,11 @@ void run_passes_by_unit(WorldState& world, std::span<SolverBody> bodies, const C
                  some);
     });
   };
-  if (are_units_independent(order)) {
+  if (order.units.size() == 1 || passes.count == 0) {
     run(passes);
     return;
   }
-  if (passes.count == 0) run(passes);
-  if (passes.count > 0 && passes.warm_start) run({.warm_start = true, .store = false});
+  if (passes.warm_start) run({.warm_start = true, .store = false});
   for (int i = 0; i < passes.count; ++i) run(passes.one(i));
 }
 
@@ -106,36 +85,9 @@ void solve(WorldState& world, std::span<SolverBody> bodies, const ContactStep& s
   }
 }
 
-/// Lets every contact resist the rotation of its bodies relative to each other, as
-/// settings.rolling_resistance specifies.
 void resist_rolling(WorldState& world) {
-  const Real lever = world.settings.rolling_resistance * world.settings.length_unit;
-  for_units(world.team, world.solve_order, false, [&](std::size_t unit) {
-    resist_rolling(world.mirrors.of_units[unit], world.solve_order, world.constraints,
-                   world.solver_bodies, lever);
-  });
-}
-
-/// Whether a contact is about to bounce.
-bool any_impact(const WorldState& world, const ContactStep& step) {
-  const auto is_impact = [&](const ContactConstraint& constraint) {
-    return !constraint.impact_handled && constraint.restitution > 0 &&
-           constraint.approach_velocity < -step.restitution_threshold;
-  };
-  return world.any_bounces &&
-         std::any_of(world.constraints.begin(), world.constraints.end(), is_impact);
-}
-
-/// Passes with bias. Where they bounce, a single one gives each corner of a body its own speed on top of
-/// what the other corners gave, which is more energy than there was.
-int passes_with_bias(const WorldState& world, const ContactStep& step) {
-  const WorldSettings& settings = world.settings;
-  const bool passes_bounce = settings.solver == SolverKind::Constraint &&
-                             settings.contact_model == ContactModel::Baumgarte;
-  if (settings.iterations == 0 || !passes_bounce || !any_impact(world, step)) {
-    return settings.iterations;
-  }
-  return std::max(settings.iterations, settings.restitution_iterations);
+  for_units(world.team, world.solve_order, false,
+            [&](std::size_t unit) { resist_rolling(world, unit); });
 }
 
 /// A torque that rolling resistance balances must not turn a body at all, so the resistance acts before
@@ -148,12 +100,10 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
   with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
     refresh_masses(world, step);
     if (settings.solver == SolverKind::Constraint) begin_push(world);
-    const bool warm = settings.warm_starting && settings.solver == SolverKind::Constraint;
-    if (!warm) forget_impulses(world);
-    const bool resists = warm && is_soft(settings) && settings.rolling_resistance > 0;
-    Passes passes = passes_after(world, 0, passes_with_bias(world, step));
-    passes.warm_start = warm && !resists;
-    if (resists) {
+    if (!starts_warm(settings)) forget_impulses(world);
+    Passes passes = biased_passes(world, step);
+    passes.warm_start = starts_warm(settings) && !resists_rolling(settings);
+    if (resists_rolling(settings)) {
       solve(world, bodies, step, {.warm_start = true});
       resist_rolling(world);
     }
@@ -161,27 +111,10 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
   });
 }
 
-/// Restitution drives only contacts that push. A blow must therefore load a whole row of touching bodies
-/// before it, and a pass against the order of the row carries it by one body only.
-Passes relax_passes(const WorldState& world) {
-  const WorldSettings& settings = world.settings;
-  Passes passes = passes_after(world, settings.iterations, settings.relax_iterations);
-  if (!world.impacts.any) {
-    passes.over_relaxation = settings.over_relaxation;
-  } else if (passes.count > 0) {
-    passes.count = std::max(passes.count, 2);
-    passes.alternate = true;
-  }
-  return passes;
-}
-
-/// Removes the velocity that the bias has added. Where nothing bounces, the marks are all that
-/// apply_restitution() would leave.
+/// Removes the velocity that the bias has added.
 void relax(WorldState& world, std::span<SolverBody> bodies, ContactStep step) {
   step.use_bias = false;
-  Passes passes = relax_passes(world);
-  passes.mark_impacts = !world.any_bounces;
-  solve(world, bodies, step, passes);
+  solve(world, bodies, step, relax_passes(world));
 }
 
 /// Impacts bounce here if contacts are soft. The other models bounce in their passes.

@@ -4,6 +4,10 @@ namespace cs550 {
 
 void run_substeps(WorldState& world, const ContactStep& step, int count) {
   run_stage(world, Stage::Prepare, prepare, step);
+  if (substeps_go_by_part(world)) {
+    run_stage(world, Stage::Solve, run_substeps_by_part, step, count);
+    return;
+  }
   for (int i = 0; i < count; ++i) substep(world, step);
 }
 
