@@ -20,10 +20,11 @@ namespace {
 
 /// Whether a phase of the solve order has any contacts.
 bool has_contacts(const SolveOrder& order, std::size_t phase) {
-  const std::span<const SolveUnit> units = order.units;
-  return std::ranges::any_of(
-      units.subspan(order.phases[phase], order.phases[phase + 1] - order.phases[phase]),
-      [](const SolveUnit& unit) { return unit.first_contact != unit.end_contact; });
+  const std::span units =
+      std::span(order.units)
+          .subspan(order.phases[phase], order.phases[phase + 1] - order.phases[phase]);
+  return std::any_of(units.begin(), units.end(),
+                     [](const SolveUnit& unit) { return unit.first_contact != unit.end_contact; });
 }
 
 /// Lists what a substep does: substep() in the same order, of which this has all that such a step needs.
