@@ -172,8 +172,7 @@ void for_turned_contacts(WorldState& world, const std::vector<TurnSize>& turns,
   if (any) world.mirrors.set_stale_numbers();
 }
 
-/// The turns of the bodies that the contacts of a unit can have. The contacts of a part have immovable ones
-/// besides, which do not turn.
+/// The turns of the bodies in the contacts of a unit, without immovable bodies, which do not turn.
 std::span<const TurnSize> turns_for_unit(const WorldState& world, std::span<const TurnSize> turns,
                                          std::size_t unit) {
   const BodyParts& parts = world.parts;

@@ -1,11 +1,12 @@
 /// @file part_substeps.cpp
 /// The substeps of a step in which several threads solve the parts of the world.
 ///
-/// A loop that threads share costs about a microsecond, until all have begun and all have ended, and a
-/// substep has more than ten. Most of what it does concerns one part alone: a thread goes on with its part
-/// until contacts between parts come. Where there are none, it runs all substeps in one go.
+/// After each loop that threads share, all wait for the slowest. Most of what a substep does concerns one
+/// part alone, so a thread continues with its part until contacts between parts have to be solved. Where
+/// there are none, it runs all substeps of its part in one loop.
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "engine/body_sweeps.hpp"
@@ -27,7 +28,7 @@ bool has_contacts(const SolveOrder& order, std::size_t phase) {
                      [](const SolveUnit& unit) { return unit.first_contact != unit.end_contact; });
 }
 
-/// Lists what a substep does: substep() in the same order, of which this has all that such a step needs.
+/// Builds the list of the tasks of a substep.
 class TaskList {
  public:
   explicit TaskList(WorldState& world) : order_(world.solve_order), tasks_(world.tasks) {
@@ -53,6 +54,8 @@ class TaskList {
   std::vector<PartTask>& tasks_;
 };
 
+/// The order is that of substep(). Bounces, checks and recovery from overlap are missing: a step that needs
+/// them does not go by part.
 void list_tasks(WorldState& world, const ContactStep& step) {
   TaskList tasks(world);
   tasks.for_parts(PartWork::ApplyForces);
@@ -74,19 +77,11 @@ class PartSubsteps {
     relaxing_.use_bias = false;
   }
 
-  /// One thread is enough to time the stages by.
   void run(const PartTask& task, std::size_t unit) {
+    // Integration is timed on the thread of the first part alone: several threads must not add to one sum.
+    std::optional<StageTimer> timer;
     const bool integrates = task.work == PartWork::ApplyForces || task.work == PartWork::Move;
-    if (unit == 0 && integrates) {
-      const StageTimer timer(world_.stats, Stage::Integrate);
-      run_untimed(task, unit);
-    } else {
-      run_untimed(task, unit);
-    }
-  }
-
- private:
-  void run_untimed(const PartTask& task, std::size_t unit) {
+    if (unit == 0 && integrates) timer.emplace(world_.stats, Stage::Integrate);
     switch (task.work) {
       case PartWork::ApplyForces:
         integrate_momenta(bodies(unit), biased_.h);
@@ -143,7 +138,7 @@ class PartSubsteps {
 
 }  // namespace
 
-/// Kinematic bodies may touch several parts, and move.
+/// A kinematic body moves and may touch bodies of several parts, whose threads would read it meanwhile.
 bool substeps_go_by_part(const WorldState& world) {
   return world.parts.renumbered && !world.parts.any_kinematic && !world.unwritten.any() &&
          is_soft(world.settings) && world.settings.warm_starting;
@@ -167,7 +162,7 @@ void run_substeps_by_part(WorldState& world, const ContactStep& step, int count)
       for (std::size_t i = first; i < last; ++i) substeps.run(tasks[i % tasks.size()], unit);
     });
   }
-  // Whoever runs this counts all of its time as that of Stage::Solve.
+  // run_stage() adds the time of this whole function to Stage::Solve.
   seconds(Stage::Solve) -= seconds(Stage::Integrate) - integrated_before;
 }
 

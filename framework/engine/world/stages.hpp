@@ -54,7 +54,8 @@ void prepare(WorldState& world, const ContactStep& step);
 void substep(WorldState& world, const ContactStep& step);
 /// Whether run_substeps_by_part() does the same as the substeps in turn. @pre prepare()
 bool substeps_go_by_part(const WorldState& world);
-/// All substeps, in as few loops as possible. Run it as Stage::Solve: what it integrates is timed apart.
+/// Runs all substeps in as few loops as possible. Call it by run_stage() with Stage::Solve; it subtracts the time
+/// that belongs to Stage::Integrate. @pre substeps_go_by_part()
 void run_substeps_by_part(WorldState& world, const ContactStep& step, int count);
 /// Prepares the constraints and runs all substeps of a step. The grader's judge of lab 7 links another
 /// definition, which lets another process run this one: a round trip for each contact would take
