@@ -97,5 +97,14 @@ TEST(PartNumbering, HasRoomForBodiesThatAreAdded) {
             static_cast<Real>(body_count));
 }
 
+TEST(PartNumbering, FollowsABodyThatComesFree) {
+  Row row;
+  { const PartNumbering numbering(row.world); }
+  ASSERT_EQ(row.world.parts.of_body[7], 0) << "its number is one of the last part";
+  row.world.bodies[7].kind = BodyKind::Dynamic;
+  const PartNumbering numbering(row.world);
+  row.expect_part_by_part();
+}
+
 }  // namespace
 }  // namespace cs550::test

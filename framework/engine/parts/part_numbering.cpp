@@ -17,10 +17,22 @@ bool pays(const WorldState& world) {
 
 bool may_move(const RigidBody& body) { return body.kind != BodyKind::Static && !body.asleep; }
 
-/// Those that stay where they are come last, with the bodies of the last part. The numbers are kept until the bodies
-/// are divided again. A body that has fallen asleep or woken up since then keeps its number, too.
+/// Whether the last numbers have each body that may move inside its part, whose thread then has it for itself. Bodies
+/// are added, redefined and woken between the steps that divide them.
+bool still_fit(std::span<const RigidBody> bodies, const BodyParts& parts) {
+  if (parts.numbers.size() != bodies.size()) return false;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Index part = parts.of_body[i];
+    const bool inside =
+        parts.first[part] <= parts.numbers[i] && parts.numbers[i] < parts.first[part + 1];
+    if (may_move(bodies[i]) && !inside) return false;
+  }
+  return true;
+}
+
+/// Those that stay where they are come last, with the bodies of the last part.
 void number_bodies(std::span<const RigidBody> bodies, BodyParts& parts) {
-  if (parts.numbers.size() == bodies.size()) return;
+  if (still_fit(bodies, parts)) return;
   const auto group_of = [&](std::size_t body) {
     return may_move(bodies[body]) ? parts.of_body[body] : parts.count;
   };
