@@ -255,7 +255,18 @@ TEST(Sleeping, APushedBodyStaysAwake) {
   EXPECT_TRUE(towers.is_asleep(towers.right));
 }
 
-/// A cube on a floor that would sleep if it were not pushed down.
+/// Runs until the next step would put the first bodies to sleep.
+void run_until_drowsy(World& world) {
+  World next = world;
+  for (int i = 0; i < 240; ++i) {
+    next.step(step_length);
+    if (sleepers(next) > 0) return;
+    world = next;
+  }
+  FAIL() << "nothing falls asleep";
+}
+
+/// A cube on a floor that is at rest, but still awake.
 struct AwakeCube {
   World world{sleeping_settings()};
   BodyId cube;
@@ -263,11 +274,7 @@ struct AwakeCube {
   AwakeCube() {
     world.add_body(floor_body());
     cube = world.add_body(body_at(box_shape(Vec3::Constant(Real(0.5))), {0, 0, Real(0.5)}));
-    for (int i = 0; i < 120; ++i) {
-      add_force(world.body(cube), {0, 0, -10}, {0, 0, Real(0.5)});
-      world.step(step_length);
-    }
-    EXPECT_EQ(sleepers(world), 0);
+    run_until_drowsy(world);
   }
 
   RigidBody& body() { return world.body(cube); }
@@ -294,6 +301,48 @@ TEST(Sleeping, ABodyThatIsAboutToSleepFollowsNewSettings) {
   cube.world.settings().gravity.z() *= -1;
   run(cube.world, 30);
   EXPECT_GT(cube.body().linear_velocity.z(), Real(4));
+}
+
+TEST(Sleeping, ABodyThatWasHeldInTheAirFallsWhenItIsLetGo) {
+  World world(sleeping_settings());
+  const BodyId held = world.add_body(body_at(box_shape(Vec3::Constant(Real(0.5))), {0, 0, 5}));
+  for (int i = 0; i < 60; ++i) {
+    world.body(held).force = -world.body(held).mass * world.settings().gravity;
+    world.step(step_length);
+  }
+  run(world, 60);
+  EXPECT_LT(world.body(held).pose.position.z(), Real(0.2)) << "a second of free fall";
+}
+
+/// A drowsy cube on a floor, and a wall 1 mm beside it: near enough for contact points, but no support.
+struct CubeBesideAWall {
+  World world{sleeping_settings()};
+  BodyId floor, cube;
+
+  CubeBesideAWall() {
+    const ShapePtr box = box_shape(Vec3::Constant(Real(0.5)));
+    floor = world.add_body(floor_body());
+    world.add_body(body_at(box, {Real(1.001), 0, Real(0.5)}, BodyKind::Static));
+    cube = world.add_body(body_at(box, {0, 0, Real(0.5)}));
+    run_until_drowsy(world);
+  }
+
+  void expect_fall() {
+    run(world, 60);
+    EXPECT_LT(world.body(cube).pose.position.z(), Real(-3));
+  }
+};
+
+TEST(Sleeping, ABodyThatIsAboutToSleepFallsIfItsFloorIsRemoved) {
+  CubeBesideAWall cube;
+  cube.world.remove_body(cube.floor);
+  cube.expect_fall();
+}
+
+TEST(Sleeping, ABodyThatIsAboutToSleepFallsIfItsFloorIsMoved) {
+  CubeBesideAWall cube;
+  cube.world.body(cube.floor).pose.position.z() -= 20;
+  cube.expect_fall();
 }
 
 TEST(Sleeping, SwitchedOnItLetsNothingSleepAtOnce) {

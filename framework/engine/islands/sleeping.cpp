@@ -17,12 +17,13 @@ bool touches(const PairSummary& pair) { return pair.points > 0; }
 
 bool was_put_to_sleep(const BodyRest& rest) { return rest.island != no_index; }
 
+bool is_pushed(const RigidBody& body) { return !body.force.isZero(0) || !body.torque.isZero(0); }
+
 /// Whether the owner of the world has changed a sleeping body.
 bool is_disturbed(const RigidBody& body, const BodyRest& rest) {
-  const bool still = body.asleep && body.linear_momentum.isZero(0) &&
-                     body.angular_momentum.isZero(0) && body.force.isZero(0) &&
-                     body.torque.isZero(0);
-  return !still || !is_same(body.pose, rest.start);
+  const bool still =
+      body.asleep && body.linear_momentum.isZero(0) && body.angular_momentum.isZero(0);
+  return !still || is_pushed(body) || !is_same(body.pose, rest.start);
 }
 
 /// Whether the owner of the world has changed a body that is awake since the last step.
@@ -33,8 +34,9 @@ bool is_changed(const RigidBody& body, const LeftBody& left) {
 
 /// Whether an immovable body moves, or was moved since the last step.
 bool moves(const RigidBody& body, const BodyRest& rest) {
-  return !is_same(body.pose, rest.start) || !body.linear_velocity.isZero(0) ||
-         !body.angular_velocity.isZero(0);
+  const bool has_velocity = body.kind == BodyKind::Kinematic &&
+                            !(body.linear_velocity.isZero(0) && body.angular_velocity.isZero(0));
+  return has_velocity || !is_same(body.pose, rest.start);
 }
 
 /// Sleeping, or immovable and still.
@@ -90,8 +92,8 @@ void wake_all(WorldState& world) {
   }
 }
 
-/// Marks the islands of bodies that were changed, and finds the immovable bodies that move. A body that was
-/// changed while it was awake is at rest no more.
+/// Marks the islands of bodies that were changed, and finds the immovable bodies that move. A body that is
+/// pushed or was changed while it was awake is at rest no more.
 /// @returns whether there are any of either
 bool find_disturbances(WorldState& world) {
   bool any = false;
@@ -108,21 +110,32 @@ bool find_disturbances(WorldState& world) {
       if (!is_disturbed(body, rest)) continue;
       mark(world, static_cast<Index>(i));
       any = true;
-    } else if (rest.settled && is_changed(body, world.sleeping.left[i])) {
+    } else if (is_pushed(body) || (rest.settled && is_changed(body, world.sleeping.left[i]))) {
       restart_window(body, rest);
     }
   }
   return any;
 }
 
-/// Marks the islands that immovable bodies in motion carry.
+/// A body that is awake is at rest no more.
+void restart(WorldState& world, Index body) {
+  const RigidBody& awake = world.bodies[body];
+  if (awake.kind != BodyKind::Dynamic || awake.asleep) return;
+  restart_window(awake, world.sleeping.bodies[body]);
+}
+
+/// Marks the islands that immovable bodies in motion carry. What they carry and is awake is at rest no more.
 void mark_carried(WorldState& world) {
+  const auto carries = [&](Index body) {
+    return world.bodies[body].kind != BodyKind::Dynamic && !is_at_rest(world, body);
+  };
   for (const PairSummary& pair : world.sleeping.pairs.summaries) {
+    if (touches(pair) && (carries(pair.body_a) || carries(pair.body_b))) mark_both(world, pair);
+  }
+  for (const PairSummary& pair : world.pairs.summaries) {
     if (!touches(pair)) continue;
-    for (const Index body : {pair.body_a, pair.body_b}) {
-      const bool immovable = world.bodies[body].kind != BodyKind::Dynamic;
-      if (immovable && !is_at_rest(world, body)) mark_both(world, pair);
-    }
+    if (carries(pair.body_a)) restart(world, pair.body_b);
+    if (carries(pair.body_b)) restart(world, pair.body_a);
   }
 }
 
@@ -203,6 +216,11 @@ void wake_around(WorldState& world, Index body) {
   for (const PairSummary& pair : world.sleeping.pairs.summaries) {
     const bool is_its = pair.body_a == body || pair.body_b == body;
     if (is_its && touches(pair)) mark_both(world, pair);
+  }
+  for (const PairSummary& pair : world.pairs.summaries) {
+    if (!touches(pair)) continue;
+    if (pair.body_a == body) restart(world, pair.body_b);
+    if (pair.body_b == body) restart(world, pair.body_a);
   }
   world.sleeping.bodies[body].settled = false;  // so that its pairs return to the world
   wake_marked(world);
