@@ -10,11 +10,11 @@ namespace cs550 {
 
 /// The last features at the current poses.
 struct RetestedFeatures {
-  SeparatingAxis axis;  ///< of its queries only those of the last features are not empty
+  SeparatingAxis axis;  ///< queries of other features are empty
   Manifold manifold;    ///< without impulses
 };
 
-/// Queries the better face of the pair's last axis again, and its edges if they gave that axis.
+/// Queries the features of the pair's last axis again, and with edges all faces.
 /// @param margin of this step, see contact_margin() (m)
 /// @param now receives the result; pass an empty one
 /// @returns whether the result is valid. It is not if the pair had no contact points, if the features separate the
