@@ -36,7 +36,22 @@ void expect_refused(const std::vector<Vec3>& points, const std::string& words) {
 
 /// One face is a sliver. Without it three points are left, on which qhull ends the process.
 TEST(ConvexHull, OfATetrahedronThatIsASliverIsRefused) {
-  expect_refused({{0, 0, 0}, {1, 0, 0}, {0.5F, 5e-5F, 0}, {0.5F, 0, 1}}, "lie in one plane");
+  expect_refused({{0, 0, 0}, {1, 0, 0}, {0.5F, 5e-5F, 0}, {0.5F, 0, 1}}, "too narrow");
+}
+
+/// The sides of a plate of this thickness are slivers: a hull without them lacks corners.
+TEST(ConvexHull, OfPlatesAndRodsHasAllCornersOrIsRefused) {
+  for (const Real half : {Real(1e-2), Real(1e-3), Real(2e-4), Real(1e-4)}) {
+    for (const Vec3& half_extents : {Vec3(0.5F, 0.5F, half), Vec3(0.5F, half, half)}) {
+      const std::vector<Vec3> corners = box_soup(half_extents).vertices;
+      EXPECT_EQ(convex_hull(corners).soup.vertices, corners) << half;
+    }
+  }
+  for (const Real half : {Real(2.5e-5), Real(1e-5)}) {
+    expect_refused(box_soup({0.5F, 0.5F, half}).vertices, "too narrow");
+    expect_refused(box_soup({0.5F, half, half}).vertices, "too narrow");
+  }
+  expect_refused(box_soup({0.5F, 0.5F, 4e-6F}).vertices, "lie in one plane");
 }
 
 TEST(ConvexHull, OfACubeDropsWhatIsInsideAndKeepsTheOrder) {

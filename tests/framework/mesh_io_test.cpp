@@ -57,6 +57,14 @@ TEST_F(ObjFile, ThatNamesMissingVerticesIsRefused) {
   expect_named(load_obj(path).error, "found \"-4\"");
 }
 
+/// The parser would skip the first quad when the second group begins.
+TEST_F(ObjFile, WithFacesBeforeTheirVerticesLosesNone) {
+  write(
+      "g top\nf 1 2 3 4\ng rest\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\n"
+      "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  expect_named(load_obj(path).error, "a face comes before its vertices");
+}
+
 TEST_F(ObjFile, WithNumbersThatWouldBeMisreadIsRefused) {
   for (const std::string word : {"nan", "inf", "1,5", "1e99", "0e3192", "0x1p3", "two"}) {
     write("v 0 0 0\nv 1 0 " + word + "\nv 0 1 0\nf 1 2 3\n");

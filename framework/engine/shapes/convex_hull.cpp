@@ -69,18 +69,31 @@ Vec3d farthest(std::span<const Vec3> points, const Measure& measure) {
   return std::max_element(points.begin(), points.end(), nearer)->template cast<double>();
 }
 
-/// Whether the points lie in a plane, as far as floats can tell: merging would fold such a hull.
-bool are_coplanar(std::span<const Vec3> points) {
+/// How far points reach (m).
+struct Extents {
+  double length = 0;  ///< from the first point
+  double thickness =
+      0;  ///< across the plane through three of them that are far apart; 0 if all are on a line
+};
+
+Extents extents_of(std::span<const Vec3> points) {
   const Vec3d a = points[0].cast<double>();
   const Vec3d b = farthest(points, [&](const Vec3d& p) { return (p - a).squaredNorm(); });
-  const double allowed = coplanar_tolerance * (b - a).norm();
+  const double length = (b - a).norm();
   const Vec3d along = (b - a).normalized();
   const auto from_line = [&](const Vec3d& p) { return (p - a).cross(along).norm(); };
   const Vec3d c = farthest(points, from_line);
-  if (from_line(c) <= allowed) return true;  // the normal of points in a line would be rounding
+  // The normal of points in a line would be rounding.
+  if (from_line(c) <= coplanar_tolerance * length) return {length, 0};
   const Vec3d normal = along.cross(c - a).normalized();
   const auto from_plane = [&](const Vec3d& p) { return std::abs(normal.dot(p - a)); };
-  return from_plane(farthest(points, from_plane)) <= allowed;
+  return {length, from_plane(farthest(points, from_plane))};
+}
+
+/// Whether the points lie in a plane, as far as floats can tell: merging would fold such a hull.
+bool are_coplanar(std::span<const Vec3> points) {
+  const Extents extents = extents_of(points);
+  return extents.thickness <= coplanar_tolerance * extents.length;
 }
 
 /// One run of qhull: its state is in here and nowhere else, so that threads do not meet.
@@ -170,12 +183,12 @@ Index vertex_of_sliver(const TriangleSoup& soup, const Triangle& triangle) {
   return twice_area < sliver_height * longest * longest ? triangle[tip] : no_index;
 }
 
-/// Takes the vertices that make slivers out of the soup, which is a point cloud from then on. Each
+/// Moves the vertices that make slivers from the soup, which is a point cloud from then on, to `slivers`. Each
 /// lies beside an edge of the hull, so the hull of the rest differs by no more than a sliver's height.
 /// @return whether there were any
-bool drop_slivers(TriangleSoup& soup) {
+bool drop_slivers(TriangleSoup& soup, std::vector<Vec3>& slivers) {
   std::vector<bool> dropped(soup.vertices.size(), false);
-  bool any = false;
+  const std::size_t before = slivers.size();
   for (const Triangle& triangle : soup.triangles) {
     const Index v = vertex_of_sliver(soup, triangle);
     const bool is_alone = std::none_of(triangle.begin(), triangle.end(),
@@ -183,14 +196,44 @@ bool drop_slivers(TriangleSoup& soup) {
     // The next hull tells about triangles that have lost a corner already.
     if (v == no_index || !is_alone) continue;
     dropped[v] = true;
-    any = true;
+    slivers.push_back(soup.vertices[v]);
   }
   std::vector<Vec3> kept;
   for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
     if (!dropped[v]) kept.push_back(soup.vertices[v]);
   }
   soup.vertices = std::move(kept);
-  return any;
+  return slivers.size() > before;
+}
+
+/// How far a point is outside of a hull (m).
+double distance_outside(const Vec3& point, const TriangleSoup& hull) {
+  const auto corner = [&](Index v) -> Vec3d { return hull.vertices[v].cast<double>(); };
+  double distance = 0;
+  for (const Triangle& triangle : hull.triangles) {
+    const Vec3d a = corner(triangle[0]);
+    const Vec3d normal = (corner(triangle[1]) - a).cross(corner(triangle[2]) - a).normalized();
+    distance = std::max(distance, normal.dot(point.cast<double>() - a));
+  }
+  return distance;
+}
+
+/// Whether the slivers were the sides of a thin hull: their corners are missing.
+bool lacks_corners(const TriangleSoup& hull, std::span<const Vec3> slivers, double thickness) {
+  constexpr double allowed = 1e-2;
+  return std::any_of(slivers.begin(), slivers.end(), [&](const Vec3& point) {
+    return distance_outside(point, hull) > allowed * thickness;
+  });
+}
+
+SoupResult too_thin(std::span<const Vec3> points) {
+  const Extents extents = extents_of(points);
+  std::ostringstream text;
+  text << "the points span " << extents.length << " m, but only " << extents.thickness
+       << " m across: the sides of their hull are too narrow for floats. A hull needs at least "
+          "1/5000 "
+          "of its length as its thickness";
+  return {{}, text.str() + advice_if_far(points)};
 }
 
 }  // namespace
@@ -200,13 +243,17 @@ SoupResult convex_hull(std::span<const Vec3> points) {
   if (are_too_far(points)) {
     return {{}, "the points are too far from the origin" + advice_if_far(points)};
   }
+  if (are_coplanar(points)) {
+    return {
+        {},
+        "the points lie in one plane: a hull needs a point outside of it" + advice_if_far(points)};
+  }
   TriangleSoup soup{{points.begin(), points.end()}, {}};
+  std::vector<Vec3> slivers;
   for (;;) {
     // Without its slivers a thin hull may be flat. Fewer than four points would make qhull exit.
     if (soup.vertices.size() < 4 || are_coplanar(soup.vertices)) {
-      return {{},
-              "the points lie in one plane: a hull needs a point outside of it" +
-                  advice_if_far(points)};
+      return too_thin(points);
     }
     const HullRun run(soup.vertices);
     if (run.exit_code() != 0) {
@@ -215,8 +262,10 @@ SoupResult convex_hull(std::span<const Vec3> points) {
                   "): spread them, or remove those that nearly coincide" + advice_if_far(points)};
     }
     soup = without_unused_points(soup.vertices, run.triangles());
-    if (!drop_slivers(soup)) return {std::move(soup), {}};
+    if (!drop_slivers(soup, slivers)) break;
   }
+  if (lacks_corners(soup, slivers, extents_of(points).thickness)) return too_thin(points);
+  return {std::move(soup), {}};
 }
 
 }  // namespace cs550
