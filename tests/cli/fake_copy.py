@@ -7,7 +7,7 @@ them compile nothing. It is called by several names:
   labN_student ...            the graded tests of lab N. All fail if a file of the lab, or of an earlier lab that
                               the test calls, has WRONG in it, with a picture, or if the lab is a starter. With
                               CRASH the program crashes. They are blocked if the earlier lab has NO_CODE in it.
-  labN_student --challenge    a count of 42
+  labN_student --challenge    a count of 42, and a line before it if the lab has PRINTS in it
   milestones_... --lab N      the student's engine: fails if a file of labs 1 to N has WRONG in it, crashes for CRASH,
                               makes no step for ENDLESS, and a step in 0.2 s for 4 s for SLOW.
   gdb ...                     prints GDB and the name of the program that it is to run.
@@ -106,6 +106,8 @@ def main():
             time.sleep(0.2)
         return int(any(has("WRONG", lab) for lab in labs))
     if arguments[0] == "--challenge":
+        if has("PRINTS", called_as[3]):
+            print("climb")
         print(json.dumps([{"what": "things counted", "better": "fewer", "count": 42}]))
         return 0
     names = re.findall(r"Lab\d\.(\w+)", arguments[0])

@@ -86,6 +86,18 @@ TEST_F(GradedRun, StopsAProgramThatComesToNoEnd) {
   }
 }
 
+TEST_F(GradedRun, StopsAProgramThatPrintsWithoutEnd) {
+  const fs::path program = root / "endless";
+  std::ofstream(program) << "#!/bin/sh\nwhile :; do echo here; done\n";
+  fs::permissions(program, fs::perms::owner_all);
+  const std::vector<Verdict> verdicts = run_graded_tests(program, 5, {{"Passes", "L5.1", 6, false}},
+                                                         patience, {}, {.output = 1 << 20});
+  ASSERT_EQ(verdicts.size(), 1U);
+  EXPECT_EQ(verdicts[0].kind, Kind::Failed);
+  EXPECT_NE(verdicts[0].message.find("prints without end"), std::string::npos)
+      << verdicts[0].message;
+}
+
 TEST_F(GradedRun, RemovesWhatAnInterruptedRunLeft) {
   const fs::path folder = root / "build/results";
   fs::create_directories(folder);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -13,8 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using cs550::cli::Ending;
 using cs550::cli::output_of;
 using cs550::cli::run;
+using cs550::cli::students_limits;
+using cs550::cli::Surroundings;
 
 TEST(Process, AProgramMayExitWithTheCodeOfOneThatCannotBeStarted) {
   EXPECT_EQ(run({"/bin/sh", "-c", "exit 127"}).exit_code, 127);
@@ -29,6 +33,32 @@ TEST(Process, NoFileOfAnotherUserIsInTheWayOfAnOutput) {
   EXPECT_NO_THROW(EXPECT_EQ(output_of({"/bin/sh", "-c", "echo one; echo two >&2"}), "one\ntwo\n"));
   fs::remove(file);
   EXPECT_THROW(output_of({"/bin/sh", "-c", "exit 1"}), std::runtime_error);
+}
+
+TEST(Process, AProgramThatPrintsWithoutEndIsStopped) {
+  const fs::path file = fs::path(testing::TempDir()) / "endless_print.txt";
+  constexpr std::uint64_t most = 1 << 20;
+  Surroundings surroundings;
+  surroundings.output = file;
+  surroundings.limits.output = most;
+  const Ending ending = run({"/bin/sh", "-c", "while :; do echo here; done"}, surroundings);
+  EXPECT_EQ(ending.in_words(), "stopped: it printed too much (a loop that prints without end?)");
+  EXPECT_LE(fs::file_size(file), most);
+  fs::remove(file);
+}
+
+TEST(Process, AProgramThatAllocatesWithoutEndFails) {
+  Surroundings surroundings;
+  surroundings.output = "/dev/null";
+  surroundings.limits.memory = std::uint64_t{1} << 28;
+  const std::string double_a_text = "text=x; while :; do text=$text$text; done";
+  EXPECT_FALSE(run({"/bin/sh", "-c", double_a_text}, surroundings).good());
+}
+
+TEST(Process, LimitsHoldForStudentsCodeButNotForTheSanitizersMemory) {
+  EXPECT_GT(students_limits(false).memory, 0U);
+  EXPECT_EQ(students_limits(true).memory, 0U);
+  EXPECT_GT(students_limits(true).output, 0U);
 }
 
 }  // namespace

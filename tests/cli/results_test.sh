@@ -115,6 +115,9 @@ remembers 3 '"count": 42'
 echo "// mended again" >"$lab3"
 runs 0 lab 3
 remembers 3 '"challenge": []'
+echo "// PRINTS" >"$lab3"
+runs 1 lab 3 --challenge
+prints "your code prints while it is counted; remove its output:"
 
 echo "A build that takes long shows its progress, and its warnings are printed once:"
 echo "// LONG_CODE" >"$lab3"

@@ -11,6 +11,7 @@
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
+#include "cs550/excerpt.hpp"
 
 namespace cs550::cli {
 
@@ -50,14 +51,20 @@ std::vector<ChallengeCount> students_counts(int lab) {
   const Clock::time_point start = Clock::now();
   const Ending ending =
       run({built_program("student", graded_target(lab, Grading::Plain)), "--challenge"},
-          {project_root(), output, [&] { return Clock::now() > start + patience; }});
+          {project_root(), output, [&] { return Clock::now() > start + patience; },
+           students_limits(false)});
   const std::string printed = read_text(output);
   fs::remove(output);
   if (!ending.good()) {
     throw std::runtime_error("the challenge was not finished: " + ending.in_words() + '\n' +
                              printed);
   }
-  return to_counts(Json::parse(printed));
+  const Json counts = Json::parse(printed, nullptr, false);
+  if (counts.is_discarded()) {
+    throw std::runtime_error("your code prints while it is counted; remove its output:\n" +
+                             excerpt(printed));
+  }
+  return to_counts(counts);
 }
 
 void print_counts(const std::vector<ChallengeCount>& yours,

@@ -77,7 +77,7 @@ EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
     without_a_step = steps.is_stuck();
     return without_a_step || passed > patience(sanitized);
   };
-  const Ending ending = run(command, {{}, output, is_stuck});
+  const Ending ending = run(command, {{}, output, is_stuck, students_limits(sanitized)});
   status.clear();
   const std::string printed = read_text(output);
   fs::remove(output);

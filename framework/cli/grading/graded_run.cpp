@@ -79,8 +79,9 @@ struct Outputs {
 
 /// What to try when a test has no verdict of its own.
 std::string advice(int lab, const Ending& ending) {
-  return ending.stopped ? fmt::format("try  ./cs550 lab {} --debug  {}\n", lab, how_to_find_a_loop)
-                        : fmt::format("try  ./cs550 lab {} --asan  which prints the line\n", lab);
+  const bool endless = ending.stopped || ending.signal == SIGXFSZ;
+  return endless ? fmt::format("try  ./cs550 lab {} --debug  {}\n", lab, how_to_find_a_loop)
+                 : fmt::format("try  ./cs550 lab {} --asan  which prints the line\n", lab);
 }
 
 /// How the program ended, what to try, and in which case.
@@ -123,14 +124,16 @@ std::vector<std::vector<GradedTest>> deal(const std::vector<GradedTest>& tests, 
 /// @param finished how many tests no longer have a row in the outputs; increased
 std::vector<Verdict> run_share(const fs::path& program, int lab,
                                const std::vector<GradedTest>& tests, std::chrono::seconds patience,
-                               const Outputs& outputs, std::atomic<std::size_t>& finished) {
+                               const Limits& limits, const Outputs& outputs,
+                               std::atomic<std::size_t>& finished) {
   std::vector<Verdict> verdicts;
   std::vector<GradedTest> waiting = tests;
   outputs.remove();
   while (!waiting.empty()) {
     Watch watch(outputs.results, patience);  // written at the start and at the end of each test
-    const Ending ending = run({program, filter(lab, waiting), "--results", outputs.results},
-                              {project_root(), outputs.printed, [&] { return watch.is_stuck(); }});
+    const Ending ending =
+        run({program, filter(lab, waiting), "--results", outputs.results},
+            {project_root(), outputs.printed, [&] { return watch.is_stuck(); }, limits});
 
     const std::map<std::string, Json> rows = read_results(outputs.results);
     std::vector<GradedTest> not_reached;
@@ -202,7 +205,8 @@ void remove_leftovers(const fs::path& folder) {
 
 std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
                                       const std::vector<GradedTest>& tests,
-                                      std::chrono::seconds patience, const Arrived& arrived) {
+                                      std::chrono::seconds patience, const Arrived& arrived,
+                                      const Limits& limits) {
   const fs::path folder = project_root() / "build/results";
   fs::create_directories(folder);
   remove_leftovers(folder);
@@ -215,7 +219,7 @@ std::vector<Verdict> run_graded_tests(const fs::path& program, int lab,
   runs.reserve(shares.size());
   for (const std::vector<GradedTest>& share : shares) {
     outputs.emplace_back((folder / (draft + std::to_string(runs.size()))).string());
-    runs.push_back(std::async(std::launch::async, run_share, program, lab, share, patience,
+    runs.push_back(std::async(std::launch::async, run_share, program, lab, share, patience, limits,
                               outputs.back(), std::ref(finished)));
   }
   const auto progress = [&] {

@@ -153,6 +153,7 @@ std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTes
   const bool sanitized = grading == Grading::Sanitized;
   if (sanitized) ask_sanitizers_for_places();
   const int slowdown = sanitized ? 5 : 1;
+  const Limits limits = students_limits(sanitized);
   const fs::path program = built_program("student", graded_target(lab, grading));
   // A test that fails draws a new one, unless it crashes or is not run.
   for (const GradedTest& test : tests) remove_picture(lab, test);
@@ -161,10 +162,10 @@ std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTes
     if (arrived && !some.empty()) arrived(some);
     verdicts.insert(verdicts.end(), some.begin(), some.end());
   };
-  add(run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5}));
+  add(run_graded_tests(program, lab, only(tests, false), slowdown * seconds{5}, {}, limits));
   const LongTests slow = long_tests(only(tests, true), verdicts, everything);
   add(slow.waiting);
-  run_graded_tests(program, lab, slow.ready, slowdown * seconds{60}, add);
+  run_graded_tests(program, lab, slow.ready, slowdown * seconds{60}, add, limits);
   std::stable_sort(verdicts.begin(), verdicts.end(), [](const Verdict& a, const Verdict& b) {
     return is_earlier_step(a.test.step, b.test.step);
   });

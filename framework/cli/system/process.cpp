@@ -1,6 +1,7 @@
 #include "cli/system/process.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,8 +29,22 @@ std::vector<char*> as_arguments(const std::vector<std::string>& command) {
   return arguments;
 }
 
+void limit(decltype(RLIMIT_AS) resource, std::uint64_t most) {
+  const rlimit limit{most, most};
+  setrlimit(resource, &limit);
+}
+
+void apply(const Limits& limits) {
+  if (limits.memory > 0) limit(RLIMIT_AS, limits.memory);
+  if (limits.output > 0) limit(RLIMIT_FSIZE, limits.output);
+  if (limits.memory > 0 || limits.output > 0) limit(RLIMIT_CORE, 0);
+}
+
 /// In the child: only calls that are safe after fork().
-[[noreturn]] void start(char* const* arguments, const char* folder, const char* output) {
+[[noreturn]] void start(char* const* arguments, const Surroundings& surroundings) {
+  const char* folder = surroundings.folder.c_str();
+  const char* output = surroundings.output.c_str();
+  apply(surroundings.limits);
   if (*folder != '\0' && chdir(folder) != 0) _exit(cannot_start);
   if (*output != '\0') {
     const int file = open(output, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
@@ -70,17 +85,23 @@ bool is_startable(const std::string& program) {
 
 std::string Ending::in_words() const {
   if (stopped) return "stopped: it did not end in time (an endless loop?)";
+  if (signal == SIGXFSZ) return "stopped: it printed too much (a loop that prints without end?)";
   if (signal != 0) return std::string("crashed: ") + strsignal(signal);
   return "the program exited during the test, with exit code " + std::to_string(exit_code);
+}
+
+// Sanitizers reserve terabytes of address space, which they do not use.
+Limits students_limits(bool sanitized) {
+  constexpr std::uint64_t memory = std::uint64_t{4} << 30;
+  constexpr std::uint64_t output = std::uint64_t{64} << 20;
+  return {sanitized ? 0 : memory, output};
 }
 
 Ending run(const std::vector<std::string>& command, const Surroundings& surroundings) {
   const std::vector<char*> arguments = as_arguments(command);
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child == 0) {
-    start(arguments.data(), surroundings.folder.c_str(), surroundings.output.c_str());
-  }
+  if (child == 0) start(arguments.data(), surroundings);
 
   Ending ending;
   int status = 0;

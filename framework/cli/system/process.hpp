@@ -3,6 +3,7 @@
 /// Running other programs.
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -21,12 +22,22 @@ struct Ending {
   std::string in_words() const;
 };
 
+/// What a program may use. It leaves no core file then.
+struct Limits {
+  std::uint64_t memory = 0;  ///< its address space (bytes), or 0 for any
+  std::uint64_t output = 0;  ///< what it writes to one file (bytes), or 0 for any
+};
+
+/// Of a program with students' code, which may allocate or print without end.
+Limits students_limits(bool sanitized);
+
 /// Where a program runs, and until when.
 struct Surroundings {
   std::filesystem::path folder;  ///< its working directory; empty: ours
   std::filesystem::path output;  ///< file for its standard output and error; empty: ours
   /// Called every few milliseconds: whether the program is stuck and must be killed.
   std::function<bool()> is_stuck = [] { return false; };
+  Limits limits = {};
 };
 
 /// Runs a program to its end. The first word is the program, found along PATH.
