@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "engine/scene_text.hpp"
@@ -223,6 +225,14 @@ TEST(Scene, FindsScenesByNameAndPath) {
   for (const std::string& name : shipped_scenes()) {
     EXPECT_NE(none.error.find(name), std::string::npos) << none.error;
   }
+}
+
+TEST(Scene, APathNamesThatFileAndNoOtherBesideIt) {
+  const TemporaryScene scene(with_body("{" + std::string(shape_member) + "}"));
+  const std::filesystem::path beside = scene.file().string() + ".json";
+  std::ofstream(beside) << "{ no scene";
+  EXPECT_TRUE(find_scene(scene.file().string()));
+  std::filesystem::remove(beside);
 }
 
 TEST(Scene, AssetsFolderCanBeChosenWhenTheProgramRuns) {

@@ -119,6 +119,12 @@ TEST(WorldQuery, DirectionOfARayHasAnyLengthButZero) {
     ASSERT_TRUE(hit) << "length " << length;
     EXPECT_NEAR(hit->distance, 4.5, 1e-6);
   }
+  world.add_body(body_at(box_shape(Vec3::Constant(Real(0.5))), {5, 5, 5}));
+  for (const Real length : {std::numeric_limits<Real>::denorm_min(), Real(1), Real(3e38)}) {
+    const auto hit = world.ray_cast({0, 0, 0}, Vec3::Constant(length), 10);
+    ASSERT_TRUE(hit) << "length " << length;
+    EXPECT_NEAR(hit->distance, 4.5 * std::sqrt(3.0), 1e-5);
+  }
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   EXPECT_THROW(world.ray_cast({0, 0, 0}, {0, 0, 0}, 10), std::invalid_argument);
   EXPECT_THROW(world.ray_cast({0, 0, 0}, {nan, 0, 0}, 10), std::invalid_argument);

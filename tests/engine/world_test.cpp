@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cs550/diagnostics.hpp"
 #include "engine/test_bodies.hpp"
 
 namespace cs550 {
@@ -50,6 +51,10 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
   refused([](BodyDef& def) { def.linear_velocity.x() = Real(1e17); });
   refused([](BodyDef& def) { def.angular_velocity.z() = Real(1e20); });
   refused([](BodyDef& def) { def.density = -1; });
+  refused([nan](BodyDef& def) {
+    def.mass = Real(1);
+    def.density = nan;
+  });
   refused([nan](BodyDef& def) { def.friction = nan; });
   refused(
       [](BodyDef& def) { def.friction = Real(1e20); });  // its square is beyond the range of Real
@@ -231,9 +236,11 @@ TEST(World, IdNamesOneBodyOnly) {
   World world;
   const BodyId first = world.add_body(body_at(unit_box(), Vec3::Zero()));
   world.remove_body(first);
+  const BodyId empty_slot = world.id_at(first.index);
   const BodyId second = world.add_body(body_at(unit_box(), {5, 0, 0}));
   EXPECT_EQ(first.index, second.index) << "the place is used again";
   EXPECT_FALSE(first == second);
+  EXPECT_FALSE(empty_slot == second) << "an id that was not alive names no later body";
   world.remove_body(first);  // the id is out of date: no effect
   EXPECT_TRUE(world.is_alive(second));
   EXPECT_FALSE(world.is_alive({}));
@@ -302,6 +309,48 @@ TEST(World, StepsOfDifferentLengthDoNotShakeATower) {
     if (i >= 600) fastest = std::max(fastest, world.body(top).linear_velocity.norm());
   }
   EXPECT_LT(fastest, Real(0.01));
+}
+
+/// A cube that lands flat in the last substep of a step (s), and takes another step.
+World landed_cube(Real first, Real second) {
+  World world;
+  world.add_body(floor_body());
+  const Real substep = first / static_cast<Real>(world.settings().substeps);
+  BodyDef def = body_at(unit_box(), {0, 0, Real(0.5) + 5 * (first - substep)});
+  def.linear_velocity.z() = -5;
+  world.add_body(def);
+  world.step(first);
+  world.step(second);
+  return world;
+}
+
+// Weight pushes for as long as the substep lasts, but a blow does not.
+TEST(World, ALongerStepDoesNotRepeatABlow) {
+  for (const auto& [first, second] :
+       {std::pair(Real(1e-3), Real(0.05)), {Real(1e-6), step_length}, {step_length, step_length}}) {
+    const World world = landed_cube(first, second);
+    EXPECT_LT(world.bodies()[1].pose.position.z(), Real(0.52)) << first << " s, then " << second;
+  }
+}
+
+TEST(World, StaysFiniteAfterTheShortestStep) {
+  World world;
+  world.add_body(floor_body());
+  world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
+  run(world, 10);
+  world.step(Real(1e-41));
+  run(world, 10);
+  EXPECT_TRUE(is_finite(world));
+  EXPECT_NEAR(world.bodies()[1].pose.position.z(), 0.5, 1e-2);
+}
+
+TEST(World, AStaticBodyHasNoVelocityWhateverIsWritten) {
+  World world;
+  const BodyId floor = world.add_body(floor_body());
+  const BodyId box = world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
+  world.body(floor).linear_velocity = {1, 0, 0};
+  run(world, 30);
+  EXPECT_NEAR(world.body(box).pose.position.x(), 0, 1e-3);
 }
 
 TEST(World, BodiesComeAndGoAtAnyTime) {

@@ -14,6 +14,7 @@ TEST(Excerpt, OfAShortTextIsTheText) {
 TEST(Excerpt, OfALongTextHasItsBeginning) {
   EXPECT_EQ(excerpt(std::string(5000, 'a')), std::string(57, 'a') + "...");
   EXPECT_EQ(excerpt("abcdefgh", 6), "abc...");
+  EXPECT_EQ(excerpt("abcd", 2), "...");
 }
 
 TEST(Excerpt, CutsNoCharacterInTwo) {

@@ -3,6 +3,7 @@
 /// the contact points and carried from the old manifold to the new one.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/contacts/contact_constraints.hpp"
@@ -63,8 +64,10 @@ void scale_impulses(PairList& pairs, Real factor) {
       point.tangent_impulse *= factor;
     }
   }
-  const double square = static_cast<double>(factor) * static_cast<double>(factor);
-  for (double& energy : pairs.impulse_energy) energy *= square;
+  // Impulses that carry weight are longer in a longer substep, but those of a blow are not: they may be worth no more
+  // than they were.
+  const double growth = std::min(1.0, static_cast<double>(factor));
+  for (double& energy : pairs.impulse_energy) energy *= growth * growth;
 }
 
 }  // namespace
@@ -88,7 +91,9 @@ void carry_impulses(const Manifold& before, Manifold& now) {
 void fit_impulses(WorldState& world, Real h) {
   const Real before = std::exchange(world.substep_length, h);
   if (before == h || before == 0) return;
-  for (PairList* pairs : {&world.pairs, &world.sleeping.pairs}) scale_impulses(*pairs, h / before);
+  const Real factor = h / before;
+  const Real in_range = std::isfinite(factor) ? factor : 0;
+  for (PairList* pairs : {&world.pairs, &world.sleeping.pairs}) scale_impulses(*pairs, in_range);
 }
 
 void store_impulses(WorldState& world) {

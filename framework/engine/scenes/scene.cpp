@@ -83,9 +83,10 @@ fs::path scenes_folder() { return assets_folder() / "scenes"; }
 
 /// The file of a shipped scene, by its name, or of any scene, by its path; none if it is absent.
 std::optional<fs::path> scene_file(const std::string& name_or_path) {
-  const fs::path shipped = scenes_folder() / (name_or_path + ".json");
   std::error_code no_such_file;
-  if (fs::exists(shipped, no_such_file)) return shipped;
+  const fs::path shipped = scenes_folder() / (name_or_path + ".json");
+  const bool is_name = !fs::path(name_or_path).has_parent_path();
+  if (is_name && fs::exists(shipped, no_such_file)) return shipped;
   if (fs::is_regular_file(name_or_path, no_such_file)) return name_or_path;
   return std::nullopt;
 }

@@ -23,9 +23,8 @@ void check_definition(const BodyDef& def) {
   require(def.linear_velocity.allFinite() && def.angular_velocity.allFinite(), "finite velocities");
   if (def.mass) {
     require(std::isfinite(*def.mass) && *def.mass > 0, "a positive, finite mass");
-  } else {
-    require(std::isfinite(def.density) && def.density > 0, "a positive, finite density");
   }
+  require(std::isfinite(def.density) && def.density > 0, "a positive, finite density");
   require(def.friction >= 0 && def.friction <= largest_friction, "a friction from 0 to 1e6");
   require(def.restitution >= 0 && def.restitution <= 1, "a restitution from 0 to 1");
 }

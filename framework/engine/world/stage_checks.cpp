@@ -119,6 +119,8 @@ void restore_broken_bodies(WorldState& world) {
     RigidBody& body = world.bodies[i];
     if (broken_promise(body) == nullptr) continue;
     body = world.bodies_before[i];
+    body.force.setZero();  // which have acted
+    body.torque.setZero();
     body.asleep = false;  // a body that sleeps keeps its promises
   }
 }

@@ -26,7 +26,12 @@ void refresh_velocities(WorldState& world) {
   for_body_blocks(world, [&](std::size_t first, std::size_t last) {
     for (RigidBody& body : std::span(world.bodies).subspan(first, last - first)) {
       if (!world.settings.sleeping) body.asleep = false;  // only the world puts a body to sleep
-      if (body.kind != BodyKind::Static && !body.asleep) refresh_velocity(body);
+      if (body.kind == BodyKind::Static) {
+        body.linear_velocity.setZero();  // which the program may have written
+        body.angular_velocity.setZero();
+      } else if (!body.asleep) {
+        refresh_velocity(body);
+      }
     }
   });
 }

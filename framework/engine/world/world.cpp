@@ -107,6 +107,7 @@ BodyId World::add_body(const BodyDef& def) {
     state_->slots.emplace_back();
   } else {
     state_->definitions[place] = def;
+    ++state_->slots[place].generation;
   }
   state_->bodies[place] = body;
   state_->slots[place].alive = true;
@@ -120,7 +121,7 @@ void World::remove_body(BodyId id) {
   if (!is_alive(id)) return;
   const Index i = id.index;
   take_out(*state_, i);
-  state_->slots[i] = {state_->slots[i].generation + 1, false, no_index, {}};
+  state_->slots[i] = {state_->slots[i].generation, false, no_index, {}};
   state_->bodies[i] = make_immovable_body(BodyKind::Static, {});
   state_->definitions[i] = {};
   --state_->alive_count;

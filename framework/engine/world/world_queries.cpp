@@ -50,7 +50,8 @@ std::optional<RayHit> World::ray_cast(const Vec3& origin, const Vec3& direction,
         "World::ray_cast() needs a finite origin, a finite direction that is not zero, and a "
         "length of 0 or more");
   }
-  const Vec3 unit = direction.stableNormalized();  // its square may be outside the range of Real
+  // Its square may be outside the range of Real, but not outside that of double.
+  const Vec3 unit = direction.cast<double>().normalized().cast<Real>();
   std::optional<RayHit> nearest;
   state_->tree.ray_cast(origin, unit, length, [&](Index body, Real reach) {
     const auto hit = ray_against(state_->posed_shape(body), origin, unit, reach);

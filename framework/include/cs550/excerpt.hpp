@@ -27,7 +27,7 @@ inline std::string excerpt(std::string_view text, std::size_t longest = 60) {
   };
   const bool cut = text.size() > longest;
   if (cut) {
-    std::size_t end = longest - 3;
+    std::size_t end = std::max<std::size_t>(longest, 3) - 3;
     while (end > 0 && is_continuation(text[end])) --end;
     text = text.substr(0, end);
   }

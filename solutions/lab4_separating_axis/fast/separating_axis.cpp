@@ -10,8 +10,9 @@
 /// 3. The crossings of an arc with B's Gauss map are the breakpoints of s along the chord: walking
 ///    from one to the next finds them without looking at the other edges of B (arc_walk.hpp).
 ///
-/// Candidates that cannot win are not computed: `edges` is empty if no pair of edges comes within a
-/// tie of the best face. Nothing is allocated.
+/// Candidates that cannot beat the best face are not computed, and `edges` is then empty. That includes
+/// edges which only tie with it, unless the hint names them: the teaching form prefers these after a
+/// hint of other edges, too. Nothing is allocated.
 
 #include "cs550/separating_axis.hpp"
 
