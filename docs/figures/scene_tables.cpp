@@ -17,7 +17,7 @@ const RigidBody& last_body(const World& world) { return world.bodies().back(); }
 void naive_stack(std::ostream& out) {
   World worlds[] = {
       stack_of_boxes(10, SolverKind::Naive, 1), stack_of_boxes(10, SolverKind::Naive, 4),
-      stack_of_boxes(10, SolverKind::Naive, 20), stack_of_boxes(10, SolverKind::Constraint, 1)};
+      stack_of_boxes(10, SolverKind::Naive, 20), stack_of_boxes(10, SolverKind::Constraint)};
   for (int i = 0; i <= 180; ++i) {
     out << i / 60.0;
     for (World& world : worlds) {
@@ -30,9 +30,9 @@ void naive_stack(std::ostream& out) {
 
 /// time, height lost by the top of ten boxes (mm): without warm starting, as it is
 void tower(std::ostream& out) {
-  World cold = stack_of_boxes(10, SolverKind::Constraint, 1);
+  World cold = stack_of_boxes(10, SolverKind::Constraint);
   cold.settings().warm_starting = false;
-  World warm = stack_of_boxes(10, SolverKind::Constraint, 1);
+  World warm = stack_of_boxes(10, SolverKind::Constraint);
   for (int i = 0; i <= 600; ++i) {
     out << i / 60.0;
     for (World* world : {&cold, &warm}) {

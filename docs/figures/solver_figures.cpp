@@ -73,7 +73,7 @@ Drawing boxes_of(const World& world) {
 
 Page naive_stack_picture() {
   World naive = stack_of_boxes(10, SolverKind::Naive, 4);
-  World constraint = stack_of_boxes(10, SolverKind::Constraint, 1);
+  World constraint = stack_of_boxes(10, SolverKind::Constraint);
   for (int i = 0; i < 120; ++i) {
     naive.step(Real(1) / 60);
     constraint.step(Real(1) / 60);

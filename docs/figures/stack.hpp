@@ -12,6 +12,6 @@ void add_floor(World& world, Real friction = Real(0.6));
 BodyId add_box(World& world, const Vec3& half_extents, const Pose& pose, Real friction = Real(0.6),
                Real restitution = 0);
 /// @param iterations passes with bias in a substep
-World stack_of_boxes(int count, SolverKind solver, int iterations);
+World stack_of_boxes(int count, SolverKind solver, int iterations = WorldSettings{}.iterations);
 
 }  // namespace cs550::book
