@@ -16,8 +16,9 @@ inline constexpr Real kept_motion = Real(1e-3);
 
 /// Whether the answer of the pair's last full query holds at the current poses:
 /// - Without contact points: the surfaces are still farther apart than the margin.
-/// - With contact points: neither body has moved more than kept_motion, and no feature that the last
-///   query ignored can be reached in this step.
+/// - With contact points: neither body has moved more than kept_motion, and no corner of the
+///   incident face that the last query left out can be reached in this step. What a full query
+///   leaves out, such as vertices beside that face, is left out here, too.
 /// @param margin of this step, see contact_margin() (m)
 bool answer_holds(const WorldState& world, std::size_t pair, Real margin);
 
