@@ -64,14 +64,15 @@ struct Manifold {
   Vec3 normal = {0, 0, 0};   ///< n, unit, A → B, world frame
   Vec3 tangent = {0, 0, 0};  ///< u, unit, perpendicular to n, world frame; v = n × u
   AxisFeature reference = AxisFeature::None;  ///< the feature that the manifold was built from
-  StaticVector<ContactPoint, max_manifold_points> points;  ///< empty while the bodies are apart
+  /// Some may be across a gap (separation > 0), before the bodies touch: speculative contacts.
+  StaticVector<ContactPoint, max_manifold_points> points;
 };
 
 /// A pair of bodies that may touch, and the properties of their surfaces.
 struct Contact {
   Index body_a = no_index;  ///< body_a < body_b
   Index body_b = no_index;  ///< index in World::bodies(), like body_a
-  Manifold manifold;        ///< empty while the bodies do not touch
+  Manifold manifold;        ///< if it has no points, the bodies do not touch
   Real friction = 0;        ///< Coulomb's μ
   Real restitution = 0;     ///< Newton's e, 0–1
 };

@@ -29,7 +29,8 @@ Eigen::Vector3d linear_momentum(const World& world);
 /// Σ L + x × P of the dynamic bodies about the world's origin (kg·m²/s).
 Eigen::Vector3d angular_momentum(const World& world);
 
-/// Whether all poses, momenta and energies are finite. A world that is not can never be again.
+/// Whether all poses, momenta and kinetic energies are finite. It does not check pending forces and
+/// torques, nor the velocities of kinematic bodies.
 bool is_finite(const World& world);
 
 /// Repeats a step with checks after every stage. @returns the stages that broke a promise, each with

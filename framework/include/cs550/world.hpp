@@ -41,8 +41,8 @@ struct WorldSettings {
 
   int substeps = 6;    ///< per step, 1–1000
   int iterations = 2;  ///< solver passes with bias per substep without impacts, 0–1000
-  /// Relax passes (without bias) per substep of soft contacts, 0–1000; at least 2 where something
-  /// bounces.
+  /// Relax passes (without bias) per substep of soft contacts, 0–1000; 1 counts as 2 where
+  /// something bounces.
   int relax_iterations = 1;
   PassOrder pass_order = PassOrder::StepByStep;                ///< constraint solver only
   SolverKind solver = SolverKind::Constraint;                  ///< the contact solver
@@ -222,12 +222,13 @@ class World {
   ///         physical meaning; the message names it
   BodyId add_body(const BodyDef& def);
   /// Removes a body and its contacts. May be called between steps. The id of a removed body is
-  /// ignored. What contacts() returned is invalid afterwards; ended() names the contacts after the
-  /// next step.
+  /// ignored. What contacts(), sleeping_contacts() and axes() returned is invalid afterwards; what
+  /// began() and ended() returned is not. After the next step ended() lists the pairs that touched.
   void remove_body(BodyId id);
   /// Replaces the definition of a body, including its pose and velocities: the way to change its
   /// kind, shape, mass, friction, restitution or filter. The body keeps its id and loses its
-  /// contacts, which are found again in the next step. Like add_body(), this invalidates references.
+  /// contacts, which are found again in the next step: after it a pair may be in ended() and in
+  /// began(). It invalidates what add_body() and remove_body() invalidate.
   /// @throws std::invalid_argument if the body is not alive, or as add_body() does; nothing has
   ///         changed then
   void redefine_body(BodyId id, const BodyDef& def);
@@ -248,7 +249,7 @@ class World {
   /// one that is only given another pose moves from under them. Kind and mass stay as they were
   /// made (see redefine_body()), and the velocities of a dynamic body follow from its momenta in
   /// the next step. A body that sleeps wakes in that step, and from then on query() and ray_cast()
-  /// find it at its new pose. Numbers must be finite: is_finite() tells.
+  /// find it at its new pose. Numbers must be finite: is_finite() checks poses and momenta.
   /// @throws std::invalid_argument if the body is not alive
   RigidBody& body(BodyId id);
   /// The definition of a body, with its initial pose; its shape; and its shape at the current pose.
@@ -259,7 +260,8 @@ class World {
   PosedShape posed_shape(BodyId id) const;
   /// @}
 
-  /// Advances the world by one step.
+  /// Advances the world by one step. What contacts(), sleeping_contacts(), axes(), began(), ended()
+  /// and problems() returned is invalid afterwards.
   /// @param h s; 1/60 is usual. It may vary, and stored impulses follow, but piles rest best if it
   /// is constant.
   /// @throws std::invalid_argument if h is not positive and finite, or a setting is outside its
@@ -268,8 +270,9 @@ class World {
   std::int64_t step_count() const;  ///< steps since construction
   double time() const;              ///< simulated time (s)
 
-  /// The pairs that the broad phase found, sorted by body. A pair with an empty manifold is not
-  /// touching.
+  /// The pairs that the broad phase found, sorted by body. A pair touches if one of its points has
+  /// a separation of at most 0 or has pushed in the last step. Normals, anchors and separations are
+  /// those of the poses at the start of that step.
   std::span<const Contact> contacts() const;
   /// The pairs of bodies that are asleep, with each other and with bodies that do not move. They
   /// are not in contacts().
@@ -278,8 +281,8 @@ class World {
   /// temporal_coherence that may have been in an earlier step.
   std::span<const SeparatingAxis> axes() const;
   std::span<const ContactEvent> began() const;  ///< pairs that began to touch in the last step
-  /// Pairs that ceased to touch in the last step, or because a body was removed before it: check
-  /// is_alive().
+  /// Pairs that ceased to touch in the last step, or because a body was removed (check is_alive())
+  /// or redefined before it. A redefined body may touch again: handle ended() before began().
   std::span<const ContactEvent> ended() const;
   const StepStats& stats() const;  ///< of the last step
   /// Missing stages of the last step and, with settings().check_stages, violated postconditions;
