@@ -120,6 +120,11 @@ function(cs550_add_judge number)
   # The worker loads the other labs by name.
   add_dependencies(lab${number}_judge lab_worker)
   add_dependencies(judges lab${number}_judge)
+  # The starter, which a submission is linked with. The judge does not depend on it: labs/ may be what is
+  # graded (judged.LabN), and not compile.
+  if(TARGET lab${number}_stub_code)
+    add_dependencies(judges lab${number}_stub_code)
+  endif()
 endfunction()
 
 # Students' own tests are loaded at run time, and use GoogleTest and the given code of the program.

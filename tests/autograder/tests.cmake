@@ -126,7 +126,7 @@ if(TARGET grade_lab)
   endfunction()
 
   add_test(NAME grader.builds COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}"
-           --target grade_lab lab3_judge)
+           --target grade_lab lab3_judge lab3_stub_code)
   set_tests_properties(grader.builds PROPERTIES FIXTURES_SETUP grader TIMEOUT 900
                        RESOURCE_LOCK build_folder LABELS autograder)
   cs550_test_grader(survives_some_attacks autograder "${scripts}/attacks/run_attacks.py" --short)

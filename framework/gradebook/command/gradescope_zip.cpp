@@ -49,7 +49,7 @@ void make_gradescope_zip(const GradescopeRequest& request) {
   std::string targets = "grade_lab cs550_grade";
   for (const int number : parse_labs(request.labs, known)) {
     numbers += fmt::format("{}{}", numbers.empty() ? "" : ",", number);
-    targets += fmt::format(" lab{}_judge", number);
+    targets += fmt::format(" lab{0}_judge lab{0}_stub_code", number);
     if (settings.course.lab(number).own_tests > 0) {
       targets += fmt::format(" lab{0}_own_tests mistakes_lab{0}", number);
     }

@@ -85,6 +85,8 @@ def faults(attack, record):
     if any(ord(letter) < 32 and letter != "\n" or 127 <= ord(letter) < 160 or letter == "\u202e"
            for letter in text):
         yield "the report holds control characters"
+    if attack.get("says", "") not in text:
+        yield f"the report does not quote {attack['says']}"
     if "hides" in attack and attack["hides"] in text:
         yield f"the report quotes {attack['hides']}"
     if max(len(test["message"].encode()) for test in record["tests"]) > 4096:

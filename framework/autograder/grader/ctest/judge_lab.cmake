@@ -19,6 +19,9 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --build "${BUILD}" --target grade_lab lab${LAB}_judge)
+# The starter is linked with what is graded. It may be what is graded, and not compile: that is a verdict.
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${BUILD}" --target lab${LAB}_stub_code
+                OUTPUT_QUIET ERROR_QUIET)
 run("${GRADE_LAB}" ${LAB} --submission "${FILES}" --work "${BUILD}/judged/lab${LAB}" --results "${RECORD}"
     --isolation "${isolation}")
 message("The record is ${RECORD}")

@@ -30,7 +30,7 @@ enum class Part {
 /// the contract and the system's headers can be seen.
 /// @param source the lab's files as in labs/labN_topic/
 /// @param lab_name "lab3_hill_climbing"
-/// @param library the result
+/// @param library the result. The lab's starter, which it is linked with, is copied to the folder of it
 /// @param order isolation, limits, and when the time for the lab is over
 Compilation compile(const std::filesystem::path& source, const std::string& lab_name,
                     const std::filesystem::path& library, const Order& order,
