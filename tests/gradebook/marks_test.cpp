@@ -132,6 +132,22 @@ TEST(Marks, NothingIsEarnedAfterTheSolutionWasReleased) {
       "[late]\nclock = 'file'\npercent_per_day = 0\n";
   EXPECT_DOUBLE_EQ(mark_of(handed_in(0), course).mark, 36);
   EXPECT_DOUBLE_EQ(mark_of(handed_in(1), course).mark, 0);
+
+  const Course weighted = course_of(course + "[milestones]\nweight = 1\n");
+  const auto engine_of = [&](std::vector<const Record*> records) {
+    return mark_student({"ada", "", "", "", {}, true, std::move(records)}, {3}, weighted).engine;
+  };
+  const Record in_time = with_engine(handed_in(0), {"passed", "failed", "passed", "failed"});
+  const Record too_late = with_engine(handed_in(1), {"passed", "failed", "passed", "passed"});
+  EXPECT_EQ(engine_of({&in_time}).reached, 2);
+  EXPECT_EQ(engine_of({&too_late}).reached, 2) << "milestones of labs 1 and 4, not of lab 3";
+  EXPECT_EQ(engine_of({&too_late}).too_late, 1);
+  const std::vector<Record> records{too_late};
+  const std::string text = grades_csv(mark_class(assign({}, records), {3}, weighted), {3});
+  EXPECT_NE(text.find("1 milestone reached after the solution was released"), std::string::npos)
+      << text;
+  EXPECT_EQ(engine_of({&in_time, &too_late}).reached, 3) << "the first one reached it in time";
+  EXPECT_EQ(engine_of({&in_time, &too_late}).too_late, 0);
 }
 
 TEST(Marks, AdjustmentsAndRegradesComeFromTheCourseFile) {

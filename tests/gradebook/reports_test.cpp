@@ -294,16 +294,6 @@ TEST(Compare, NamesALabThatOnlyOneFolderHasOnce) {
             "0 of 1 submissions changed.\n");
 }
 
-Record with_engine(Record record, const std::vector<const char*>& statuses) {
-  record.engine = LabRecord{};
-  record.engine->submitted = record.engine->compiled = true;
-  for (const char* status : statuses) {
-    const std::string name = fmt::format("Milestone.{}", record.engine->tests.size() + 1);
-    record.engine->tests.push_back({name, "L1", 0, 0, status, false, 0, "", ""});
-  }
-  return record;
-}
-
 TEST(Compare, PrintsMilestonesThatChanged) {
   const Record ada = record_of("ada", lab_record(24, 0, 0));
   const Record before = with_engine(ada, {"passed", "failed", "not_submitted"});

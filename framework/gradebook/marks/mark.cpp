@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "gradebook/marks/dates.hpp"
@@ -48,8 +49,15 @@ void apply_regrades(LabMark& mark, const Student& student, const LabRecord& lab,
   }
 }
 
+/// Whether a record's lab earns nothing, because its solution was released before.
+bool is_after_release(const Student& student, const Record& record, int lab, const Course& course) {
+  if (!course.late) return false;
+  const std::optional<Time> released = course.lab(lab).solution_released;
+  const std::optional<Time> time = time_of_submission(student, record, course);
+  return released && time && *time > *released;
+}
+
 void apply_late_policy(LabMark& mark, const Student& student, const Course& course) {
-  const LabSettings settings = course.lab(mark.lab);
   const std::optional<Time> due = due_date(student, mark.lab, course, mark.notes);
   if (!course.late) return;
   const std::optional<Time> time = time_of_submission(student, *mark.record, course);
@@ -57,7 +65,7 @@ void apply_late_policy(LabMark& mark, const Student& student, const Course& cour
     if (due) mark.notes.emplace_back("time of submission unknown: not counted as late");
     return;
   }
-  if (settings.solution_released && *time > *settings.solution_released) {
+  if (is_after_release(student, *mark.record, mark.lab, course)) {
     mark.deduction = mark.mark;
     mark.mark = 0;
     mark.notes.emplace_back("submitted after the solution was released");
@@ -182,16 +190,38 @@ LabMark best_mark(const Student& student, int lab, const Course& course) {
   return best;
 }
 
-EngineMark best_engine(const Student& student) {
+bool is_reached(const TestResult& milestone) { return milestone.status == "passed"; }
+
+/// The lab whose code a milestone adds to the engine: 3 for one of step "L3".
+int lab_of(const TestResult& milestone) { return std::atoi(milestone.step.c_str() + 1); }
+
+/// The milestones that a student has reached before the solution of their lab was released. A later engine
+/// may contain that solution, so only an earlier one shows that the student has reached them.
+std::set<std::string> reached_in_time(const Student& student, const Course& course) {
+  std::set<std::string> names;
+  for (const Record* record : student.records) {
+    if (!record->engine) continue;
+    for (const TestResult& milestone : record->engine->tests) {
+      if (is_reached(milestone) && !is_after_release(student, *record, lab_of(milestone), course))
+        names.insert(milestone.name);
+    }
+  }
+  return names;
+}
+
+EngineMark best_engine(const Student& student, const Course& course) {
+  const std::set<std::string> in_time = reached_in_time(student, course);
   EngineMark best;
   for (const Record* record : student.records) {
     if (!record->engine) continue;
-    const std::vector<TestResult>& milestones = record->engine->tests;
-    const auto reached = static_cast<int>(
-        std::count_if(milestones.begin(), milestones.end(),
-                      [](const TestResult& test) { return test.status == "passed"; }));
-    if (best.record != nullptr && reached <= best.reached) continue;
-    best = {record, reached, static_cast<int>(milestones.size())};
+    EngineMark mark;
+    mark.record = record;
+    mark.of = static_cast<int>(record->engine->tests.size());
+    for (const TestResult& milestone : record->engine->tests) {
+      if (!is_reached(milestone)) continue;
+      ++(in_time.contains(milestone.name) ? mark.reached : mark.too_late);
+    }
+    if (best.record == nullptr || mark.reached > best.reached) best = mark;
   }
   return best;
 }
@@ -231,7 +261,7 @@ std::vector<int> labs_of(const std::vector<Record>& records) {
 
 StudentMark mark_student(const Student& student, const std::vector<int>& labs,
                          const Course& course) {
-  StudentMark result{student, {}, 0, best_engine(student)};
+  StudentMark result{student, {}, 0, best_engine(student, course)};
   double sum = 0;
   double weights = 0;
   for (const int lab : labs) {

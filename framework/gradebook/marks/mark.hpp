@@ -31,6 +31,7 @@ struct LabMark {
 struct EngineMark {
   const Record* record = nullptr;  ///< null if no engine was graded
   int reached = 0;
+  int too_late = 0;       ///< reached, but only after the solution of their lab was released
   int of = 0;             ///< milestones of all labs that were graded
   bool is_graded = true;  ///< false if the grader failed and the milestones have a weight
 };

@@ -71,6 +71,10 @@ std::string notes_of(const StudentMark& mark) {
     add(fmt::format("{} milestone{} ended at the limit of time: grade again with a larger one",
                     late, late == 1 ? "" : "s"));
   }
+  if (const int late = mark.engine.too_late; late > 0) {
+    add(fmt::format("{} milestone{} reached after the solution was released: no points for {}",
+                    late, late == 1 ? "" : "s", late == 1 ? "it" : "them"));
+  }
   for (const LabMark& lab : mark.labs) {
     for (const std::string& note : lab.notes) {
       if (note != note_not_submitted) add(fmt::format("lab {}: {}", lab.lab, plain_line(note)));

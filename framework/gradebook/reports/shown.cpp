@@ -32,7 +32,11 @@ std::string without_hidden_names(std::string note, const LabRecord& lab) {
 std::string engine_heading(const StudentMark& mark) {
   const EngineMark& engine = mark.engine;
   if (engine.record == nullptr || !engine.record->engine->submitted) return {};
-  return fmt::format("Engine: {} of {} milestones reached", engine.reached, engine.of);
+  const std::string late =
+      engine.too_late == 0
+          ? ""
+          : fmt::format(", {} more after the solution was released", engine.too_late);
+  return fmt::format("Engine: {} of {} milestones reached{}", engine.reached, engine.of, late);
 }
 
 std::string missing_labs(const StudentMark& mark) {

@@ -45,7 +45,7 @@ inline std::string compile_verdict(const LabRecord& lab) {
   return lab.fails_to_compile() ? "does not compile" : "was not compiled";
 }
 
-/// "Engine: 7 of 9 milestones reached"; empty if the submission has no engine.
+/// "Engine: 7 of 9 milestones reached", and how many too late; empty if the submission has no engine.
 std::string engine_heading(const StudentMark& mark);
 
 /// "reached", "not reached", or its status_text().

@@ -22,6 +22,8 @@ StudentMark mark_of(const StudentMark& whole, const Record& record, const Course
   Student alone = whole.student;
   alone.records = {&record};
   StudentMark mark = mark_student(alone, labs_in(record), course);
+  // Which milestones were reached in time depends on the student's other submissions.
+  if (whole.engine.record == &record) mark.engine = whole.engine;
   for (LabMark& lab : mark.labs) {
     const LabMark* counted = whole.lab(lab.lab);
     const bool counts = counted->record == nullptr || counted->record == &record;
