@@ -255,6 +255,32 @@ TEST(Marks, MilestonesThatWereNotGradedAreNoMark) {
   EXPECT_FALSE(record.is_graded());
 }
 
+TEST(Marks, MilestonesThatWereNotGradedAreNotHiddenByWorseOnes) {
+  const Course course = course_of("[milestones]\nweight = 1\n");
+  const Record ada = record_of("ada", lab_record(24, 24, 12));
+  const Record failed = with_broken_engine(ada, 2);
+  const auto is_graded = [&](const Record& other) {
+    return mark_student({"ada", "", "", "", {}, true, {&other, &failed}}, {3}, course).is_graded();
+  };
+  EXPECT_FALSE(is_graded(with_engine(ada, {"passed", "failed"})));
+  EXPECT_TRUE(is_graded(with_engine(ada, {"passed", "passed"}))) << "nothing to gain";
+}
+
+TEST(Marks, AStudentWithoutMilestonesIsNoted) {
+  const Record ada = with_engine(record_of("ada", lab_record(24, 24, 12)), {"passed", "passed"});
+  const Record bob = record_of("bob", lab_record(24, 24, 12));
+  const std::vector<Record> records{ada, bob};
+  const std::string weighted = "[milestones]\nweight = 1\n";
+  const auto notes = [&](const std::string& course) {
+    return grades_csv(mark_class(assign({}, records), {3}, course_of(course)), {3});
+  };
+  const std::string text = notes(weighted);
+  EXPECT_NE(text.find("\nada,,,,graded,100.00,60,2,\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nbob,,,,graded,50.00,60,,"), std::string::npos) << text;
+  EXPECT_NE(text.find(note_no_milestones), std::string::npos) << text;
+  EXPECT_EQ(notes("").find(note_no_milestones), std::string::npos) << "they have no weight";
+}
+
 TEST(Roster, RecordsFindTheirStudents) {
   const std::string text =
       "\xEF\xBB\xBFid,name,email\ns1,\"Lovelace, Ada\",ada@x.org\ns2,Bob,b@x.org\ns3,Eve,e@x.org\n";

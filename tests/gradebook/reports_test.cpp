@@ -383,6 +383,22 @@ TEST(Merge, LabsOfOneSubmissionComeTogether) {
   EXPECT_EQ(records[1].name, "ada-2");
 }
 
+TEST(Merge, MilestonesThatWereNotGradedStay) {
+  const Record without = record_of("ada", lab_record(24, 0, 0));
+  const Record failed = with_broken_engine(without, 2);
+  const Record graded = with_engine(without, {"passed", "failed"});
+  const auto engine_of = [](const Record& first, const Record& second) {
+    return merged({{first}, {second}}).at(0).engine;
+  };
+  ASSERT_TRUE(engine_of(failed, without)) << "no milestones replace those that were not graded";
+  EXPECT_EQ(engine_of(failed, without)->not_graded, "the judge broke");
+  EXPECT_EQ(engine_of(without, failed)->not_graded, "the judge broke");
+  for (const Record& other : {without, failed}) {
+    EXPECT_EQ(engine_of(other, graded)->not_graded, "");
+    EXPECT_EQ(engine_of(graded, other)->not_graded, "");
+  }
+}
+
 TEST(Pseudonyms, LeaveNoOrderAndNoTime) {
   constexpr long due = 1791842340;  // 2026-10-12T23:59:00+02:00
   const std::string late =

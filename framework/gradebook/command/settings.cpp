@@ -81,6 +81,9 @@ void print_students_to_look_at(const Settings& settings, const std::vector<Recor
       std::cout << cli::indented(
           fmt::format("{}, lab {}: {}", mark.student.id, lab.lab, note_not_run), 0);
     }
+    if (!mark.engine.was_run) {
+      std::cout << cli::indented(fmt::format("{}: {}", mark.student.id, note_no_milestones), 0);
+    }
     if (!mark.has_scattered_labs()) continue;
     std::cout << cli::indented(
         fmt::format("{}: {}", mark.student.id, milestones_need_one_submission), 0);

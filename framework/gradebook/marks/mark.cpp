@@ -209,6 +209,12 @@ std::set<std::string> reached_in_time(const Student& student, const Course& cour
   return names;
 }
 
+/// Whether the grader failed to run its milestones.
+bool has_broken_engine(const Record* record) {
+  return record->engine && !record->engine->not_graded.empty();
+}
+
+/// If the grader failed on another engine, that one might have reached more.
 EngineMark best_engine(const Student& student, const Course& course) {
   const std::set<std::string> in_time = reached_in_time(student, course);
   EngineMark best;
@@ -223,7 +229,36 @@ EngineMark best_engine(const Student& student, const Course& course) {
     }
     if (best.record == nullptr || mark.reached > best.reached) best = mark;
   }
+  best.is_graded = course.milestones_weight == 0 || best.reached == best.of ||
+                   std::none_of(student.records.begin(), student.records.end(), has_broken_engine);
   return best;
+}
+
+/// The weighted total of the labs and the milestones, in percent.
+double total_percent(const StudentMark& mark, const Course& course) {
+  double sum = 0;
+  double weights = 0;
+  for (const LabMark& lab : mark.labs) {
+    const double weight = course.lab(lab.lab).weight;
+    sum += weight * lab.mark / lab.points;
+    weights += weight;
+  }
+  const EngineMark& engine = mark.engine;
+  if (engine.of > 0) sum += course.milestones_weight * engine.reached / engine.of;
+  if (engine.of > 0 || !engine.was_run) weights += course.milestones_weight;
+  return weights > 0 ? 100 * sum / weights : 0;
+}
+
+/// Milestones that no run has run for a student, but for others, count as a lab that no run graded: as 0.
+void count_missing_milestones(std::vector<StudentMark>& marks, const Course& course) {
+  const auto has_engine = [](const StudentMark& mark) { return mark.engine.record != nullptr; };
+  const bool counts =
+      course.milestones_weight > 0 && std::any_of(marks.begin(), marks.end(), has_engine);
+  for (StudentMark& mark : marks) {
+    if (!counts || has_engine(mark) || mark.is_missing()) continue;
+    mark.engine.was_run = false;
+    mark.percent = total_percent(mark, course);
+  }
 }
 
 }  // namespace
@@ -262,23 +297,12 @@ std::vector<int> labs_of(const std::vector<Record>& records) {
 StudentMark mark_student(const Student& student, const std::vector<int>& labs,
                          const Course& course) {
   StudentMark result{student, {}, 0, best_engine(student, course)};
-  double sum = 0;
-  double weights = 0;
   for (const int lab : labs) {
     LabMark mark = best_mark(student, lab, course);
     apply_adjustments(mark, student, course);
-    const double weight = course.lab(lab).weight;
-    sum += weight * mark.mark / mark.points;
-    weights += weight;
     result.labs.push_back(std::move(mark));
   }
-  if (result.engine.of > 0) {
-    const bool counts = course.milestones_weight > 0;
-    result.engine.is_graded = !counts || result.engine.record->engine->not_graded.empty();
-    sum += course.milestones_weight * result.engine.reached / result.engine.of;
-    weights += course.milestones_weight;
-  }
-  result.percent = weights > 0 ? 100 * sum / weights : 0;
+  result.percent = total_percent(result, course);
   return result;
 }
 
@@ -287,6 +311,7 @@ std::vector<StudentMark> mark_class(const std::vector<Student>& students,
   std::vector<StudentMark> marks;
   marks.reserve(students.size());
   for (const Student& student : students) marks.push_back(mark_student(student, labs, course));
+  count_missing_milestones(marks, course);
   return marks;
 }
 

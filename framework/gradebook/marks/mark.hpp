@@ -34,6 +34,7 @@ struct EngineMark {
   int too_late = 0;       ///< reached, but only after the solution of their lab was released
   int of = 0;             ///< milestones of all labs that were graded
   bool is_graded = true;  ///< false if the grader failed and the milestones have a weight
+  bool was_run = true;    ///< false if they have a weight, and only other students' were run
 };
 
 struct StudentMark {
@@ -57,6 +58,10 @@ inline constexpr const char* milestones_need_one_submission =
 inline constexpr const char* note_not_submitted = "not submitted";
 inline constexpr const char* note_not_run =
     "counts as 0, but no run graded it for this student: --labs left it out";
+
+/// Note on a student without milestones in a class that has them.
+inline constexpr const char* note_no_milestones =
+    "milestones count as 0, but no run has run them for this student";
 
 /// The labs of all records, ascending.
 std::vector<int> labs_of(const std::vector<Record>& records);

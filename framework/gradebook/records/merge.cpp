@@ -11,7 +11,8 @@ bool same_submission(const Record& a, const Record& b) {
 }
 
 void add_labs(Record& record, const Record& other) {
-  if (!record.engine || !record.engine->not_graded.empty()) record.engine = other.engine;
+  const bool has_milestones = record.engine && record.engine->not_graded.empty();
+  if (other.engine && !has_milestones) record.engine = other.engine;
   for (const LabRecord& lab : other.labs) {
     const auto known = std::find_if(record.labs.begin(), record.labs.end(),
                                     [&lab](const LabRecord& l) { return l.lab == lab.lab; });

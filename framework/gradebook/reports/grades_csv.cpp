@@ -65,6 +65,8 @@ std::string notes_of(const StudentMark& mark) {
     notes += fmt::format("{}{}", notes.empty() ? "" : "; ", note);
   };
   if (mark.has_scattered_labs()) add(milestones_need_one_submission);
+  if (!mark.engine.was_run) add(note_no_milestones);
+  if (!mark.engine.is_graded) add("milestones NOT GRADED: the grader failed");
   if (const int late =
           mark.engine.record == nullptr ? 0 : mark.engine.record->engine->tests_with("timeout");
       late > 0) {
@@ -107,7 +109,8 @@ std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<
           (lab.is_graded && (lab.record != nullptr || lab.mark > 0) ? points_text(lab.mark) : "");
     }
     if (has_engines) {
-      text += ',' + (mark.engine.record == nullptr ? "" : std::to_string(mark.engine.reached));
+      const bool has_number = mark.engine.record != nullptr && mark.engine.is_graded;
+      text += ',' + (has_number ? std::to_string(mark.engine.reached) : "");
     }
     text += ',' + csv(notes_of(mark)) + '\n';
   }
