@@ -244,6 +244,21 @@ TEST(Marks, AnAttemptThatWasNotGradedIsNotHiddenByAWorseOne) {
   Record perfect = record_of("ada", lab_record(24, 24, 12));
   const Student other{"ada", "", "", "", {}, true, {&perfect, &failed}};
   EXPECT_TRUE(mark_student(other, {3}, course_of("")).labs[0].is_graded) << "nothing to gain";
+
+  const Course bonus = course_of("[lab.3]\nown_tests = 30\n");
+  Record with_bonus = record_of("ada", lab_record(24, 12, 0));
+  OwnTests own;
+  own.compiled = true;
+  own.mistakes = own.caught = 20;
+  with_bonus.labs[0].own_tests = own;
+  const Student eager{"ada", "", "", "", {}, true, {&with_bonus, &failed}};
+  EXPECT_FALSE(mark_student(eager, {3}, bonus).labs[0].is_graded) << "36 points and 30 for tests";
+  perfect.labs[0].own_tests = own;
+  EXPECT_TRUE(mark_student(other, {3}, bonus).labs[0].is_graded) << "nothing to gain";
+  perfect.labs[0].own_tests->caught = 10;
+  EXPECT_TRUE(mark_student(other, {3}, bonus).labs[0].is_graded) << "the other one has no tests";
+  failed.labs[0].files = {"my_tests.cpp"};
+  EXPECT_FALSE(mark_student(other, {3}, bonus).labs[0].is_graded) << "half of the bonus";
 }
 
 TEST(Marks, MilestonesThatWereNotGradedAreNoMark) {

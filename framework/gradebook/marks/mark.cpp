@@ -174,16 +174,24 @@ LabMark no_mark(const Student& student, int lab, const Course& course) {
   return mark;
 }
 
-/// The mark that counts. If the grader failed on another attempt, that one might have been better.
+/// Whether an attempt that the grader failed on might have been better.
+bool might_be_better(const LabMark& failed, const LabMark& best, const Course& course) {
+  if (best.earned < best.of || best.deduction > 0) return true;
+  const std::vector<std::string>& files = failed.lab_record()->files;
+  const bool has_own_tests = std::count(files.begin(), files.end(), own_tests_file) > 0;
+  return has_own_tests && best.bonus < course.lab(best.lab).own_tests;
+}
+
+/// The mark that counts. If the grader failed on another attempt that might be better, there is none.
 LabMark best_mark(const Student& student, int lab, const Course& course) {
   std::vector<LabMark> attempts = attempts_at(student, lab, course);
   if (attempts.empty()) return no_mark(student, lab, course);
   if (course.attempt == Attempt::Last) keep_last(attempts, student, course);
   const auto is_worse = [](const LabMark& a, const LabMark& b) { return a.mark < b.mark; };
   LabMark best = *std::max_element(attempts.begin(), attempts.end(), is_worse);
-  if (!best.is_graded || best.mark >= best.points) return best;
+  if (!best.is_graded) return best;
   for (const LabMark& mark : attempts) {
-    if (mark.is_graded) continue;
+    if (mark.is_graded || !might_be_better(mark, best, course)) continue;
     best.is_graded = false;
     best.notes.push_back("NOT GRADED: the grader failed on " + mark.record->source);
   }

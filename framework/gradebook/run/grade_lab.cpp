@@ -92,7 +92,7 @@ std::string result_of(const std::vector<std::string>& command, const fs::path& f
 bool has_own_tests(int lab, const LabFiles& files, const Course& course) {
   return course.lab(lab).own_tests > 0 &&
          std::any_of(files.files.begin(), files.files.end(),
-                     [](const SourceFile& file) { return file.path == "my_tests.cpp"; });
+                     [](const SourceFile& file) { return file.path == own_tests_file; });
 }
 
 /// Grading the student's own tests. If that fails, the lab keeps its result.
