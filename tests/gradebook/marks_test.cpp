@@ -386,11 +386,18 @@ TEST(Roster, BadOnesAreRefused) {
   // The first swallows the students after it to the end of the file, the second those up to the next quote.
   EXPECT_EQ(fault("id,name\na,Ada\nb,\"Bob\nc,Eve\n").find("roster.csv:3: a quote"), 0U);
   EXPECT_EQ(fault("id,name\na,\"Ada\nb,\"Bob\"\nc,Eve\n").find("roster.csv:2: a quote"), 0U);
+  // Two quotes inside of fields would swallow the students between them.
+  const std::string stray = "id,name,email\ns1,Ada 5\",a@x\ns2,Bob,b@x\ns3,Eve 6\",e@x\n";
+  EXPECT_EQ(fault(stray).find("roster.csv:2: a quote inside of a field"), 0U) << fault(stray);
+  EXPECT_EQ(fault("id,name\na,\"Ada\" B\n").find("roster.csv:2: text follows a quote"), 0U);
 }
 
 TEST(CsvTable, QuotedFieldsAreRead) {
   EXPECT_EQ(parse_csv("a,b\r\n\"1,\"\"2\"\"\n3\",4\n\n", "a.csv"),
             (std::vector<std::vector<std::string>>{{"a", "b"}, {"1,\"2\"\n3", "4"}}));
+  EXPECT_EQ(parse_csv("\"a\", \"b, c\" \r\n\"\",d", "a.csv"),
+            (std::vector<std::vector<std::string>>{{"a", " b, c "}, {"", "d"}}))
+      << "spaces around quotes";
 }
 
 TEST(GradesCsv, ListsMissingStudentsAndEscapesNames) {

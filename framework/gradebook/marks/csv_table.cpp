@@ -10,22 +10,30 @@
 namespace cs550::gradebook {
 namespace {
 
-/// A quote at `start` is not closed where it should be.
-std::runtime_error open_quote(const std::string& text, std::size_t start, const std::string& file) {
+constexpr std::string_view blanks = " \t";
+
+/// A quote at `where` is not what RFC 4180 allows.
+std::runtime_error wrong_quote(const std::string& text, std::size_t where, const std::string& file,
+                               std::string_view fault) {
   const auto breaks =
-      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(start), '\n');
+      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(where), '\n');
   return std::runtime_error(
-      fmt::format("{}:{}: a quote is opened and not closed. Close it at the end of its field.\n"
+      fmt::format("{}:{}: {}\n"
                   "  A quote inside quotes is written twice: \"Ada \"\"Countess\"\" Lovelace\"",
-                  file, breaks + 1));
+                  file, breaks + 1, fault));
 }
 
-/// Whether the quoted text from `start` to `end` swallowed lines: it has a line break, and what follows it
-/// is not the end of a field.
-bool swallows_lines(const std::string& text, std::size_t start, std::size_t end, char separator) {
-  if (text.find('\n', start) >= end || end + 1 == text.size()) return false;
-  const char next = text[end + 1];
-  return next != separator && next != '\r' && next != '\n';
+constexpr std::string_view open_quote =
+    "a quote is opened and not closed. Close it at the end of its field.";
+constexpr std::string_view inner_quote =
+    "a quote inside of a field. Put the whole field into quotes.";
+constexpr std::string_view early_quote =
+    "text follows a quote that closes. Close the quote at the end of its field.";
+
+/// What is wrong with quoted text from `start` that is followed by more text at `next`: if it has a line
+/// break, it has swallowed lines.
+std::string_view fault_before(const std::string& text, std::size_t start, std::size_t next) {
+  return text.find('\n', start) < next ? open_quote : early_quote;
 }
 
 }  // namespace
@@ -37,30 +45,44 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text, const s
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row;
   std::string field;
-  bool quoted = false;
+  enum class Field { Plain, Quoted, Closed } state = Field::Plain;
   std::size_t quote = 0;  // where the last quoted text begins
-  const auto end_row = [&] {
+  const auto end_field = [&] {
     row.push_back(std::exchange(field, {}));
+    state = Field::Plain;
+  };
+  const auto end_row = [&] {
+    end_field();
     if (row.size() > 1 || !row[0].empty()) rows.push_back(row);
     row.clear();
   };
   for (std::size_t i = text.starts_with(byte_order_mark) ? 3 : 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
-      field += text[++i];
-    } else if (c == '"') {
-      if (quoted && swallows_lines(text, quote, i, separator)) throw open_quote(text, quote, file);
-      if (!quoted) quote = i;
-      quoted = !quoted;
-    } else if (!quoted && c == separator) {
-      row.push_back(std::exchange(field, {}));
-    } else if (!quoted && c == '\n') {
+    if (state == Field::Quoted) {
+      const bool is_twice = text.compare(i, 2, "\"\"") == 0;
+      if (c != '"' || is_twice) {
+        field += c;
+        i += is_twice ? 1 : 0;
+      } else {
+        state = Field::Closed;
+      }
+    } else if (c == separator) {
+      end_field();
+    } else if (c == '\n') {
       end_row();
-    } else if (quoted || c != '\r') {
+    } else if (state == Field::Closed && c != '\r' && blanks.find(c) == blanks.npos) {
+      throw wrong_quote(text, quote, file, fault_before(text, quote, i));
+    } else if (c == '"') {
+      if (field.find_first_not_of(blanks) != field.npos) {
+        throw wrong_quote(text, i, file, inner_quote);
+      }
+      quote = i;
+      state = Field::Quoted;
+    } else if (c != '\r') {
       field += c;
     }
   }
-  if (quoted) throw open_quote(text, quote, file);
+  if (state == Field::Quoted) throw wrong_quote(text, quote, file, open_quote);
   end_row();
   return rows;
 }
