@@ -455,6 +455,21 @@ def test_a_second_grader_is_refused(folder):
     assert first.wait() == 0
 
 
+def test_a_file_system_without_locks_is_no_other_grader(folder):
+    small_class(folder / "class")
+    (folder / "flock.c").write_text("#include <errno.h>\nint flock(int f, int how) { errno = ENOLCK; return -1; }\n")
+    no_locks = folder / "flock.so"
+    compiler = next(filter(None, map(shutil.which, ("cc", "gcc", "clang"))))
+    subprocess.run([compiler, "-shared", "-fPIC", "-w", folder / "flock.c", "-o", no_locks], check=True)
+    run = subprocess.run(command(folder / "class", "--out", folder / "out", "--labs", "3"), capture_output=True,
+                         text=True, check=False, timeout=120,
+                         env={**os.environ, "CS550_ROOT": str(ROOT), "LD_PRELOAD": str(no_locks)})
+    assert run.returncode == 0, run.stderr
+    warning = " ".join(run.stderr.split())
+    assert warning.count("Cannot lock") == 1 and "do not run another ./cs550 grade" in warning, run.stderr
+    assert len(grades(folder / "out")) == 4
+
+
 def test_a_full_disk_leaves_no_half_record(folder):
     small_class(folder / "class")
     out = folder / "out"

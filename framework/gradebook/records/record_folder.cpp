@@ -4,10 +4,13 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <iostream>
 #include <stdexcept>
 
 #include "cli/system/files.hpp"
+#include "cli/system/terminal.hpp"
 #include "files/output_file.hpp"
 #include "gradebook/records/record_json.hpp"
 
@@ -31,11 +34,17 @@ FolderLock::FolderLock(const fs::path& folder) {
   const fs::path file = folder / ".lock";
   file_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0) throw std::runtime_error("cannot write to " + folder.string());
-  if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+  if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+  if (errno == EWOULDBLOCK) {
     close(file_);
     throw std::runtime_error("another grader is at work in " + folder.string() +
                              ". Wait until it has finished, or choose another --out");
   }
+  // Not every file system of a network has locks.
+  std::cerr << cli::indented(
+      "Cannot lock " + folder.string() +
+          ": do not run another ./cs550 grade in it until this one has ended.",
+      0);
 }
 
 FolderLock::~FolderLock() { close(file_); }

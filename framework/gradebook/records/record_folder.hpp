@@ -12,7 +12,8 @@
 
 namespace cs550::gradebook {
 
-/// While this object lives, no other grader works on the folder.
+/// While this object lives, no other grader works on the folder. Where the file system has no locks, a warning
+/// is printed instead.
 class FolderLock {
  public:
   /// Creates the folder, which only its owner can enter. Throws std::runtime_error if another grader works on it.
