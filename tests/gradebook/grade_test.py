@@ -521,6 +521,20 @@ def test_reports_are_made_again_from_records(folder):
     grade("--report", out, "--out", folder / "shared", "--pseudonyms")
     for file in (folder / "shared").rglob("*.*"):
         assert not re.search(rb"\b(ada|bob|eve)\b", file.read_bytes()), f"{file} has a name"
+    grade("--report", out, "--out", folder / "again", "--pseudonyms")
+    grade("--report", out, "--out", folder / "again", "--pseudonyms")
+    grade("--report", out, "--out", folder / "named")
+    for kept in ("records", "course.toml", "roster.csv"):
+        for other in {"records", "course.toml", "roster.csv"} - {kept}:
+            old = folder / "named" / other
+            shutil.rmtree(old) if old.is_dir() else old.unlink(missing_ok=True)
+        if kept == "roster.csv":
+            (folder / "named/roster.csv").write_text("id\nada\n")
+        before = sorted((folder / "named").rglob("*"))
+        printed = grade("--report", out, "--out", folder / "named", "--pseudonyms", code=2)
+        assert f"has {kept} of an earlier report" in printed and "another --out" in printed, printed
+        assert sorted((folder / "named").rglob("*")) == before
+        grade("--report", out, "--out", folder / "named")
     assert (out / "course.toml").stat().st_mode & 0o077 == 0
     assert out.stat().st_mode & 0o077 == 0, "records are for the instructor alone"
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <set>
 #include <stdexcept>
 
+#include "cli/system/files.hpp"
 #include "files/output_file.hpp"
 #include "gradebook/command/settings.hpp"
 #include "gradebook/marks/pseudonyms.hpp"
@@ -44,6 +46,23 @@ void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
   std::cout << "Who is who is in " << file.string() << '\n';
 }
 
+/// Refuses a folder in which an earlier report has left names. Records that this one replaces have none: they
+/// are those of an earlier report with the same pseudonyms.
+void check_has_no_names(const fs::path& out, const PseudonymousClass& pseudonymous) {
+  std::set<fs::path> replaced;
+  for (const Record& record : pseudonymous.records) replaced.insert(record.name + ".json");
+  std::string names;
+  for (const fs::path& file : cli::files_below(out / "records")) {
+    if (!replaced.contains(file.filename())) names = "records";
+  }
+  for (const char* file : {"course.toml", "roster.csv"}) {
+    if (fs::exists(out / file)) names = file;
+  }
+  if (names.empty()) return;
+  throw std::invalid_argument(fmt::format(
+      "{} has {} of an earlier report, with names.\n  Choose another --out.", out.string(), names));
+}
+
 }  // namespace
 
 std::vector<Record> records_in(const fs::path& folder) {
@@ -70,6 +89,7 @@ void report(const ReportRequest& request) {
           "--pseudonyms needs a secret in the course file, or they could be guessed");
     }
     PseudonymousClass pseudonymous = with_pseudonyms(records, settings.roster, settings.course);
+    check_has_no_names(request.out, pseudonymous);
     write_key(pseudonymous, request.folders.front());
     records = std::move(pseudonymous.records);
     settings.roster = std::move(pseudonymous.roster);
