@@ -273,6 +273,24 @@ def test_entries_without_effect_on_gradescope_are_printed(folder):
     assert any(name.endswith("roster.csv") for name in names), "the autograder has the roster"
 
 
+def test_a_gradescope_zip_is_replaced_as_a_whole(folder):
+    out = folder / "lab3.zip"
+    out.write_text("the old one")
+    cmake = folder / "bin/cmake"
+    cmake.parent.mkdir()
+    cmake.write_text('#!/bin/sh\necho half >"$4"\nexit 1\n')  # cmake -E tar cf FILE ...
+    cmake.chmod(0o755)
+    path = os.environ["PATH"]
+    os.environ["PATH"] = f"{cmake.parent}:{path}"
+    try:
+        grade("--gradescope-zip", out, "--labs", "3", code=1)
+    finally:
+        os.environ["PATH"] = path
+    assert out.read_text() == "the old one"
+    grade("--gradescope-zip", out, "--labs", "3")
+    assert zipfile.is_zipfile(out)
+
+
 def test_a_missing_file_is_the_starter(folder):
     pack(folder / "class/ada.zip", {"merging.cpp": "// mine"})
     pack(folder / "class/bob.zip", {"labs/lab2_half_edge_mesh/merging.cpp": "// both in one file"})

@@ -7,6 +7,7 @@
 
 #include "cli/system/process.hpp"
 #include "cli/system/terminal.hpp"
+#include "files/interruption.hpp"
 #include "files/output_file.hpp"
 #include "gradebook/command/grade.hpp"
 #include "gradebook/command/settings.hpp"
@@ -38,6 +39,7 @@ void print_entries_without_effect(const Course& course) {
 }  // namespace
 
 void make_gradescope_zip(const GradescopeRequest& request) {
+  files::watch_for_interruption();
   const fs::path& out = request.out;
   if (const fs::path folder = fs::absolute(out).parent_path(); !fs::is_directory(folder)) {
     throw std::runtime_error("there is no folder " + folder.string() + " to write the zip to");
@@ -64,9 +66,11 @@ void make_gradescope_zip(const GradescopeRequest& request) {
   files::write_file(stage.path() / "labs.txt", numbers + '\n');
   files::write_file(stage.path() / "targets.txt", targets + '\n');
   keep_settings(settings, stage.path());
-  fs::remove(out);
-  cli::output_of({"cmake", "-E", "tar", "cf", fs::absolute(out).string(), "--format=zip", "."},
-                 stage.path());
+  const WorkFolder packed(fs::temp_directory_path());
+  const fs::path zip = packed.path() / "autograder.zip";
+  cli::output_of({"cmake", "-E", "tar", "cf", zip.string(), "--format=zip", "."}, stage.path());
+  files::throw_if_interrupted();
+  files::copy_file(zip, out);
   std::cout << fmt::format(
       "{} is the autograder of --labs {}. Upload it to Gradescope, with Ubuntu 24.04 as its base "
       "image.\n"
