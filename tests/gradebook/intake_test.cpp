@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 
 #include "cli/system/files.hpp"
 #include "files/output_file.hpp"
@@ -387,6 +388,32 @@ TEST(Discovery, AFolderOfSubmissionsIsAllOfThem) {
   ASSERT_EQ(alone.submissions.size(), 1U) << "an empty folder that is named gets a record";
   EXPECT_EQ(alone.submissions[0].student, "empty");
   EXPECT_THROW(find_submissions({scratch / "absent"}, project_catalogue()), std::runtime_error);
+}
+
+TEST(Discovery, AFolderOfALabMayHoldSubmissionsOfIt) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "class/ada/lab3/lab3.zip", "");
+  files::write_file(scratch / "class/ada/lab4/support.cpp", "");
+  files::write_file(scratch / "class/bob/lab3/src/a.cpp", "");
+  files::write_file(scratch / "class/eve/lab3/notes.txt", "");
+  const auto students = [&](const char* folder) {
+    std::map<std::string, std::string> found;
+    for (const FoundSubmission& submission :
+         find_submissions({scratch / folder}, project_catalogue()).submissions) {
+      found[submission.name] = submission.student;
+    }
+    return found;
+  };
+  using Students = std::map<std::string, std::string>;
+  EXPECT_EQ(students("class"), (Students{{"ada", "ada"}, {"bob", "bob"}, {"eve", "eve"}}))
+      << "a lab beside the archive";
+  fs::remove_all(scratch / "class/ada/lab4");
+  EXPECT_EQ(students("class"),
+            (Students{{"ada-lab3-lab3", "ada"}, {"bob", "bob"}, {"eve", "eve"}}));
+  for (const char* student : {"ada", "bob"}) {
+    files::write_file(scratch / "week/lab3" / (std::string(student) + ".zip"), "");
+  }
+  EXPECT_EQ(students("week"), (Students{{"lab3-ada", "ada"}, {"lab3-bob", "bob"}}));
 }
 
 TEST(Discovery, LinksAmongSubmissionsAreListed) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "files/source_name.hpp"
 #include "gradebook/intake/lab_path.hpp"
 #include "gradebook/intake/read_archive.hpp"
 #include "gradebook/intake/read_folder.hpp"
@@ -31,13 +32,33 @@ std::vector<fs::path> entries(const fs::path& folder, bool links) {
 std::vector<fs::path> children(const fs::path& folder) { return entries(folder, false); }
 std::vector<fs::path> links(const fs::path& folder) { return entries(folder, true); }
 
+bool is_some_archive(const fs::path& file) { return is_archive(file) || is_unknown_archive(file); }
+
+/// Whether a folder with this name is that of a lab.
+bool names_a_lab(const std::string& folder, const Catalogue& catalogue) {
+  return lab_path(folder + "/a.cpp", catalogue).lab != 0;
+}
+
+/// Whether a folder holds archives and no code: submissions, whatever its name is.
+bool holds_only_archives(const fs::path& folder) {
+  constexpr auto options = fs::directory_options::skip_permission_denied;
+  bool has_archives = false;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, options)) {
+    if (files::is_source(entry.path())) return false;
+    has_archives = has_archives || is_some_archive(entry.path());
+  }
+  return has_archives;
+}
+
 /// Whether a folder is a submission, not a folder of submissions.
 bool has_lab_files(const fs::path& folder, const Catalogue& catalogue) {
   for (const fs::path& child : children(folder)) {
     const std::string name = child.filename();
     if (name == "labs" || name == ".git") return true;
-    const std::string as_file = fs::is_directory(child) ? name + "/a.cpp" : name;
-    if (lab_path(as_file, catalogue).lab != 0) return true;
+    const bool is_of_lab = fs::is_directory(child)
+                               ? names_a_lab(name, catalogue) && !holds_only_archives(child)
+                               : lab_path(name, catalogue).lab != 0;
+    if (is_of_lab) return true;
   }
   return false;
 }
@@ -73,7 +94,7 @@ class Finder {
   void look_at(const fs::path& path, const std::vector<std::string>& folders) {
     if (!fs::is_directory(path)) {
       // One that cannot be read is what a student handed in, too.
-      if (is_archive(path) || is_unknown_archive(path)) {
+      if (is_some_archive(path)) {
         add(path, folders);
       } else {
         found_.skipped.push_back({plain_line(path.string()), "not an archive", 1});
@@ -86,7 +107,6 @@ class Finder {
   }
 
   void open(const fs::path& folder, const std::vector<std::string>& folders) {
-    constexpr std::size_t deepest = 2;  // a folder per student, and one per lab in it
     const std::size_t before = found_.submissions.size();
     if (folders.size() < deepest) {
       for (const fs::path& link : links(folder)) {
@@ -98,6 +118,10 @@ class Finder {
         if (fs::is_directory(child)) names.push_back(child.filename());
         look_at(child, names);
       }
+    } else {
+      for (const fs::path& child : children(folder)) {
+        if (!fs::is_directory(child) && is_some_archive(child)) add(child, folders);
+      }
     }
     if (found_.submissions.size() > before) return;
     // A folder without a submission is what a student handed in, and gets a record.
@@ -108,6 +132,16 @@ class Finder {
   Discovery result() { return std::move(found_); }
 
  private:
+  static constexpr std::size_t deepest = 2;  ///< a folder per student, and one per lab in it
+
+  /// The student whose folder it is in, else whose name the file has.
+  std::string student_of_source(const fs::path& source, const std::vector<std::string>& folders) {
+    for (const std::string& folder : folders) {
+      if (!names_a_lab(folder, catalogue_)) return folder;
+    }
+    return student_of(stem(source));
+  }
+
   void add(const fs::path& source, std::vector<std::string> folders) {
     if (!folders.empty() && folders.back() == source.filename()) folders.pop_back();
     std::string name;
@@ -115,9 +149,8 @@ class Finder {
     name = safe_name(name + stem(source));
     const std::string base = name;
     for (int n = 2; !names_.insert(name).second; ++n) name = base + '-' + std::to_string(n);
-    found_.submissions.push_back(
-        {source, name, plain_line(folders.empty() ? student_of(stem(source)) : folders.front()),
-         modification_time(source), ""});
+    found_.submissions.push_back({source, name, plain_line(student_of_source(source, folders)),
+                                  modification_time(source), ""});
   }
 
   const Catalogue& catalogue_;
