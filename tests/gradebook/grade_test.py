@@ -374,6 +374,44 @@ def test_results_of_other_programs_are_not_reused(folder):
     assert [reused(""), reused(""), reused("# changed\n")] == ["0", "3", "0"]
 
 
+def test_results_of_other_mistakes_and_scenes_are_not_reused(folder):
+    pack(folder / "class/ada.zip", {HILL: "// a", "labs/lab3_hill_climbing/my_tests.cpp": "// fake: catches 8"})
+    pack(folder / "class/bob.zip", {HILL: "// b"})
+    root, build = folder / "root", folder / "root/build/test"
+    shutil.copytree(ROOT / "framework/assets", root / "framework/assets")
+    for name in ("labs", "tests"):
+        (root / name).symlink_to(ROOT / name)
+    (build / "bin").mkdir(parents=True)
+    judge = build / "bin/grade_lab"
+    judge.write_text(f'#!/bin/sh\nexec "{FAKE}" "$@"\n')
+    judge.chmod(0o755)
+    (folder / "course.toml").write_text("[lab.3]\nown_tests = 5\n")
+
+    def reused():
+        run = subprocess.run([PROGRAM, "--judge", judge, folder / "class", "--out", folder / "out", "--labs", "3",
+                              "--course", folder / "course.toml", "--resume"], capture_output=True, text=True,
+                             check=True, env={**os.environ, "CS550_ROOT": str(root)})
+        return re.search(r"(\d+) results? reused", run.stdout)[1]
+
+    def change(file, text):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+    mistakes = build / "mistakes/lab3"
+    change(mistakes / "a.so", "one")
+    assert [reused(), reused()] == ["0", "2"]
+    change(mistakes / "b.so", "two")
+    assert reused() == "1", "of the student without tests"
+    for i in range(9):  # the order of a folder is not that of its names
+        change(mistakes / f"{i}.so", str(i))
+    assert [reused(), reused()] == ["1", "2"]
+    change(build / "mistakes/lab4/a.so", "of another lab")
+    assert reused() == "2"
+    for kind in ("trajectories/lab3_ghosts.csv", "scenes/ghosts.json", "meshes/hull16.json"):
+        change(root / "framework/assets" / kind, "another")
+        assert [reused(), reused()] == ["0", "2"], kind
+
+
 def test_the_judge_learns_how_many_run_at_a_time(folder):
     small_class(folder / "class")
     judge = folder / "judge.sh"

@@ -239,7 +239,8 @@ bool grade(const GradeRequest& request) {
                     fs::absolute(request.out) / "work",
                     project_version(request.root),
                     isolation,
-                    versions_of(program, labs),
+                    versions_of(program, request.root / "framework/assets", labs),
+                    mistakes_of(program, labs, settings.course),
                     request.jobs};
   std::optional<Temporary> work(judge.work);
   const auto start = std::chrono::steady_clock::now();

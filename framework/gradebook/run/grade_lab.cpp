@@ -133,6 +133,12 @@ std::string hash_of(const std::vector<fs::path>& files) {
   return sha256_of({hashes});
 }
 
+std::vector<fs::path> libraries_below(const fs::path& folder) {
+  std::vector<fs::path> files = cli::files_below(folder);
+  std::erase_if(files, [](const fs::path& file) { return file.extension() != ".so"; });
+  return files;
+}
+
 LabRecord without_result(const CatalogueLab& lab, const std::string& status) {
   LabRecord record;
   record.lab = lab.number;
@@ -176,13 +182,13 @@ LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogu
   return result;
 }
 
-std::map<int, std::string> versions_of(const fs::path& program, const std::vector<int>& labs) {
+std::map<int, std::string> versions_of(const fs::path& program, const fs::path& assets,
+                                       const std::vector<int>& labs) {
   const fs::path folder = program.parent_path();
-  // References and given code, which judges and workers load.
-  std::vector<fs::path> shared = cli::files_below(folder.parent_path() / "labs");
-  std::erase_if(shared, [](const fs::path& file) { return file.extension() != ".so"; });
+  // References, starters and given code, which judges and workers load.
+  std::vector<fs::path> shared = libraries_below(folder.parent_path() / "labs");
   shared.insert(shared.end(), {program, folder / "lab_worker"});
-  const std::string all = hash_of(shared);
+  const std::string all = hash_of(shared) + hash_of(cli::files_below(assets));
   std::map<int, std::string> versions{{0, hash_of({folder / "milestones_judge"})}};
   for (const int lab : labs) {
     const std::string name = fmt::format("lab{}", lab);
@@ -192,13 +198,26 @@ std::map<int, std::string> versions_of(const fs::path& program, const std::vecto
   return versions;
 }
 
+std::map<int, std::string> mistakes_of(const fs::path& program, const std::vector<int>& labs,
+                                       const Course& course) {
+  const fs::path folder = program.parent_path().parent_path() / "mistakes";
+  std::map<int, std::string> mistakes;
+  for (const int lab : labs) {
+    if (course.lab(lab).own_tests == 0) continue;
+    mistakes[lab] = hash_of(libraries_below(folder / fmt::format("lab{}", lab)));
+  }
+  return mistakes;
+}
+
 std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge) {
   const Limits limits = course.limits_of(lab);
   const auto number = [](std::optional<int> value) { return std::to_string(value.value_or(0)); };
   std::vector<std::string> parts{std::to_string(lab), judge.project,         judge.versions.at(lab),
                                  judge.isolation,     course.secret,         number(limits.wall),
                                  number(limits.cpu),  number(limits.memory), number(limits.lab)};
-  if (has_own_tests(lab, files, course)) parts.emplace_back("own tests");
+  if (has_own_tests(lab, files, course)) {
+    parts.insert(parts.end(), {"own tests", judge.mistakes.at(lab)});
+  }
   if (course.counts_challenges()) parts.emplace_back("challenge");
   for (const SourceFile& file : files.files) {
     parts.push_back(file.path);

@@ -23,6 +23,7 @@ struct Judge {
   std::string project;                  ///< commit
   std::string isolation;                ///< of submissions: bubblewrap or plain
   std::map<int, std::string> versions;  ///< versions_of() the labs and the engine
+  std::map<int, std::string> mistakes;  ///< mistakes_of() the labs
   int jobs = 1;                         ///< judges that run at the same time
 };
 
@@ -39,10 +40,15 @@ LabFiles files_to_grade(const Submission& submission, const CatalogueLab& lab,
 LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogue,
                          const CatalogueLab& engine, const std::filesystem::path& starters);
 
-/// A hash of the programs and libraries that grade each lab, and the engine: 0. The commit does not name
-/// them while files differ from it.
+/// A hash of the programs and libraries that grade each lab, and the engine: 0, with the meshes, scenes and
+/// trajectories that they read. The commit does not name them while files differ from it.
 std::map<int, std::string> versions_of(const std::filesystem::path& program,
+                                       const std::filesystem::path& assets,
                                        const std::vector<int>& labs);
+
+/// A hash of the known mistakes of each lab whose own tests earn points.
+std::map<int, std::string> mistakes_of(const std::filesystem::path& program,
+                                       const std::vector<int>& labs, const Course& course);
 
 /// Names everything that the result of a lab depends on.
 std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge);
