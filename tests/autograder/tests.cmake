@@ -18,7 +18,8 @@ if(CS550_ISOLATE_LABS)
     string(APPEND isolated_labs "${CS550_LAB${number}_NAME} ")
   endforeach()
 endif()
-target_sources(tests_autograder PRIVATE "${lab_functions}")
+target_sources(tests_autograder PRIVATE "${lab_functions}"
+               "${PROJECT_SOURCE_DIR}/framework/autograder/grader/place.cpp")
 target_compile_definitions(tests_autograder PRIVATE
   CS550_FAKE_LAB="$<TARGET_FILE:fake_lab>"
   CS550_HEADERS="${PROJECT_SOURCE_DIR}/framework/include/cs550"

@@ -1,8 +1,7 @@
 #pragma once
 /// @file place.hpp
-/// Where the project must not be, so that submissions see nothing of it.
+/// Where the project and its references must not be, so that submissions see nothing of them.
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -13,13 +12,11 @@ inline constexpr std::array seen_by_submissions{"/usr", "/lib", "/lib32", "/lib6
 
 /// Whether submissions could read a file or folder at this path.
 /// @param path absolute, without symbolic links
-inline bool is_seen_by_submissions(const std::filesystem::path& path) {
-  return std::any_of(
-      seen_by_submissions.begin(), seen_by_submissions.end(),
-      [&path](const std::filesystem::path& folder) {
-        return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-               folder.end();
-      });
-}
+bool is_seen_by_submissions(const std::filesystem::path& path);
+
+/// A library of an installed engine (cmake --install), which has the reference of all labs.
+/// @param system a folder such as /usr
+/// @return empty if no folder for libraries has one
+std::filesystem::path installed_engine(const std::filesystem::path& system);
 
 }  // namespace cs550::grader

@@ -24,7 +24,7 @@ constexpr const char* unprotected =
     "  3. Grade in a container.\n"
     "To grade without protection, add --isolation plain.";
 
-/// Hidden tests are there, and the reference of the lab that is graded.
+/// Submissions must see no hidden test, and no reference of the lab that is graded.
 void check_place() {
   for (const char* place : {CS550_GRADED_TESTS, CS550_LAB_FOLDER}) {
     const fs::path path = fs::weakly_canonical(place);
@@ -33,6 +33,16 @@ void check_place() {
                              " can be read by every submission,\n"
                              "since it is in a folder of the system, such as /usr.\n"
                              "Move the project and its builds, for example to your home folder.");
+  }
+  for (const char* folder : seen_by_submissions) {
+    const fs::path engine = installed_engine(folder);
+    if (engine.empty()) continue;
+    throw std::runtime_error(
+        engine.string() +
+        " can be called by every submission,\n"
+        "since it is in a folder of the system. It has the reference of every lab.\n"
+        "Remove what cmake --install has put there, and install the engine in\n"
+        "another folder, such as /opt/cs550.");
   }
 }
 
