@@ -230,17 +230,77 @@ GRADED_TEST(Lab5, SwappedBodiesMirrorTheManifold, 2, "L5.6") {
   story.expect_at_least("pairs with all points compared", points_compared, 300);
 }
 
+/// Checks the point of a cube's deepest vertex, which is above the plane of the slab's top but beyond its sides.
+/// @param slab at the origin, its top 5 cm below the cube
+void require_vertex_on_face(Story here, const PosedShape& slab, const PosedShape& cube,
+                            AxisFeature owner) {
+  const bool slab_is_a = owner == AxisFeature::FaceA;
+  const PosedShape& a = slab_is_a ? slab : cube;
+  const PosedShape& b = slab_is_a ? cube : slab;
+  const Index top = face_towards(slab.mesh(), Vec3::UnitZ());
+  const SeparatingAxis axis = face_axis(a, b, owner, top);
+  const Index vertex = (slab_is_a ? axis.face_a : axis.face_b).vertex;
+  here.when(slab_is_a ? "A is the slab, with the reference face, and the margin is 10 cm"
+                      : "B is the slab, with the reference face, and the margin is 10 cm");
+  Story counted = with_choice_causes(here);
+  const Manifold manifold = build_manifold(a, b, axis, Real(0.1));
+  require(counted.expect_equal("points", manifold.points.size(), 1));
+
+  here.likely("the deepest vertex is named with the query's face: VertexOnFaceA or VertexOnFaceB")
+      .likely(
+          "the deepest vertex is the anchor on its own body, its projection the one on the other")
+      .likely(
+          "the deepest vertex has the normal of a face manifold: turned round if B owns the face");
+  const ContactPoint& point = manifold.points[0];
+  const Vec3 corner = cube.mesh().vertex(vertex);
+  const Vec3 above = cube.pose.to_world(corner);
+  here.expect_near("separation", point.separation, 0.05, 1e-6, "m");
+  here.expect_near("normal", manifold.normal, Vec3(0, 0, slab_is_a ? Real(1) : Real(-1)), 1e-6);
+  here.expect_near("anchor on the cube", slab_is_a ? point.anchor_b : point.anchor_a, corner, 1e-6,
+                   "m");
+  here.expect_near("anchor on the slab", slab_is_a ? point.anchor_a : point.anchor_b,
+                   Vec3(above.x(), above.y(), Real(0.05)), 1e-6, "m");
+  here.expect_equal("name of the point", name_of(point.feature),
+                    name_of(slab_is_a ? FeatureId(FeatureId::Kind::VertexOnFaceA, top, vertex)
+                                      : FeatureId(FeatureId::Kind::VertexOnFaceB, vertex, top)));
+}
+
+/// Checks the points of a cube that leans outward beside a slab: clipping cuts off its lowest edge, the query's.
+void require_clipped_points(Story here, const PosedShape& slab) {
+  const Real sine = Real(0.5);
+  const Real cosine = std::sqrt(Real(0.75));
+  const Real half = Real(0.5);
+  const Real overhang = Real(0.1);
+  const Real gap = Real(0.01);
+  const Vec3 edge(1 + overhang, 0, Real(0.05) + gap);
+  const Vec3 edge_to_middle(-half * (cosine - sine), 0, half * (cosine + sine));
+  const Placed cube(fixture_shape("cube"), {edge + edge_to_middle, turned(30, Vec3::UnitY())});
+  here.given(
+          "the cube moved and turned by 30°, its lowest edge 10 cm beside the slab, 1 cm above it")
+      .when("the margin is 1 m")
+      .likely(
+          "bodies that are apart keep their clipped points, though the query's vertex is closer");
+  const Index top = face_towards(slab.mesh(), Vec3::UnitZ());
+  const SeparatingAxis axis = face_axis(slab, cube.body, AxisFeature::FaceA, top);
+  // Half-way between the slab and the lower face, which rises by tan 30°: at the slab's side and at its other end.
+  const Real at_side = Real(0.05) + (gap + overhang * sine / cosine) / 2;
+  const Real at_end = Real(0.05) + (gap + sine) / 2;
+  const Real end = 1 + overhang - cosine;
+  expect_points(here, slab, cube.body, build_manifold(slab, cube.body, axis, 1),
+                {Vec3(1, -half, at_side), Vec3(1, half, at_side), Vec3(end, -half, at_end),
+                 Vec3(end, half, at_end)},
+                2 * side_plane_tolerance);
+}
+
 GRADED_TEST(Lab5, SeparatedBodiesTouchUpToTheMargin, 1, "L5.6") {
-  Story story = with_choice_causes(
-      Story("Bodies apart have contact points up to the margin, and none beyond it"));
-  story.likely("a separation above the margin gives an empty manifold");
+  Story story("Bodies apart have contact points up to the margin, and none beyond it");
   const Placed a(fixture_shape("slab"), Pose{});
   const Placed b(fixture_shape("cube"), {Vec3(0, 0, Real(0.6)), Quat::Identity()});
   const Index top = face_towards(a.shape->mesh, Vec3::UnitZ());
   const SeparatingAxis axis = face_axis(a.body, b.body, AxisFeature::FaceA, top);
   story.given("a cube 5 cm above a slab");
 
-  Story within = story;
+  Story within = with_choice_causes(story);
   within.when("the margin is 10 cm");
   const Manifold manifold = build_manifold(a.body, b.body, axis, Real(0.1));
   require(within.expect_equal("points", manifold.points.size(), 4));
@@ -251,16 +311,20 @@ GRADED_TEST(Lab5, SeparatedBodiesTouchUpToTheMargin, 1, "L5.6") {
   const Placed aside(fixture_shape("cube"),
                      {Vec3(Real(1.6), Real(1.6), Real(0.6)), Quat::Identity()});
   Story sideways = story;
-  sideways.given("the cube moved off the slab's corner, so that clipping leaves nothing")
-      .when("the margin is 10 cm");
-  const Manifold vertex = build_manifold(
-      a.body, aside.body, face_axis(a.body, aside.body, AxisFeature::FaceA, top), Real(0.1));
-  require(sideways.expect_equal("points", vertex.points.size(), 1));
-  sideways.expect_near("separation", deepest_separation(vertex), 0.05, 1e-6, "m");
+  sideways.given("the cube moved off the slab's corner, so that clipping leaves nothing");
+  require_vertex_on_face(sideways, a.body, aside.body, AxisFeature::FaceA);
+  require_vertex_on_face(sideways, a.body, aside.body, AxisFeature::FaceB);
+  require_clipped_points(story, a.body);
 
   Story beyond = story;
-  beyond.when("the margin is 2 cm");
+  beyond.when("the margin is 2 cm").likely("a separation above the margin gives an empty manifold");
   beyond.expect_equal("points", build_manifold(a.body, b.body, axis, Real(0.02)).points.size(), 0);
+
+  Story undefined = story;
+  undefined.given("a default-constructed axis, which has no feature")
+      .when("the margin is 1 m")
+      .likely("an axis without a feature gives an empty manifold, whatever its separation");
+  undefined.expect_equal("points", build_manifold(a.body, b.body, {}, 1).points.size(), 0);
 }
 
 }  // namespace

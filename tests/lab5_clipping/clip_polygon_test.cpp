@@ -28,7 +28,9 @@ Story with_name_causes(Story story) {
   return story
       .likely("a new corner lies on one of the polygon's edges and on the plane: one name each")
       .likely("`in` is the edge that ends in the corner, `out` the one that leaves it")
-      .likely("a corner on the plane in which the outline leaves ends with the plane's edge");
+      .likely("a corner on the plane in which the outline leaves ends with the plane's edge")
+      .likely(
+          "a polygon that the plane does not cross keeps its names, even with a side on the plane");
 }
 
 /// The name of a feature, such as "incident 3".
@@ -168,6 +170,14 @@ GRADED_TEST(Lab5, ClippedCornersAreNamedByTheirEdges, 3, "L5.1") {
                         std::string("in incident 3, out reference 7"));
   diagonal.expect_equal("corner (1, 1), where it comes back", names_at(triangle, Vec3(1, 1, 0)),
                         std::string("in reference 7, out incident 2"));
+
+  Story touched = story;
+  touched.when("clipped to x ≤ 1 along reference 7, where it has a side");
+  const ClipPolygon whole = clip_polygon(unit_square(), {Vec3::UnitX(), 1}, along_plane);
+  touched.expect_equal("corner (1, 0), where the side begins", names_at(whole, Vec3(1, 0, 0)),
+                       std::string("in incident 0, out incident 1"));
+  touched.expect_equal("corner (1, 1), where it ends", names_at(whole, Vec3(1, 1, 0)),
+                       std::string("in incident 1, out incident 2"));
 
   Random random(52);
   for (int i = 0; i < 200; ++i) {

@@ -8,6 +8,14 @@
 
 namespace cs550::test {
 
+std::string name_of(const FeatureId& id) {
+  const char* kinds[] = {"none",          "VertexOnFaceA", "CrossingOnA",   "CornerOfFaceA",
+                         "VertexOnFaceB", "CrossingOnB",   "CornerOfFaceB", "Edges"};
+  const auto kind = static_cast<std::size_t>(id.kind());
+  return std::string(kind < std::size(kinds) ? kinds[kind] : "unknown kind") + " " +
+         std::to_string(id.of_a()) + "/" + std::to_string(id.of_b());
+}
+
 ShapePtr scaled_shape(const std::string& fixture, Real scale) {
   HalfEdgeMesh mesh = fixture_mesh(fixture);
   for (Vec3& vertex : mesh.vertices) vertex *= scale;
@@ -216,6 +224,13 @@ bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const 
   story.picture([&] { return contact_picture(a, b, expected, manifold); });
   return story.expect_equal("contact points, half-way between the anchors (m)", show(got),
                             show(wanted), at);
+}
+
+bool expect_tangent_along(Story& story, const Manifold& manifold, const std::string& edge_name,
+                          const Vec3& edge, SourceLine at) {
+  const Point along = edge.cast<double>().normalized();
+  return story.expect_near("sine of the angle between the tangent and " + edge_name,
+                           manifold.tangent.cast<double>().cross(along).norm(), 0, 1e-5, "", at);
 }
 
 void require_sound(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,

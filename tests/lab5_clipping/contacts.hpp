@@ -21,6 +21,9 @@ inline std::string name_of(AxisFeature feature) {
   return names[static_cast<int>(feature)];
 }
 
+/// A feature id in words, such as "VertexOnFaceA 3/5".
+std::string name_of(const FeatureId& id);
+
 /// A fixture, `scale` times as large.
 ShapePtr scaled_shape(const std::string& fixture, Real scale);
 
@@ -71,6 +74,12 @@ double area_of(const std::vector<Point>& points, const Point& normal);
 /// Checks that the midpoints of the contact points are these positions, in any order.
 bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const Manifold& manifold,
                    const std::vector<Vec3>& expected, Real tolerance, SourceLine at = {});
+
+/// Checks that the tangent is parallel to an edge.
+/// @param edge_name in words: "A's edge"
+/// @param edge world frame, of any length
+bool expect_tangent_along(Story& story, const Manifold& manifold, const std::string& edge_name,
+                          const Vec3& edge, SourceLine at = {});
 
 /// Checks the invariants of a manifold: unit normal and tangent at right angles, separation =
 /// n·(point on B − point on A), both anchors on (or in) their bodies.

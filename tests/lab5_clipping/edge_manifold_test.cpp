@@ -11,7 +11,8 @@ Story with_edge_causes(Story story) {
       .likely("after clamping one parameter the other one must be computed again")
       .likely(
           "the edges are in two body frames: bring them into one, and each anchor back to its own")
-      .likely("the separation is n·(point on B − point on A): negative in penetration");
+      .likely("the separation is n·(point on B − point on A): negative in penetration")
+      .likely("the tangent is parallel to A's edge, in the world frame");
 }
 
 GRADED_TEST(Lab5, CrossedEdgesMeetWhereTheyCross, 3, "L5.4") {
@@ -53,6 +54,8 @@ GRADED_TEST(Lab5, CrossedEdgesMeetWhereTheyCross, 3, "L5.4") {
       here.expect_equal(what + "edge of A", id.of_a(), edge_a / 2);
       here.expect_equal(what + "edge of B", id.of_b(), edge_b / 2);
       require_sound(here, a.body, b.body, manifold, 3 * size);
+      expect_tangent_along(here, manifold, "A's edge",
+                           a.body.pose.rotate(mesh.edge_vector(edge_a)));
     }
   }
 }

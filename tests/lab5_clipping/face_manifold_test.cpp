@@ -30,6 +30,11 @@ Story with_anchor_causes(Story story) {
           "the reference plane");
 }
 
+Story with_tangent_cause(Story story) {
+  return story.likely(
+      "the tangent is parallel to the reference face's first edge, in the world frame");
+}
+
 /// A box on the slab of 2 m × 2 m × 0.1 m, in a rotated and translated world.
 struct BoxOnSlab {
   Pose world;
@@ -44,11 +49,16 @@ struct BoxOnSlab {
              composed(outer, {size * local.position, local.orientation})) {}
 
   Index top() const { return face_towards(slab.shape->mesh, Vec3::UnitZ()); }
+  /// The first edge of the slab's top, in the world.
+  Vec3 first_edge() const {
+    const HalfEdgeMesh& mesh = slab.shape->mesh;
+    return world.rotate(mesh.edge_vector(mesh.face(top()).edge));
+  }
 };
 
 GRADED_TEST(Lab5, FaceOnFaceKeepsTheIncidentCorners, 2, "L5.3") {
-  Story story = with_clip_causes(
-      with_anchor_causes(Story("A box on a larger face touches it with its four corners")));
+  Story story = with_tangent_cause(with_clip_causes(
+      with_anchor_causes(Story("A box on a larger face touches it with its four corners"))));
   const Real depth = Real(0.01);
   for (const Real size : {Real(1), Real(0.001), Real(1000)}) {
     const Pose outer{size * Vec3(3, -2, 5), turned(70, Vec3(1, 2, 3))};
@@ -77,6 +87,7 @@ GRADED_TEST(Lab5, FaceOnFaceKeepsTheIncidentCorners, 2, "L5.3") {
     slab_first.expect_near("separation", deepest_separation(below), -depth * size, 1e-5 * size,
                            "m");
     require_sound(slab_first, slab, cube, below, 3 * size);
+    expect_tangent_along(slab_first, below, "the reference face's first edge", scene.first_edge());
 
     const Manifold above =
         face_manifold(cube, slab, face_axis(cube, slab, AxisFeature::FaceB, scene.top()), 0);
@@ -87,6 +98,7 @@ GRADED_TEST(Lab5, FaceOnFaceKeepsTheIncidentCorners, 2, "L5.3") {
                             above.reference == AxisFeature::FaceB, true);
     require(expect_points(cube_first, cube, slab, above, expected, Real(1e-5) * size));
     require_sound(cube_first, cube, slab, above, 3 * size);
+    expect_tangent_along(cube_first, above, "the reference face's first edge", scene.first_edge());
   }
 }
 

@@ -27,17 +27,10 @@ std::vector<std::uint32_t> sorted_ids(const Manifold& manifold) {
   return ids;
 }
 
-std::string show(const FeatureId& id) {
-  const char* kinds[] = {"none",          "VertexOnFaceA", "CrossingOnA",   "CornerOfFaceA",
-                         "VertexOnFaceB", "CrossingOnB",   "CornerOfFaceB", "Edges"};
-  return std::string(kinds[static_cast<int>(id.kind())]) + " " + std::to_string(id.of_a()) + "/" +
-         std::to_string(id.of_b());
-}
-
 std::string names_of(const Manifold& manifold) {
   std::string list;
   for (const ContactPoint& point : manifold.points) {
-    list += (list.empty() ? "" : ", ") + show(point.feature);
+    list += (list.empty() ? "" : ", ") + name_of(point.feature);
   }
   return list.empty() ? "none" : list;
 }
@@ -46,7 +39,7 @@ std::string names_of(const Manifold& manifold) {
 std::string feature_at(const Manifold& manifold, const Vec3& place, bool on_body_b) {
   for (const ContactPoint& point : manifold.points) {
     const Vec3& anchor = on_body_b ? point.anchor_b : point.anchor_a;
-    if ((anchor - place).norm() < Real(1e-3)) return show(point.feature);
+    if ((anchor - place).norm() < Real(1e-3)) return name_of(point.feature);
   }
   return "no point there";
 }
@@ -82,24 +75,24 @@ GRADED_TEST(Lab5, FeaturesNameWhatMeets, 2, "L5.3") {
   Story on_a = story;
   on_a.when("A is the slab, with the reference face");
   on_a.expect_equal("cube's corner on the slab's face", feature_at(slab_first, inner_corner, true),
-                    show({Kind::VertexOnFaceA, top, vertex}));
+                    name_of({Kind::VertexOnFaceA, top, vertex}));
   on_a.expect_equal("cube's edge over the slab's edge", feature_at(slab_first, at_crossing, true),
-                    show({Kind::CrossingOnA, slab_side, cube_side}));
+                    name_of({Kind::CrossingOnA, slab_side, cube_side}));
   on_a.expect_equal("slab's corner under the cube's face",
                     feature_at(slab_first, at_slab_corner, true),
-                    show({Kind::CornerOfFaceA, slab_corner, bottom}));
+                    name_of({Kind::CornerOfFaceA, slab_corner, bottom}));
 
   const Manifold cube_first = face_manifold(
       cube.body, slab.body, face_axis(cube.body, slab.body, AxisFeature::FaceB, top), 0);
   Story on_b = story;
   on_b.when("B is the slab, with the reference face");
   on_b.expect_equal("cube's corner on the slab's face", feature_at(cube_first, inner_corner, false),
-                    show({Kind::VertexOnFaceB, vertex, top}));
+                    name_of({Kind::VertexOnFaceB, vertex, top}));
   on_b.expect_equal("cube's edge over the slab's edge", feature_at(cube_first, at_crossing, false),
-                    show({Kind::CrossingOnB, cube_side, slab_side}));
+                    name_of({Kind::CrossingOnB, cube_side, slab_side}));
   on_b.expect_equal("slab's corner under the cube's face",
                     feature_at(cube_first, at_slab_corner, false),
-                    show({Kind::CornerOfFaceB, bottom, slab_corner}));
+                    name_of({Kind::CornerOfFaceB, bottom, slab_corner}));
 }
 
 GRADED_TEST(Lab5, AlignedStackKeepsItsFeatures, 1, "L5.3") {
@@ -121,7 +114,7 @@ GRADED_TEST(Lab5, AlignedStackKeepsItsFeatures, 1, "L5.3") {
     for (const ContactPoint& point : manifold.points) {
       const bool is_vertex = point.feature.kind() == Kind::VertexOnFaceA;
       require(story.expect("each point is a vertex of the upper cube", is_vertex,
-                           show(point.feature), "VertexOnFaceA " + std::to_string(top) + "/…"));
+                           name_of(point.feature), "VertexOnFaceA " + std::to_string(top) + "/…"));
       require(story.expect_near("its anchor, against that vertex", point.anchor_b,
                                 cube->mesh.vertex(point.feature.of_b()), 1e-5, "m"));
     }

@@ -71,7 +71,7 @@ inline constexpr Real side_plane_tolerance = Real(1e-4);
 ///
 /// The anchor on the incident body is the clipped corner; the anchor on the reference body is its
 /// projection onto the reference plane. The normal points from A to B whichever body owns the
-/// reference face. The tangent is parallel to the reference face's first edge.
+/// reference face. The tangent is parallel to the reference face's first edge, Face::edge.
 /// @param axis its feature, FaceA or FaceB, selects the reference face axis.face_a or axis.face_b
 /// @param margin largest separation of a contact point (m)
 Manifold face_manifold(const PosedShape& a, const PosedShape& b, const SeparatingAxis& axis,
