@@ -95,7 +95,7 @@ GRADED_TEST(Lab7, PushAndBounceAreNeverAdded, 2, "L7.3") {
   step.restitution_threshold = Real(0.5);
   ContactConstraint constraint = soft_constraint();
   constraint.restitution = Real(0.5);
-  Story story("Baumgarte: b = min(b_p, b_r) with b_r = e·v_n⁰ if v_n⁰ < −threshold");
+  Story story("Baumgarte: b = min(b_p, b_r) with b_r = e·v_n⁰ if e > 0 and v_n⁰ < −threshold");
   story.given("e", constraint.restitution).given("threshold", step.restitution_threshold, "m/s");
   story.likely("the sum of push and bounce throws bodies higher than they fell from")
       .likely("v_n⁰ is the constraint's approach_velocity, negative when approaching");
@@ -117,6 +117,13 @@ GRADED_TEST(Lab7, PushAndBounceAreNeverAdded, 2, "L7.3") {
   step.use_bias = true;
   step.model = ContactModel::Soft;
   story.expect_near("bias of a soft contact, which bounces later", bias(-4, 0), 0, 0, "m/s");
+  step.model = ContactModel::Baumgarte;
+  constraint.restitution = 0;
+  Story inelastic("Baumgarte: without restitution a gap may close, however fast the approach");
+  inelastic.given("e", constraint.restitution).given("substep", h, "s");
+  inelastic.likely("a bounce needs e > 0: with e = 0 it would ask for 0, less than the gap's d/h");
+  inelastic.expect_near("bias, hit at 4 m/s while 1 mm apart", bias(-4, Real(0.001)), 0.24, 1e-6,
+                        "m/s");
 }
 
 }  // namespace

@@ -94,6 +94,17 @@ GRADED_TEST(Lab7, OnlyFreshHardImpactsBounce, 1, "L7.9") {
     contact.expect_equal("impact handled after", meeting.constraint.impact_handled,
                          at.handled_after);
   }
+  Story without_bounce("without a constraint that bounces, restitution changes no velocity");
+  without_bounce.given(
+      "a cube of 2 kg on a floor, e = 0, hit at 4 m/s, still approaching at 1 m/s");
+  without_bounce.likely("a constraint bounces only if e > 0, however fast it approached");
+  Meeting inelastic = landing(2, Vec3(0, 0, -1));
+  inelastic.constraint.approach_velocity = -4;
+  inelastic.constraint.normal_impulse = 8;
+  bounce(inelastic);
+  without_bounce.expect_near("v_n after", static_cast<double>(inelastic.b.v.z()), -1, 0, "m/s");
+  without_bounce.expect("impact handled after", inelastic.constraint.impact_handled);
+
   Meeting hit = landing(2, Vec3::Zero());
   hit.constraint.restitution = Real(0.5);
   hit.constraint.approach_velocity = -4;
