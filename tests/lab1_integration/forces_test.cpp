@@ -64,6 +64,21 @@ GRADED_TEST(Lab1, ForceAndTorqueGather, 3, "L1.1") {
   }
 }
 
+/// The same push as at the side of a dynamic body.
+void expect_force_on_immovable_bodies(const Pose& pose) {
+  for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic}) {
+    RigidBody body = make_immovable_body(kind, pose);
+    Story story("Forces on a body that is not dynamic are gathered, too");
+    story.given(kind == BodyKind::Static ? "a static body" : "a kinematic body")
+        .given("position", pose.position, "m")
+        .when("a force of 10 N along y acts 2 m further along x")
+        .likely("add_force() treats every kind of body alike: the integration ignores such forces");
+    add_force(body, Vec3(0, 10, 0), pose.position + Vec3(2, 0, 0));
+    story.expect_near("force", body.force, Vec3(0, 10, 0), 0, "N");
+    story.expect_near("torque", body.torque, Vec3(0, 0, 20), 0, "N·m");
+  }
+}
+
 GRADED_TEST(Lab1, ForceOffCentreGivesTorque, 2, "L1.1") {
   Story story("A force turns a body about the axis lever × force");
   const Pose pose{Vec3(3, 0, 0), Quat::Identity()};
@@ -92,6 +107,7 @@ GRADED_TEST(Lab1, ForceOffCentreGivesTorque, 2, "L1.1") {
                     Vec3::Zero(), 0, "kg·m/s");
   aside.expect_near("angular momentum, before any time has passed", pushed_at_side.angular_momentum,
                     Vec3::Zero(), 0, "kg·m²/s");
+  expect_force_on_immovable_bodies(pose);
 }
 
 GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {

@@ -83,6 +83,9 @@ GRADED_TEST(Lab1, SymmetricTopPrecesses, 2, "L1.7") {
   // I₁ = I₂: ω = L/I₁ + (1 − I₃/I₁)·ω₃·e₃, two constant rotations, about the fixed L and about the
   // body's own axis (Goldstein, Classical Mechanics, §5.6).
   RigidBody body = spinning_box(Vec3(Real(0.3), Real(0.3), 1), Vec3(1, 0, 4), start);
+  const Vec3 v(1, -2, 3);
+  body.linear_momentum = body.mass * v;
+  refresh_velocity(body);
   const Eigen::Vector3d momentum = body.angular_momentum.cast<double>();
   const double i1 = body.inertia(0, 0);
   const double i3 = body.inertia(2, 2);
@@ -99,6 +102,12 @@ GRADED_TEST(Lab1, SymmetricTopPrecesses, 2, "L1.7") {
   const Eigen::Quaterniond exact = precession * start.cast<double>().normalized() * own_spin;
   // The midpoint lags by (h·ω)²/12 of an angle: 2e-5 of some 10 rad.
   story.expect_at_most("orientation off by", orientation_error(body, exact), 3e-4, "rad");
+
+  Story moved("A body that rotates moves by v·t");
+  moved.given("v", v, "m/s").when("2 s at 240 Hz by the midpoint method");
+  moved.likely("both methods move the position by v·h: they differ in the rotation only");
+  // 480 additions, each rounded to half a unit in the seventh digit.
+  moved.expect_near("position", body.pose.position, 2 * v, 2e-4, "m");
 }
 
 GRADED_TEST(Lab1, TumblingRacketFlipsOnTime, 2, "L1.7") {
