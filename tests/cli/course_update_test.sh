@@ -11,6 +11,16 @@ copy=$scratch/copy student=$scratch/student printed=$scratch/printed
 handout=labs/lab3_hill_climbing/README.md work=labs/lab3_hill_climbing/hill_climbing.cpp
 
 wrong() { echo "WRONG: $1" >&2; exit 1; }
+# Warnings are about the project, also where it is used through links, as with CS550_BUILD_DIR.
+git clone --quiet "$root" "$scratch/project"
+mkdir "$scratch/links"
+for file in "$scratch/project"/* "$scratch/project"/.[!.]*; do ln -s "$file" "$scratch/links"; done
+CS550_ROOT=$scratch/links "$program" starter "$scratch/linked" >/dev/null 2>"$printed"
+! grep -qF Warning "$printed" || wrong "it warns of changes in a project that has none"
+echo changed >>"$scratch/project/README.md"
+CS550_ROOT=$scratch/links "$program" starter "$scratch/changed" >/dev/null 2>"$printed"
+grep -qF "Warning: uncommitted changes" "$printed" || wrong "it must warn of a change"
+
 "$program" starter "$copy" >"$printed" 2>/dev/null
 grep -qxF "It has no solutions." "$printed" || wrong "it must report that it released nothing"
 ! grep -qF figures "$printed" || grep -qF "./cs550 starter --update '$copy'" "$printed" ||

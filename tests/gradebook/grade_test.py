@@ -412,6 +412,28 @@ def test_results_of_other_mistakes_and_scenes_are_not_reused(folder):
         assert [reused(), reused()] == ["0", "2"], kind
 
 
+def test_a_project_behind_links_has_its_version(folder):
+    if not (ROOT / ".git").exists():
+        print("  (no history: skipped)")
+        return
+    pack(folder / "ada.zip", {HILL: "// a"})
+    project, links = folder / "project", folder / "links"
+    subprocess.run(["git", "clone", "--quiet", ROOT, project], check=True)
+    links.mkdir()
+    for file in project.iterdir():  # as the launcher makes them for CS550_BUILD_DIR
+        (links / file.name).symlink_to(file)
+    commit = subprocess.run(["git", "-C", project, "rev-parse", "HEAD"], capture_output=True, text=True,
+                            check=True).stdout.strip()
+
+    def version(out):
+        grade(folder / "ada.zip", "--out", folder / out, "--labs", "3", root=links)
+        return record(folder / out, "ada")["project"]
+
+    assert version("clean") == commit
+    (project / "README.md").write_text("changed")
+    assert version("changed") == commit + "+changes"
+
+
 def test_the_judge_learns_how_many_run_at_a_time(folder):
     small_class(folder / "class")
     judge = folder / "judge.sh"

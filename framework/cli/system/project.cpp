@@ -26,6 +26,12 @@ fs::path project_root() {
                            " is not inside the repository: run ./cs550 there");
 }
 
+bool has_uncommitted_changes(const fs::path& root) {
+  // With CS550_BUILD_DIR the root is a folder of links, and Git takes what is behind one as removed.
+  const fs::path folder = fs::canonical(root / "CMakeLists.txt").parent_path();
+  return !output_of({"git", "status", "--porcelain", "--untracked-files=no"}, folder).empty();
+}
+
 int lab_number(const std::string& lab_name) { return std::stoi(lab_name.substr(3)); }
 
 std::vector<std::string> lab_names() {

@@ -12,6 +12,9 @@ namespace cs550::cli {
 /// the current one that is a root. Throws std::runtime_error when there is none.
 std::filesystem::path project_root();
 
+/// Whether files of the project differ from its last commit. Throws std::runtime_error when Git cannot tell.
+bool has_uncommitted_changes(const std::filesystem::path& root);
+
 /// The folders of tests/ that belong to a lab, `lab3_hill_climbing`, in the order of their numbers.
 std::vector<std::string> lab_names();
 

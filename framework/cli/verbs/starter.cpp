@@ -246,8 +246,7 @@ int refuse(const std::string& why) {
 }
 
 void warn_of_uncommitted_changes() {
-  if (!output_of({"git", "status", "--porcelain", "--untracked-files=no"}, project_root())
-           .empty()) {
+  if (has_uncommitted_changes(project_root())) {
     std::cerr << "Warning: uncommitted changes are not in the copy.\n";
   }
 }

@@ -32,9 +32,7 @@ namespace fs = std::filesystem;
 std::string project_version(const fs::path& root) {
   try {
     const std::string commit = cli::output_of({"git", "rev-parse", "HEAD"}, root).substr(0, 40);
-    const bool is_clean =
-        cli::output_of({"git", "status", "--porcelain", "--untracked-files=no"}, root).empty();
-    return is_clean ? commit : commit + "+changes";
+    return cli::has_uncommitted_changes(root) ? commit + "+changes" : commit;
   } catch (const std::exception&) {
     return "unknown";
   }
