@@ -20,6 +20,34 @@ MeshIssue first_issue_of_triangles(const TriangleSoup& soup) {
 
 TriangleSoup unit_box() { return cut_from_corners(box(Vec3::Ones())); }
 
+/// Two faults at once: the check that comes first reports its own, wherever in the lists it is.
+void expect_checks_in_order() {
+  Story story("Each check is complete before the next one begins");
+
+  TriangleSoup twice = unit_box();
+  twice.triangles[3] = {4, 6, 4};
+  twice.triangles[7][1] = 8;
+  Story indices = story;
+  indices.given("a box of twelve triangles, its vertices 0 to 7")
+      .given("triangle 3", "4, 6, 4")
+      .given("an index in triangle 7", 8)
+      .likely(
+          "the indices of all triangles are checked before the first area, in a loop of their own");
+  const MeshIssue missing = issue_of(twice);
+  expect_error(indices, missing, MeshError::IndexOutOfRange);
+  indices.expect_equal("the triangle", missing.triangle, 7);
+
+  TriangleSoup unused = unit_box();
+  unused.vertices.push_back(Vec3(0, std::numeric_limits<Real>::quiet_NaN(), 0));
+  Story coordinates = story;
+  coordinates.given("a box of nine vertices, of which the triangles do not use number 8")
+      .given("y of vertex 8", unused.vertices[8].y())
+      .likely("the coordinates of all vertices are checked, also of one that no triangle uses");
+  const MeshIssue infinite = issue_of(unused);
+  expect_error(coordinates, infinite, MeshError::NonFiniteVertex);
+  coordinates.expect_equal("the vertex", infinite.vertex, 8);
+}
+
 GRADED_TEST(Lab2, MissingAndInfiniteVerticesAreNamed, 2, "L2.1") {
   Story story("Triangles that cannot be used are refused, and the message says which they are");
   story.given("a box of twelve triangles, with one fault")
@@ -52,6 +80,7 @@ GRADED_TEST(Lab2, MissingAndInfiniteVerticesAreNamed, 2, "L2.1") {
     here.expect_equal("the triangle", issue.triangle, 7);
     here.expect_equal("the vertex", issue.vertex, missing);
   }
+  expect_checks_in_order();
 }
 
 GRADED_TEST(Lab2, DegenerateTrianglesAreTheSameAtEveryScale, 2, "L2.1") {
