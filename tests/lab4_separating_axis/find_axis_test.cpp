@@ -139,12 +139,35 @@ void require_hinted_edges_first(Story story) {
   require(story.expect_near("axis", answer.axis, Vec3::UnitZ(), 1e-5));
 }
 
+/// A face of one body separates by more than the margin, no face of the other does, and arcs cross. So all three
+/// queries would find something, but the search has to end before the last one.
+void require_an_empty_query(Story story) {
+  const ShapePtr cube = fixture_shape("cube");
+  const PosedShape turned{cube.get(),
+                          {Vec3::Zero(), rotation_exp(Vec3(Real(0.2), Real(0.3), pi / 4))}};
+  const PosedShape upright{cube.get(), {Vec3(2, 0, 0), Quat::Identity()}};
+  story
+      .given(
+          "two cubes of 1 m: a face of the upright one separates by 0.67 m, no face of the turned "
+          "one by 0.1 m")
+      .given("margin 0.5 m");
+  for (const TestPair& pair : {TestPair{turned, upright, "a turned cube and an upright one"},
+                               TestPair{upright, turned, "an upright cube and a turned one"}}) {
+    Story here = about(story, pair);
+    const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, {}, Real(0.5));
+    require(here.expect("an axis beyond the margin", answer.separation > Real(0.5)));
+    require(here.expect("at least one of the three queries is empty",
+                        !(answer.face_a && answer.face_b && answer.edges)));
+  }
+}
+
 GRADED_TEST(Lab4, TheMarginEndsTheSearch, 3, "L4.4") {
   Story story("A separation beyond the margin is an early out, the hint's own feature first");
   story.likely("evaluate the face or the edges of the hint at today's poses before all others")
       .likely("stop when separation > margin, not when it is > 0")
-      .likely("a margin of HUGE_VALF never stops: then the largest separation is wanted");
-  const Story with_edges = story;
+      .likely("a margin of HUGE_VALF never stops: then the largest separation is wanted")
+      .likely("return as soon as a separation exceeds the margin: the queries after it stay empty");
+  const Story of_other_pairs = story;
   story.given("two cubes of 1 m, B at (2, 3, 0) m: x separates by 1 m, y by 2 m");
   const ShapePtr cube = fixture_shape("cube");
   const PosedShape a{cube.get(), {Vec3::Zero(), Quat::Identity()}};
@@ -180,10 +203,13 @@ GRADED_TEST(Lab4, TheMarginEndsTheSearch, 3, "L4.4") {
   const SeparatingAxis unhinted = find_separating_axis(a, b, {}, Real(0.5));
   story.expect("without a hint: an axis beyond the margin", unhinted.separation > Real(0.5));
   require_best_axis(story, pair, unhinted, Real(0.5), rounding);
+  story.expect("without a hint: at least one of the face queries is empty",
+               !(unhinted.face_a && unhinted.face_b));
   const SeparatingAxis wide = find_separating_axis(a, b, hint_a, Real(1.5));
   story.expect_near("with a margin of 1.5 m, which x does not pass: separation", wide.separation, 2,
                     1e-6, "m");
-  require_hinted_edges_first(with_edges);
+  require_hinted_edges_first(of_other_pairs);
+  require_an_empty_query(of_other_pairs);
 }
 
 GRADED_TEST(Lab4, AStaleHintIsNotBelieved, 2, "L4.4") {
