@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 #include "engine/pairs/temporal_coherence.hpp"
@@ -265,58 +264,6 @@ TEST(TemporalCoherence, SwitchedOnAgainItKnowsTheLastQuery) {
   EXPECT_TRUE(world.problems().empty()) << world.problems()[0].message;
   EXPECT_GT(world.stats().deepest_separation, Real(-0.001));
   EXPECT_LT(world.body(cube).linear_velocity.norm(), Real(0.01));
-}
-
-/// A cube on another that does not move. Nothing but the program moves it.
-struct CubeOnACube {
-  World world;
-  BodyId cube;
-
-  CubeOnACube() {
-    world.settings().gravity.setZero();
-    const ShapePtr box = box_shape(Vec3::Constant(Real(0.5)));
-    world.add_body(body_at(box, Vec3::Zero(), BodyKind::Static));
-    cube = world.add_body(body_at(box, {0, 0, 5}));
-  }
-
-  /// Steps from another pose. @param angles about x, then y, then z, in the frame that each turn leaves (degrees)
-  const Manifold& manifold_at(const Vec3& position, const Vec3& angles) {
-    const Vec3 radians = angles * (std::numbers::pi_v<Real> / 180);
-    RigidBody& body = world.body(cube);
-    body.pose.position = position;
-    body.pose.orientation = Eigen::AngleAxis<Real>(radians.x(), Vec3::UnitX()) *
-                            Eigen::AngleAxis<Real>(radians.y(), Vec3::UnitY()) *
-                            Eigen::AngleAxis<Real>(radians.z(), Vec3::UnitZ());
-    set_velocity(body, Vec3::Zero(), Vec3::Zero());
-    world.step(step_length);
-    return world.contacts()[0].manifold;
-  }
-};
-
-// First the edges lead the best face by more than edge_preference. Then the cube has turned so that another face is
-// the best one and comes near enough to replace them.
-TEST(TemporalCoherence, RetestedEdgesGiveWayToAFaceThatBecameTheBest) {
-  struct Turn {
-    Vec3 from, from_angles, to, to_angles;
-  };
-  const Turn turns[] = {{{Real(-0.93), Real(0.23), Real(0.983)},
-                         {2, Real(-0.8), 10},
-                         {Real(-0.93), Real(0.23), Real(0.981)},
-                         {Real(1.6), Real(0.1), 10}},
-                        {{Real(0.74), Real(-0.88), Real(0.987)},
-                         {Real(1.1), Real(-0.3), 30},
-                         {Real(0.74), Real(-0.88), Real(0.982)},
-                         {Real(0.2), Real(-0.3), 30}}};
-  for (const Turn& turn : turns) {
-    CubeOnACube turned;
-    ASSERT_EQ(turned.manifold_at(turn.from, turn.from_angles).reference, AxisFeature::Edges);
-    const Manifold& retested = turned.manifold_at(turn.to, turn.to_angles);
-    CubeOnACube fresh;
-    const Manifold& queried = fresh.manifold_at(turn.to, turn.to_angles);
-    EXPECT_NE(queried.reference, AxisFeature::Edges);
-    EXPECT_EQ(retested.reference, queried.reference);
-    EXPECT_EQ(retested.points.size(), queried.points.size());
-  }
 }
 
 TEST(TemporalCoherence, FreshQueriesAgreeInEveryStepOfAPile) {

@@ -31,29 +31,23 @@ AxisFeature better_face(const SeparatingAxis& axis) {
   return axis.face_a.separation >= axis.face_b.separation ? AxisFeature::FaceA : AxisFeature::FaceB;
 }
 
-/// The better face of the last axis at the current poses.
-SeparatingAxis query_face_again(const PosedShape& a, const PosedShape& b,
-                                const SeparatingAxis& last) {
+/// The better face of the last axis, and its edges if they gave it, at the current poses.
+/// @returns no feature if edges no longer form a face of the Minkowski difference
+SeparatingAxis query_features_again(const PosedShape& a, const PosedShape& b,
+                                    const SeparatingAxis& last) {
+  SeparatingAxis now;
   const AxisFeature face = better_face(last);
-  return face == AxisFeature::None ? SeparatingAxis{} : query_again(a, b, last, face);
-}
+  if (face != AxisFeature::None) now = query_again(a, b, last, face);
+  if (last.feature != AxisFeature::Edges) return now;
 
-/// The edges of the last axis at the current poses, and all faces: the manifold depends on which of them is best.
-/// @returns no feature if the edges no longer form a face of the Minkowski difference
-SeparatingAxis query_edges_again(const PosedShape& a, const PosedShape& b,
-                                 const SeparatingAxis& last) {
   const SeparatingAxis edges = query_again(a, b, last, AxisFeature::Edges);
   if (edges.feature != AxisFeature::Edges) return {};
-  SeparatingAxis now = edges;
-  now.face_a = query_face_directions(a, b);
-  now.face_b = query_face_directions(b, a);
-  const bool edges_are_better =
-      edges.separation > std::max(now.face_a.separation, now.face_b.separation);
-  if (edges_are_better) return now;
-  const SeparatingAxis face = query_face_again(a, b, now);
-  now.feature = face.feature;
-  now.axis = face.axis;
-  now.separation = face.separation;
+  now.edges = edges.edges;
+  const bool face_is_better = face != AxisFeature::None && now.separation >= edges.separation;
+  if (face_is_better) return now;
+  now.feature = AxisFeature::Edges;
+  now.axis = edges.axis;
+  now.separation = edges.separation;
   return now;
 }
 
@@ -128,9 +122,7 @@ bool retest_features(const WorldState& world, std::size_t pair, Real margin,
   const Real near = 2 * (a.shape->radius + b.shape->radius);
   if ((b.pose.position - a.pose.position).squaredNorm() > near * near) return false;
 
-  const SeparatingAxis& last = world.pairs.axes[pair];
-  now.axis = last.feature == AxisFeature::Edges ? query_edges_again(a, b, last)
-                                                : query_face_again(a, b, last);
+  now.axis = query_features_again(a, b, world.pairs.axes[pair]);
   const Real separation = now.axis.separation;
   if (now.axis.feature == AxisFeature::None || separation > margin) return false;
   now.manifold = build_manifold(a, b, now.axis, margin);
