@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 using cs550::cli::Ending;
 using cs550::cli::output_of;
+using cs550::cli::read_output;
 using cs550::cli::run;
 using cs550::cli::students_limits;
 using cs550::cli::Surroundings;
@@ -44,6 +45,9 @@ TEST(Process, AProgramThatPrintsWithoutEndIsStopped) {
   const Ending ending = run({"/bin/sh", "-c", "while :; do echo here; done"}, surroundings);
   EXPECT_EQ(ending.in_words(), "stopped: it printed too much (a loop that prints without end?)");
   EXPECT_LE(fs::file_size(file), most);
+  EXPECT_TRUE(ending.is_endless());
+  EXPECT_EQ(read_output(file, ending).substr(0, 10), "here\nhere\n");
+  EXPECT_LT(read_output(file, ending).size(), 3000U) << "nobody reads a megabyte of one line";
   fs::remove(file);
 }
 

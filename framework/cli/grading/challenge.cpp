@@ -53,7 +53,7 @@ std::vector<ChallengeCount> students_counts(int lab) {
       run({built_program("student", graded_target(lab, Grading::Plain)), "--challenge"},
           {project_root(), output, [&] { return Clock::now() > start + patience; },
            students_limits(false)});
-  const std::string printed = read_text(output);
+  const std::string printed = read_output(output, ending);
   fs::remove(output);
   if (!ending.good()) {
     throw std::runtime_error("the challenge was not finished: " + ending.in_words() + '\n' +

@@ -12,7 +12,6 @@
 #include "cli/grading/debugging.hpp"
 #include "cli/grading/lab_files.hpp"
 #include "cli/system/exit_code.hpp"
-#include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/terminal.hpp"
@@ -79,7 +78,7 @@ EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
   };
   const Ending ending = run(command, {{}, output, is_stuck, students_limits(sanitized)});
   status.clear();
-  const std::string printed = read_text(output);
+  const std::string printed = read_output(output, ending);
   fs::remove(output);
   fs::remove(pulse);
   const std::string report = sanitized ? crash_report(printed) : "";
@@ -93,8 +92,8 @@ EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
 void print_ending(int lab, const EngineEnding& how) {
   const Ending& ending = how.ending;
   if (ending.signal == 0) return;
-  const std::string advice = ending.stopped ? fmt::format("--debug  {}", how_to_find_a_loop)
-                                            : "--asan  which prints the line";
+  const std::string advice = ending.is_endless() ? fmt::format("--debug  {}", how_to_find_a_loop)
+                                                 : "--asan  which prints the line";
   std::cout << fmt::format("\nnot reached: {}\ntry  ./cs550 lab {} --run {}\n", how.in_words, lab,
                            advice);
 }

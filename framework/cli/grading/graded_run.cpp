@@ -79,15 +79,15 @@ struct Outputs {
 
 /// What to try when a test has no verdict of its own.
 std::string advice(int lab, const Ending& ending) {
-  const bool endless = ending.stopped || ending.signal == SIGXFSZ;
-  return endless ? fmt::format("try  ./cs550 lab {} --debug  {}\n", lab, how_to_find_a_loop)
-                 : fmt::format("try  ./cs550 lab {} --asan  which prints the line\n", lab);
+  return ending.is_endless()
+             ? fmt::format("try  ./cs550 lab {} --debug  {}\n", lab, how_to_find_a_loop)
+             : fmt::format("try  ./cs550 lab {} --asan  which prints the line\n", lab);
 }
 
 /// How the program ended, what to try, and in which case.
 Verdict ended_the_program(int lab, const GradedTest& test, const Ending& ending,
                           const Outputs& outputs) {
-  const std::string report = crash_report(text_of(outputs.printed));
+  const std::string report = crash_report(read_output(outputs.printed, ending));
   std::string running_case = text_of(outputs.running_case);
   running_case.erase(std::min(running_case.find('\0'), running_case.size()));
   // A sanitizer ends the program by itself: its report is more useful than the exit code.

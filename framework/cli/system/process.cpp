@@ -83,9 +83,11 @@ bool is_startable(const std::string& program) {
 
 }  // namespace
 
+bool Ending::printed_too_much() const { return signal == SIGXFSZ; }
+
 std::string Ending::in_words() const {
   if (stopped) return "stopped: it did not end in time (an endless loop?)";
-  if (signal == SIGXFSZ) return "stopped: it printed too much (a loop that prints without end?)";
+  if (printed_too_much()) return "stopped: it printed too much (a loop that prints without end?)";
   if (signal != 0) return std::string("crashed: ") + strsignal(signal);
   return "the program exited during the test, with exit code " + std::to_string(exit_code);
 }
@@ -121,12 +123,21 @@ Ending run(const std::vector<std::string>& command, const Surroundings& surround
   return ending;
 }
 
+std::string read_output(const std::filesystem::path& file, const Ending& ending) {
+  constexpr std::size_t beginning = 2000;
+  std::ifstream stream(file, std::ios::binary);
+  if (!ending.printed_too_much()) return {std::istreambuf_iterator<char>(stream), {}};
+  std::string text(beginning, '\0');
+  stream.read(text.data(), beginning);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text + "...\n";
+}
+
 std::string output_of(const std::vector<std::string>& command,
                       const std::filesystem::path& folder) {
   const NamelessFile file;
   const Ending ending = run(command, {folder, file.path()});
-  std::ifstream stream(file.path(), std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text = read_output(file.path(), ending);
   if (!ending.good()) throw std::runtime_error(command.front() + " failed: " + text);
   return text;
 }

@@ -18,11 +18,15 @@ struct Ending {
   bool stopped = false;  ///< whether we killed it, since it made no progress
 
   bool good() const { return exit_code == 0 && signal == 0; }
+  /// Whether it was stopped since it printed more than Limits::output.
+  bool printed_too_much() const;
+  /// Whether it might never have ended.
+  bool is_endless() const { return stopped || printed_too_much(); }
   /// For a program that should not have ended: "crashed: Segmentation fault".
   std::string in_words() const;
 };
 
-/// What a program may use. It leaves no core file then.
+/// What a program may use. One with limits leaves no core file.
 struct Limits {
   std::uint64_t memory = 0;  ///< its address space (bytes), or 0 for any
   std::uint64_t output = 0;  ///< what it writes to one file (bytes), or 0 for any
@@ -37,12 +41,15 @@ struct Surroundings {
   std::filesystem::path output;  ///< file for its standard output and error; empty: ours
   /// Called every few milliseconds: whether the program is stuck and must be killed.
   std::function<bool()> is_stuck = [] { return false; };
-  Limits limits = {};
+  Limits limits = {};  ///< of what it uses
 };
 
 /// Runs a program to its end. The first word is the program, found along PATH.
 /// Throws std::system_error when it cannot be started.
 Ending run(const std::vector<std::string>& command, const Surroundings& surroundings = {});
+
+/// What a program has printed to a file: only the beginning if that was too much.
+std::string read_output(const std::filesystem::path& file, const Ending& ending);
 
 /// What a program prints. Throws std::runtime_error, with what it printed, when it fails.
 std::string output_of(const std::vector<std::string>& command,
