@@ -40,7 +40,8 @@ void expect_checks_in_order() {
   TriangleSoup unused = unit_box();
   unused.vertices.push_back(Vec3(0, std::numeric_limits<Real>::quiet_NaN(), 0));
   Story coordinates = story;
-  coordinates.given("a box of nine vertices, of which the triangles do not use number 8")
+  coordinates
+      .given("a box whose triangles use vertices 0 to 7, and a vertex 8 that none of them uses")
       .given("y of vertex 8", unused.vertices[8].y())
       .likely("the coordinates of all vertices are checked, also of one that no triangle uses");
   const MeshIssue infinite = issue_of(unused);

@@ -64,10 +64,9 @@ void scale_impulses(PairList& pairs, Real factor) {
       point.tangent_impulse *= factor;
     }
   }
-  // Impulses that carry weight are longer in a longer substep, but those of a blow are not: they may be worth no more
-  // than they were.
-  const double growth = std::min(1.0, static_cast<double>(factor));
-  for (double& energy : pairs.impulse_energy) energy *= growth * growth;
+  // Impulses that carry weight grow with the substep, but those of a blow do not: their energy may not grow.
+  const double reduction = std::min(1.0, static_cast<double>(factor));
+  for (double& energy : pairs.impulse_energy) energy *= reduction * reduction;
 }
 
 }  // namespace
@@ -92,7 +91,8 @@ void fit_impulses(WorldState& world, Real h) {
   const Real before = std::exchange(world.substep_length, h);
   if (before == h || before == 0) return;
   const Real factor = h / before;
-  const Real in_range = std::isfinite(factor) ? factor : 0;
+  const Real in_range =
+      std::isfinite(factor) ? factor : 0;  // 0: they are guessed as in the first step
   for (PairList* pairs : {&world.pairs, &world.sleeping.pairs}) scale_impulses(*pairs, in_range);
 }
 
