@@ -154,7 +154,7 @@ def row_of(results):
     row, = json.loads(results.read_text())["tests"]
     if row["status"] == "running":  # the program has described the case beside its results
         case = results.with_name(results.name + ".case")
-        described = case.read_text(errors="replace").strip("\0") if case.exists() else ""
+        described = case.read_text(errors="replace").split("\0")[0] if case.exists() else ""
         row.update(status="failed", message=f"crashed or did not end in this case:\n{described}")
     return row
 
