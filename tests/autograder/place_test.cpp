@@ -2,10 +2,11 @@
 #include "autograder/grader/place.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <fstream>
 #include <string>
+
+#include "helpers/scratch_folder.hpp"
 
 namespace cs550::grader {
 namespace {
@@ -19,41 +20,24 @@ TEST(Place, SubmissionsSeeTheFoldersOfTheSystem) {
   EXPECT_FALSE(is_seen_by_submissions("/"));
 }
 
-/// A folder like /usr, in which a file may be installed.
-class System {
- public:
-  System() {
-    std::string name = (std::filesystem::temp_directory_path() / "place-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~System() { std::filesystem::remove_all(folder_); }
-  System(const System&) = delete;
-  System& operator=(const System&) = delete;
-
-  /// The engine that is found once the only file is this one.
-  std::string engine_in(const std::string& file) const {
-    const std::filesystem::path installed = folder_ / file;
-    std::filesystem::create_directories(installed.parent_path());
-    std::ofstream(installed) << "a library";
-    const std::filesystem::path found = installed_engine(folder_);
-    std::filesystem::remove(installed);
-    return found.empty() ? "" : found.lexically_relative(folder_).string();
-  }
-
- private:
-  std::filesystem::path folder_;
-};
+/// The engine that is found in a folder like /usr if this is its only file.
+std::string engine_in_folder_with(const std::string& file) {
+  const test::ScratchFolder usr;
+  std::filesystem::create_directories((usr / file).parent_path());
+  std::ofstream(usr / file) << "a library";
+  const std::filesystem::path found = installed_engine(usr.path());
+  return found.empty() ? "" : found.lexically_relative(usr.path()).string();
+}
 
 TEST(Place, AnInstalledEngineIsFound) {
-  const System usr;
   for (const char* file :
        {"lib/libcs550.so", "local/lib/libcs550.so.1.0", "lib/x86_64-linux-gnu/liblab3_reference.so",
         "local/lib64/liblab7_fast.so", "local/course/lib/libcs550.so", "liblab12_reference.so"}) {
-    EXPECT_EQ(usr.engine_in(file), file);
+    EXPECT_EQ(engine_in_folder_with(file), file);
   }
   for (const char* file : {"lib/liblab.so.1", "lib/libcs5500.so", "lib/liblab3_stub.so",
                            "share/doc/libcs550.so.txt", "lib/liblabels_fast.so"}) {
-    EXPECT_EQ(usr.engine_in(file), "") << file;
+    EXPECT_EQ(engine_in_folder_with(file), "") << file;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "gradebook/course/catalogue.hpp"
 #include "gradebook/course/course_file.hpp"
 #include "gradebook/records/record.hpp"
+#include "helpers/scratch_folder.hpp"
 
 namespace cs550::gradebook {
 
@@ -63,21 +64,6 @@ inline Record with_broken_engine(const Record& record, std::size_t milestones) {
   return broken;
 }
 
-/// A folder that is empty at the start and removed at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "gradebook-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~ScratchFolder() { std::filesystem::remove_all(path_); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using test::ScratchFolder;
 
 }  // namespace cs550::gradebook

@@ -1,0 +1,29 @@
+#pragma once
+/// @file scratch_folder.hpp
+/// A temporary folder of a test.
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace cs550::test {
+
+/// A folder that is empty at the start and removed at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "cs550_test.XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace cs550::test
