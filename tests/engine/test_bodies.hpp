@@ -19,6 +19,12 @@ inline ShapePtr shape_of(const TriangleSoup& soup) {
 
 inline ShapePtr box_shape(const Vec3& half_extents) { return shape_of(box_soup(half_extents)); }
 
+/// A cube of 1 m.
+inline const ShapePtr& unit_box() {
+  static const ShapePtr shape = box_shape(Vec3::Constant(Real(0.5)));
+  return shape;
+}
+
 /// The hull of random points on an ellipsoid.
 inline ShapePtr random_hull(Random& random, int vertices, const Vec3& radii) {
   std::vector<Vec3> points =

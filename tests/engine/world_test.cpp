@@ -9,18 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cs550/diagnostics.hpp"
 #include "engine/test_bodies.hpp"
 
 namespace cs550 {
 namespace {
 
 using namespace test;
-
-const ShapePtr& unit_box() {
-  static const ShapePtr shape = box_shape(Vec3::Constant(Real(0.5)));
-  return shape;
-}
 
 Real height(const World& world, BodyId id) { return world.body(id).pose.position.z(); }
 
@@ -294,56 +288,6 @@ TEST(World, RefusesSettingsOutsideTheirRange) {
   }
 }
 
-// With the same impulses for longer and shorter substeps the top moves by 0.04 m/s for as long as it stands.
-TEST(World, StepsOfDifferentLengthDoNotShakeATower) {
-  World world;
-  world.add_body(floor_body());
-  BodyId top;
-  for (int i = 0; i < 8; ++i) {
-    top = world.add_body(body_at(unit_box(), {0, 0, Real(0.5) + static_cast<Real>(i)}));
-  }
-  Random random(3);
-  Real fastest = 0;
-  for (int i = 0; i < 1200; ++i) {
-    world.step(step_length * random.real(Real(0.8), Real(1.2)));
-    if (i >= 600) fastest = std::max(fastest, world.body(top).linear_velocity.norm());
-  }
-  EXPECT_LT(fastest, Real(0.01));
-}
-
-/// A cube that lands flat in the last substep of a step (s), and takes another step.
-World landed_cube(Real first, Real second) {
-  World world;
-  world.add_body(floor_body());
-  const Real substep = first / static_cast<Real>(world.settings().substeps);
-  BodyDef def = body_at(unit_box(), {0, 0, Real(0.5) + 5 * (first - substep)});
-  def.linear_velocity.z() = -5;
-  world.add_body(def);
-  world.step(first);
-  world.step(second);
-  return world;
-}
-
-// Weight pushes for as long as the substep lasts, but a blow does not.
-TEST(World, ALongerStepDoesNotRepeatABlow) {
-  for (const auto& [first, second] :
-       {std::pair(Real(1e-3), Real(0.05)), {Real(1e-6), step_length}, {step_length, step_length}}) {
-    const World world = landed_cube(first, second);
-    EXPECT_LT(world.bodies()[1].pose.position.z(), Real(0.52)) << first << " s, then " << second;
-  }
-}
-
-TEST(World, StaysFiniteAfterTheShortestStep) {
-  World world;
-  world.add_body(floor_body());
-  world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
-  run(world, 10);
-  world.step(Real(1e-41));
-  run(world, 10);
-  EXPECT_TRUE(is_finite(world));
-  EXPECT_NEAR(world.bodies()[1].pose.position.z(), 0.5, 1e-2);
-}
-
 TEST(World, AStaticBodyHasNoVelocityWhateverIsWritten) {
   World world;
   const BodyId floor = world.add_body(floor_body());
@@ -405,18 +349,6 @@ TEST(World, AWorldThatWasMovedFromCanBeAssignedTo) {
   EXPECT_EQ(world.state_hash(), moved.state_hash());
 }
 
-TEST(World, RefusesAStepThatIsNoTime) {
-  World world = falling_hulls(3, 12);
-  run(world, 10);
-  const std::uint64_t before = world.state_hash();
-  for (const Real h : {Real(0), Real(-1) / 60, std::numeric_limits<Real>::infinity(),
-                       std::numeric_limits<Real>::quiet_NaN()}) {
-    EXPECT_THROW(world.step(h), std::invalid_argument) << h;
-  }
-  EXPECT_EQ(world.state_hash(), before);
-  EXPECT_EQ(world.step_count(), 10);
-}
-
 TEST(World, RestoredStateRepeatsWhatHappened) {
   World world = falling_hulls(8, 13);
   run(world, 60);
@@ -435,80 +367,6 @@ TEST(World, SameSceneGivesTheSameBits) {
   run(first, 200);
   run(second, 200);
   EXPECT_EQ(first.state_hash(), second.state_hash());
-}
-
-TEST(World, HashSeesTheLastBitOfEveryBody) {
-  World world = falling_hulls(3, 15);
-  const std::uint64_t before = world.state_hash();
-  Real& x = world.body(world.id_at(2)).pose.position.x();
-  x = std::nextafter(x, Real(100));
-  EXPECT_NE(world.state_hash(), before);
-}
-
-/// Two boxes on each other on a floor.
-World two_boxes() {
-  World world;
-  world.add_body(floor_body());
-  world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
-  world.add_body(body_at(unit_box(), {Real(0.2), 0, Real(1.5)}));
-  return world;
-}
-
-TEST(World, HashSeesWhatContactsKeep) {
-  World rested = two_boxes();
-  run(rested, 60);
-  World fresh = two_boxes();
-  for (Index i = 1; i <= 2; ++i) {
-    const RigidBody& from = rested.body(rested.id_at(i));
-    RigidBody& to = fresh.body(fresh.id_at(i));
-    to.pose = from.pose;
-    to.linear_momentum = from.linear_momentum;
-    to.angular_momentum = from.angular_momentum;
-  }
-  EXPECT_NE(rested.state_hash(), fresh.state_hash()) << "the fresh one has no impulses";
-  // And so it continues differently.
-  run(rested, 1);
-  run(fresh, 1);
-  EXPECT_NE(rested.body(rested.id_at(2)).linear_momentum,
-            fresh.body(fresh.id_at(2)).linear_momentum);
-}
-
-/// Boxes in towers of two, apart from each other: from 64 towers on, contacts enough for two parts.
-World many_towers(int towers) {
-  World world;
-  world.add_body(floor_body());
-  for (int i = 0; i < towers; ++i) {
-    for (const Real height : {Real(0.5), Real(1.5)}) {
-      world.add_body(body_at(unit_box(), {Real(2 * (i % 10)), Real(2 * (i / 10)), height}));
-    }
-  }
-  return world;
-}
-
-// The parts decide the solve order, and with it the last bits. They are kept for 16 steps.
-TEST(World, HashSeesHowLongPartsHaveBeenKept) {
-  World world = many_towers(70);
-  world.settings().gravity.setZero();  // nothing changes but the parts
-  run(world, 2);
-  ASSERT_EQ(world.stats().contacts, 2 * 70);
-  const std::uint64_t before = world.state_hash();
-  run(world, 2);
-  EXPECT_NE(world.state_hash(), before);
-  run(world, 14);
-  EXPECT_EQ(world.state_hash(), before) << "16 steps later, and divided again";
-}
-
-TEST(World, HashSeesWhatTheProgramHasSet) {
-  World world = two_boxes();
-  BodyDef lift = body_at(unit_box(), {4, 0, 3}, BodyKind::Kinematic);
-  const BodyId carrier = world.add_body(lift);
-  std::uint64_t before = world.state_hash();
-  EXPECT_EQ(before, World(world).state_hash());
-  add_force(world.body(world.id_at(1)), {1, 0, 0}, {0, 0, 0});
-  EXPECT_NE(world.state_hash(), before) << "a pending force";
-  before = world.state_hash();
-  set_velocity(world.body(carrier), {0, 0, 1}, {0, 0, 0});
-  EXPECT_NE(world.state_hash(), before) << "the velocity of a kinematic body";
 }
 
 TEST(World, ForcesActForOneStep) {

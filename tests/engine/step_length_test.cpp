@@ -1,0 +1,81 @@
+// Steps of different lengths, one after the other.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "cs550/diagnostics.hpp"
+#include "engine/test_bodies.hpp"
+
+namespace cs550 {
+namespace {
+
+using namespace test;
+
+// With the same impulses for longer and shorter substeps the top moves by 0.04 m/s for as long as it stands.
+TEST(StepLength, StepsOfDifferentLengthDoNotShakeATower) {
+  World world;
+  world.add_body(floor_body());
+  BodyId top;
+  for (int i = 0; i < 8; ++i) {
+    top = world.add_body(body_at(unit_box(), {0, 0, Real(0.5) + static_cast<Real>(i)}));
+  }
+  Random random(3);
+  Real fastest = 0;
+  for (int i = 0; i < 1200; ++i) {
+    world.step(step_length * random.real(Real(0.8), Real(1.2)));
+    if (i >= 600) fastest = std::max(fastest, world.body(top).linear_velocity.norm());
+  }
+  EXPECT_LT(fastest, Real(0.01));
+}
+
+/// A cube that lands flat in the last substep of a step (s), and takes another step.
+World landed_cube(Real first, Real second) {
+  World world;
+  world.add_body(floor_body());
+  const Real substep = first / static_cast<Real>(world.settings().substeps);
+  BodyDef def = body_at(unit_box(), {0, 0, Real(0.5) + 5 * (first - substep)});
+  def.linear_velocity.z() = -5;
+  world.add_body(def);
+  world.step(first);
+  world.step(second);
+  return world;
+}
+
+// Weight pushes for as long as the substep lasts, but a blow does not.
+TEST(StepLength, ALongerStepDoesNotRepeatABlow) {
+  for (const auto& [first, second] :
+       {std::pair(Real(1e-3), Real(0.05)), {Real(1e-6), step_length}, {step_length, step_length}}) {
+    const World world = landed_cube(first, second);
+    EXPECT_LT(world.bodies()[1].pose.position.z(), Real(0.52)) << first << " s, then " << second;
+  }
+}
+
+TEST(StepLength, StaysFiniteAfterTheShortestStep) {
+  World world;
+  world.add_body(floor_body());
+  world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
+  run(world, 10);
+  world.step(Real(1e-41));
+  run(world, 10);
+  EXPECT_TRUE(is_finite(world));
+  EXPECT_NEAR(world.bodies()[1].pose.position.z(), 0.5, 1e-2);
+}
+
+TEST(StepLength, RefusesAStepThatIsNoTime) {
+  World world = falling_hulls(3, 12);
+  run(world, 10);
+  const std::uint64_t before = world.state_hash();
+  for (const Real h : {Real(0), Real(-1) / 60, std::numeric_limits<Real>::infinity(),
+                       std::numeric_limits<Real>::quiet_NaN()}) {
+    EXPECT_THROW(world.step(h), std::invalid_argument) << h;
+  }
+  EXPECT_EQ(world.state_hash(), before);
+  EXPECT_EQ(world.step_count(), 10);
+}
+
+}  // namespace
+}  // namespace cs550
