@@ -105,9 +105,11 @@ TEST_F(GradedRun, RemovesWhatAnInterruptedRunLeft) {
     return folder / ("lab5." + std::to_string(process) + ".0" + ending);
   };
   constexpr int nobody = 999999999;  // above the largest process id of Linux
-  for (const char* ending : {".json", ".json.case", ".txt"}) std::ofstream(file_of(nobody, ending));
-  std::ofstream(file_of(getppid(), ".json"));  // another run, which is under way
-  std::ofstream(folder / "lab5.json");
+  for (const char* ending : {".json", ".json.case", ".txt"}) {
+    std::ofstream interrupted(file_of(nobody, ending));
+  }
+  std::ofstream under_way(file_of(getppid(), ".json"));
+  std::ofstream results(folder / "lab5.json");
   run_graded_tests(CS550_FAKE_LAB, 5, {{"Passes", "L5.1", 6, false}}, patience);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);
   EXPECT_TRUE(fs::exists(file_of(getppid(), ".json")));

@@ -52,8 +52,10 @@ World many_towers(int towers) {
   World world;
   world.add_body(floor_body());
   for (int i = 0; i < towers; ++i) {
+    const int column = i % 10;
+    const int row = i / 10;
     for (const Real height : {Real(0.5), Real(1.5)}) {
-      world.add_body(body_at(unit_box(), {Real(2 * (i % 10)), Real(2 * (i / 10)), height}));
+      world.add_body(body_at(unit_box(), {Real(2) * Real(column), Real(2) * Real(row), height}));
     }
   }
   return world;

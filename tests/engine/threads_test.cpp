@@ -120,7 +120,9 @@ World towers(BodyKind kind_of_floor) {
   const ShapePtr box = box_shape(Vec3::Constant(Real(0.25)));
   const ShapePtr needle = box_shape({Real(0.4), Real(0.01), Real(0.01)});
   for (int i = 0; i < 25; ++i) {
-    const Vec3 foot = {static_cast<Real>(i % 5), static_cast<Real>(i / 5), 0};
+    const int column = i % 5;
+    const int row = i / 5;
+    const Vec3 foot = {Real(column), Real(row), 0};
     for (int story = 0; story < 6; ++story) {
       world.add_body(body_at(box, foot + Vec3{0, 0, Real(0.5) * Real(story) + Real(0.25)}));
     }

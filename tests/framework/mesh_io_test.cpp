@@ -1,5 +1,6 @@
 #include "cs550/mesh_io.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -168,11 +169,12 @@ TEST_F(JsonFile, ThatIsNoMeshIsNamed) {
 TEST_F(JsonFile, WithAnIndexThatIsNoneIsNamedWithItsPath) {
   const std::string start = R"({"vertices": [[0, 0, 0]], "vertex_edge": [)";
   for (const std::string index : {"1.7", "1e30", "-1", "4294967296", "\"0\"", "null", "[0]"}) {
-    write(start + "0, " + index + R"(], "half_edges": [], "faces": []})");
+    write(fmt::format(R"({}0, {}], "half_edges": [], "faces": []}})", start, index));
     expect_named(load_mesh_json(path).error, "/vertex_edge/1: expected the index of an element");
-    write(start + R"(0], "half_edges": [[0, 1, 2, 3], [0, )" + index + R"(, 2, 3]], "faces": []})");
+    write(fmt::format(R"({}0], "half_edges": [[0, 1, 2, 3], [0, {}, 2, 3]], "faces": []}})", start,
+                      index));
     expect_named(load_mesh_json(path).error, "/half_edges/1/1: expected the index of an element");
-    write(start + R"(0], "half_edges": [], "faces": [[)" + index + ", 0, 0, 1, 0]]}");
+    write(fmt::format(R"({}0], "half_edges": [], "faces": [[{}, 0, 0, 1, 0]]}})", start, index));
     expect_named(load_mesh_json(path).error, "/faces/0/0: expected the index of an element");
   }
   write(start + "0, 1.7], \"half_edges\": [], \"faces\": []}");

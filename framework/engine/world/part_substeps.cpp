@@ -106,6 +106,7 @@ class PartSubsteps {
     }
   }
 
+ private:
   std::size_t first(std::size_t part) const {
     return static_cast<std::size_t>(world_.parts.first[part]);
   }

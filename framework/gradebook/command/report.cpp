@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 std::vector<Record> merged_records(const std::vector<fs::path>& folders) {
   std::vector<std::vector<Record>> all;
+  all.reserve(folders.size());
   for (const fs::path& folder : folders) all.push_back(records_in(folder));
   return merged(all);
 }
