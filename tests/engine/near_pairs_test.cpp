@@ -98,6 +98,54 @@ TEST(NearPairs, AreThoseWhoseBoxesOverlap) {
   EXPECT_GT(changes, 200U);
 }
 
+/// Moves bodies by their velocities, and lists their pairs.
+void fly(WorldState& world) {
+  for (RigidBody& body : world.bodies) {
+    body.pose.position += step_length * body.linear_velocity;
+  }
+  update_pairs(world, step_length);
+}
+
+TEST(NearPairs, IncludeThoseWhoseSweptBoundsOverlap) {
+  Random random(3);
+  Crowd crowd;
+  WorldState& world = crowd.world;
+  for (int i = 0; i < 60; ++i) crowd.add(random.point_in_box(Vec3::Constant(6)));
+  std::size_t overlapping = 0;
+  for (int step = 0; step < 300; ++step) {
+    for (RigidBody& body : world.bodies) {
+      const bool turns = body.kind == BodyKind::Dynamic && random.integer(0, 9) == 0;
+      if (turns) body.linear_velocity = random.real(0, 20) * random.unit_vector();
+      if (body.pose.position.norm() > 12) body.pose.position.setZero();
+    }
+    fly(world);
+    const std::vector<BodyPair> listed = listed_pairs(world.pairs);
+    for (Index a = 0; a < 60; ++a) {
+      for (Index b = a + 1; b < 60; ++b) {
+        const bool both_immovable = a % 3 == 2 && b % 3 == 2;
+        if (both_immovable) continue;
+        if (!world.slots[a].swept_bounds.overlaps(world.slots[b].swept_bounds)) continue;
+        ++overlapping;
+        ASSERT_TRUE(std::binary_search(listed.begin(), listed.end(), BodyPair(a, b)))
+            << "bodies " << a << " and " << b << " in step " << step;
+      }
+    }
+  }
+  EXPECT_GT(overlapping, 300U * 20U);
+}
+
+/// Each box is stored with room for what comes, but only where its body goes.
+TEST(NearPairs, AreNotBodiesThatFallSideBySide) {
+  Crowd crowd;
+  constexpr Real gap = Real(0.3);
+  for (int i = 0; i < 12; ++i) crowd.add({(2 + gap) * Real(i), 0, 0});
+  for (RigidBody& body : crowd.world.bodies) body.linear_velocity = {0, 0, -5};
+  for (int step = 0; step < 30; ++step) {
+    fly(crowd.world);
+    ASSERT_EQ(crowd.world.pairs.size(), 0U) << "step " << step;
+  }
+}
+
 TEST(NearPairs, KeepTheirImpulsesWhileOthersComeAndGo) {
   Random random(2);
   Crowd crowd;

@@ -23,19 +23,13 @@ bool may_touch(const WorldState& world, Index a, Index b) {
   return (filter_a.mask & filter_b.category) != 0 && (filter_b.mask & filter_a.category) != 0;
 }
 
-/// A leaf moves only if the swept bounds of its body leave the stored box, or if the box has become
-/// far too large for a body that has slowed down.
-bool leaf_is_stale(const Bounds& stored, const Bounds& swept_bounds, Real room) {
-  return !stored.contains(swept_bounds) || !swept_bounds.expanded(4 * room).contains(stored);
-}
-
 /// Gives a body's leaf a new box and remembers to look for new pairs.
 void move_leaf(WorldState& world, Index body, const Bounds& bounds) {
   world.tree.move(world.slots[body].leaf, bounds);
   world.moved.push_back(body);
 }
 
-/// How much larger than a body's swept bounds its stored box is (m).
+/// How much larger than what it encloses a stored box is, so that it can stay for some steps (m).
 Real leaf_room(const WorldState& world) { return Real(0.03) * world.settings.length_unit; }
 
 /// How much larger than its shape's bounds a body's swept bounds are (m).
@@ -44,9 +38,23 @@ Real sweep_margin(const WorldState& world, std::size_t body, Real h) {
   return 2 * world.slop() + travel(world.bodies[body], world.slots[body].spin_speed, gravity, h);
 }
 
-/// How much larger than a body's swept bounds a new box is that also leaves room for later steps (m).
-Real swept_room(const WorldState& world, std::size_t body, Real h) {
-  return leaf_room(world) + sweep_margin(world, body, h);
+/// The box to store for a body: its swept bounds now and two steps ahead. Room only where the body goes keeps
+/// bodies that fly side by side from being pairs.
+Bounds box_to_store(const WorldState& world, std::size_t body, Real h) {
+  constexpr int steps_ahead = 2;
+  const Bounds& swept = world.slots[body].swept_bounds;
+  const Vec3 way = steps_ahead * h * world.bodies[body].linear_velocity;
+  Bounds box = swept;
+  box.include(Bounds{swept.lower + way, swept.upper + way});
+  return box.expanded(leaf_room(world));
+}
+
+/// A leaf moves only if the swept bounds of its body leave the stored box, or if the box has become
+/// far too large for a body that has slowed down.
+bool leaf_is_stale(const WorldState& world, std::size_t body, Real h) {
+  const Bounds& stored = world.tree.bounds(world.slots[body].leaf);
+  if (!stored.contains(world.slots[body].swept_bounds)) return true;
+  return !box_to_store(world, body, h).expanded(4 * leaf_room(world)).contains(stored);
 }
 
 bool is_awake(const WorldState& world, std::size_t body) {
@@ -75,8 +83,7 @@ void sweep_bounds(WorldState& world, Real h) {
       slot.radius = world.definitions[i].shape->radius;
       slot.spin_speed = world.bodies[i].angular_velocity.norm() * slot.radius;
       slot.swept_bounds = present_bounds(world, i).expanded(sweep_margin(world, i, h));
-      world.outgrown[i] =
-          leaf_is_stale(world.tree.bounds(slot.leaf), slot.swept_bounds, swept_room(world, i, h));
+      world.outgrown[i] = leaf_is_stale(world, i, h);
     }
   });
 }
@@ -85,8 +92,7 @@ void sweep_bounds(WorldState& world, Real h) {
 void refit_leaves(WorldState& world, Real h) {
   for (std::size_t i = 0; i < world.slot_count(); ++i) {
     if (!world.outgrown[i]) continue;
-    move_leaf(world, static_cast<Index>(i),
-              world.slots[i].swept_bounds.expanded(swept_room(world, i, h)));
+    move_leaf(world, static_cast<Index>(i), box_to_store(world, i, h));
   }
 }
 

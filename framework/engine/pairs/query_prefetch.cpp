@@ -61,7 +61,9 @@ void prefetch_meshes(const WorldState& world, std::span<const PairQuery> queries
   for_shapes(world, queries, [](const ConvexShape& shape) { prefetch(&shape, sizeof shape); });
   for_shapes(world, queries, [](const ConvexShape& shape) {
     prefetch_elements(shape.mesh.vertices);
+    prefetch_elements(shape.mesh.vertex_edge);
     prefetch_elements(shape.mesh.edges);
+    prefetch_elements(shape.mesh.faces);
     prefetch_elements(shape.plane_blocks);
   });
 }
