@@ -91,8 +91,8 @@ void fit_impulses(WorldState& world, Real h) {
   const Real before = std::exchange(world.substep_length, h);
   if (before == h || before == 0) return;
   const Real factor = h / before;
-  const Real in_range =
-      std::isfinite(factor) ? factor : 0;  // 0: they are guessed as in the first step
+  // Without impulses this step begins like the first one.
+  const Real in_range = std::isfinite(factor) ? factor : 0;
   for (PairList* pairs : {&world.pairs, &world.sleeping.pairs}) scale_impulses(*pairs, in_range);
 }
 

@@ -29,7 +29,7 @@ void move_leaf(WorldState& world, Index body, const Bounds& bounds) {
   world.moved.push_back(body);
 }
 
-/// How much larger than what it encloses a stored box is, so that it can stay for some steps (m).
+/// The room that a stored box leaves on every side, so that it can stay for some steps (m).
 Real leaf_room(const WorldState& world) { return Real(0.03) * world.settings.length_unit; }
 
 /// How much larger than its shape's bounds a body's swept bounds are (m).
