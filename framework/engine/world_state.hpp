@@ -72,7 +72,7 @@ struct PairStretch {
 /// A pair that an edit inserts.
 struct InsertedPair {
   std::size_t to = 0;
-  Contact contact;
+  std::uint64_t key = 0;  ///< see pair_key()
 };
 
 /// Working storage of a search for new pairs.

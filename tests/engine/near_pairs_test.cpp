@@ -189,13 +189,6 @@ TEST(NearPairs, ABodyInThePlaceOfASmallerOneHasItsOwnBounds) {
   EXPECT_EQ(world.contacts().size(), 1U);
 }
 
-Contact contact_of(Index body) {
-  Contact contact;
-  contact.body_a = body;
-  contact.body_b = body + 1;
-  return contact;
-}
-
 TEST(PairListEdit, DoesWhatChangesOneByOneDo) {
   Random random(3);
   PairList pairs;
@@ -208,7 +201,7 @@ TEST(PairListEdit, DoesWhatChangesOneByOneDo) {
     for (std::size_t i = 0; i <= plain.size(); ++i) {
       while (plain.size() < 200 && random.integer(0, 6) < often) {
         const Index body = random.integer(0, 1'000'000);
-        edit.insert(i, contact_of(body));
+        edit.insert(i, pair_key(body, body + 1));
         changed.push_back(body);
         if (random.integer(0, 1) == 0) break;
       }
@@ -225,6 +218,7 @@ TEST(PairListEdit, DoesWhatChangesOneByOneDo) {
     for (std::size_t i = 0; i < plain.size(); ++i) {
       ASSERT_EQ(pairs.contacts[i].body_a, plain[i]) << "round " << round;
       ASSERT_EQ(pairs.summaries[i].body_a, plain[i]);
+      ASSERT_EQ(pairs.summaries[i].body_b, plain[i] + 1);
     }
     ASSERT_EQ(pairs.misplaced.size(), plain.size());
   }

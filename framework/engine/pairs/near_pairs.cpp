@@ -164,15 +164,13 @@ bool has_ended(const WorldState& world, const PairSummary& pair) {
   return !world.tree.bounds(a.leaf).overlaps(world.tree.bounds(b.leaf));
 }
 
-Contact new_contact(const WorldState& world, std::uint64_t key) {
-  Contact contact;
-  contact.body_a = static_cast<Index>(key >> 32);
-  contact.body_b = static_cast<Index>(key & 0xffffffffU);
+void combine_surfaces(WorldState& world, std::size_t pair) {
+  Contact& contact = world.pairs.contacts[pair];
   const BodyDef& a = world.definitions[contact.body_a];
   const BodyDef& b = world.definitions[contact.body_b];
   contact.friction = std::sqrt(a.friction * b.friction);
   contact.restitution = std::max(a.restitution, b.restitution);
-  return contact;
+  world.pairs.summarise(pair);
 }
 
 void note_end(WorldState& world, std::size_t pair, std::vector<ContactEvent>& events) {
@@ -189,15 +187,16 @@ void update_list(WorldState& world) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const std::uint64_t old_key = pair_key(pairs.summaries[i]);
     for (; key != world.new_keys.end() && *key < old_key; ++key) {
-      edit.insert(i, new_contact(world, *key));
+      edit.insert(i, *key);
     }
     if (key != world.new_keys.end() && *key == old_key) ++key;
     if (!has_ended(world, pairs.summaries[i])) continue;
     edit.drop(i);
     note_end(world, i, world.ended);
   }
-  for (; key != world.new_keys.end(); ++key) edit.insert(pairs.size(), new_contact(world, *key));
+  for (; key != world.new_keys.end(); ++key) edit.insert(pairs.size(), *key);
   edit.apply(world.team);
+  for (const InsertedPair& pair : edit.inserted()) combine_surfaces(world, pair.to);
 }
 
 }  // namespace

@@ -36,11 +36,11 @@ void move_stretches(std::span<const PairStretch> stretches, std::vector<Item>& i
 }
 
 /// Puts a pair that has not been queried yet at index `i`.
-void place(PairList& pairs, std::size_t i, const Contact& contact) {
+void place(PairList& pairs, std::size_t i, std::uint64_t key) {
   for_arrays(pairs, [&](auto& array) { array[i] = {}; });
-  pairs.contacts[i] = contact;
-  pairs.summaries[i] = {contact.body_a, contact.body_b};
-  pairs.summarise(i);
+  PairSummary& summary = pairs.summaries[i];
+  summary.body_a = pairs.contacts[i].body_a = static_cast<Index>(key >> 32);
+  summary.body_b = pairs.contacts[i].body_b = static_cast<Index>(key & 0xffffffffU);
 }
 
 }  // namespace
@@ -93,9 +93,9 @@ void PairListEdit::drop(std::size_t i) {
   first_ = i + 1;
 }
 
-void PairListEdit::insert(std::size_t i, const Contact& contact) {
+void PairListEdit::insert(std::size_t i, std::uint64_t key) {
   end_stretch(i);
-  pairs_.inserted.push_back({to_++, contact});
+  pairs_.inserted.push_back({to_++, key});
 }
 
 void PairListEdit::end_stretch(std::size_t last) {
@@ -114,7 +114,7 @@ void PairListEdit::apply(ThreadTeam* team) {
     array.resize(to_);
   };
   for_arrays(pairs_, move, team);
-  for (const InsertedPair& pair : pairs_.inserted) place(pairs_, pair.to, pair.contact);
+  for (const InsertedPair& pair : pairs_.inserted) place(pairs_, pair.to, pair.key);
 }
 
 void move_pairs(PairList& from, PairList& to, PairList& scratch, const std::vector<char>& moves) {

@@ -19,10 +19,13 @@ class PairListEdit {
   /// Drops the pair at index `i` of the list as it is before the edit.
   void drop(std::size_t i);
   /// Inserts a pair that has not been queried yet before the pair that is at index `i` before the edit.
-  void insert(std::size_t i, const Contact& contact);
+  /// @param key see pair_key()
+  void insert(std::size_t i, std::uint64_t key);
   /// Carries out the changes.
   /// @param team that shares the work, if there is one
   void apply(ThreadTeam* team = nullptr);
+  /// The pairs that apply() has inserted. Their contacts have bodies only.
+  std::span<const InsertedPair> inserted() const { return pairs_.inserted; }
 
  private:
   void end_stretch(std::size_t last);

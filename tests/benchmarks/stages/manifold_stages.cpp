@@ -37,15 +37,15 @@ WorldState world_of(const HullPairs& hulls) {
   };
   PairListEdit edit(world.pairs);
   for (const HullPair& pair : hulls.pairs) {
-    Contact contact;
-    contact.body_a = add_body(pair.a);
-    contact.body_b = add_body(pair.b);
-    contact.manifold = build_manifold(pair.a, pair.b, pair.hint, HullPairs::margin);
-    edit.insert(0, contact);
+    const Index body_a = add_body(pair.a);
+    edit.insert(0, pair_key(body_a, add_body(pair.b)));
   }
   edit.apply();
   for (std::size_t i = 0; i < hulls.pairs.size(); ++i) {
-    world.pairs.axes[i] = hulls.pairs[i].hint;
+    const HullPair& pair = hulls.pairs[i];
+    world.pairs.contacts[i].manifold = build_manifold(pair.a, pair.b, pair.hint, HullPairs::margin);
+    world.pairs.summarise(i);
+    world.pairs.axes[i] = pair.hint;
     remember_query(world, i, HullPairs::margin);
     remember_plane(world, i);
   }
