@@ -101,6 +101,23 @@ TEST(Waking, ABodyThatIsAboutToSleepFallsIfItsFloorIsMoved) {
   cube.expect_fall();
 }
 
+// The lower cube is awake because it is pushed all the time. The wall is no support, but has contact points.
+TEST(Waking, ABodyThatIsAboutToSleepFallsIfTheBodyBelowIsMovedAway) {
+  World world(sleeping_settings());
+  const ShapePtr box = box_shape(Vec3::Constant(Real(0.5)));
+  world.add_body(floor_body());
+  world.add_body(body_at(box, {Real(1.001), 0, Real(1.5)}, BodyKind::Static));
+  const BodyId below = world.add_body(body_at(box, {0, 0, Real(0.5)}));
+  const BodyId above = world.add_body(body_at(box, {0, 0, Real(1.5)}));
+  for (int i = 0; i < 180; ++i) {
+    world.body(below).force = {0, 1, 0};
+    world.step(step_length);
+  }
+  world.body(below).pose.position.y() = 20;
+  run(world, 60);
+  EXPECT_NEAR(world.body(above).pose.position.z(), Real(0.5), Real(0.01));
+}
+
 TEST(Waking, SwitchedOnItLetsNothingSleepAtOnce) {
   AwakeCube cube;
   cube.world.settings().sleeping = false;

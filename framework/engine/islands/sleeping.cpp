@@ -139,6 +139,22 @@ void mark_carried(WorldState& world) {
   }
 }
 
+void restart_both(WorldState& world, Index body_a, Index body_b) {
+  restart(world, body_a);
+  restart(world, body_b);
+}
+
+/// A body may rest on one that is awake. If that goes away, the body is at rest no more.
+void restart_where_contacts_ended(WorldState& world) {
+  const PairList& pairs = world.pairs;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairSummary& pair = pairs.summaries[i];
+    if (pairs.touching[i] && !touches(pair)) restart_both(world, pair.body_a, pair.body_b);
+  }
+  // Those that are not even near any more. A body in the place of a removed one has a new window anyway.
+  for (const ContactEvent& pair : world.ended) restart_both(world, pair.a.index, pair.b.index);
+}
+
 /// Wakes the sleeping bodies of the world's pairs that have contact points.
 void wake_touched(WorldState& world) {
   bool any = false;
@@ -203,6 +219,7 @@ void wake_disturbed_bodies(WorldState& world) {
 
 void update_sleep(WorldState& world) {
   if (!world.settings.sleeping) return;
+  restart_where_contacts_ended(world);
   wake_touched(world);
   put_islands_to_sleep(world);
   world.stats.asleep = static_cast<int>(std::count_if(
