@@ -13,7 +13,8 @@ Passes passes_after(const WorldState& world, int done, int count) {
   Passes passes;
   passes.count = count;
   passes.alternate = world.settings.pass_order == PassOrder::BackAndForth;
-  passes.backwards = (passes.alternate ? done : world.step_count) % 2 == 1;
+  // Without passes only the warm start is left, and that always goes forwards.
+  passes.backwards = count > 0 && (passes.alternate ? done : world.step_count) % 2 == 1;
   return passes;
 }
 

@@ -130,6 +130,9 @@ int main() {
   const cs550::Index plate = add_plate(pushed);
   World checked = cubes(Quality::Game, 0);
   checked.settings().check_stages = true;
+  World without_passes = cubes(Quality::Accurate, 0);
+  without_passes.settings().iterations = 0;
+  without_passes.settings().check_stages = true;
   bool same = true;
   for (const Case& pile : {
            Case{"accurate", cubes(Quality::Accurate, 0)},
@@ -138,6 +141,7 @@ int main() {
            Case{.name = "pushed by a plate", .world = pushed, .visitor = plate},
            Case{"falling asleep", falling_asleep()},
            Case{"with checks", checked},
+           Case{"without biased passes", without_passes},
            Case{"with new bodies", cubes(Quality::Game, 0), exchange_bodies, first_exchanged},
        }) {
     same = compare(pile) && same;
