@@ -57,16 +57,15 @@ Matches match_points(const Manifold& before, const Manifold& now) {
 /// v of the frame (n, u, v).
 Vec3 second_tangent(const Manifold& manifold) { return manifold.normal.cross(manifold.tangent); }
 
-void scale_impulses(PairList& pairs, Real factor) {
+/// @param worth factor of what the impulses' energy may be from now on
+void scale_impulses(PairList& pairs, Real factor, double worth) {
   for (Contact& contact : pairs.contacts) {
     for (ContactPoint& point : contact.manifold.points) {
       point.normal_impulse *= factor;
       point.tangent_impulse *= factor;
     }
   }
-  // Impulses that carry weight grow with the substep, but those of a blow do not: their energy may not grow.
-  const double reduction = std::min(1.0, static_cast<double>(factor));
-  for (double& energy : pairs.impulse_energy) energy *= reduction * reduction;
+  for (double& energy : pairs.impulse_energy) energy *= worth;
 }
 
 }  // namespace
@@ -93,7 +92,11 @@ void fit_impulses(WorldState& world, Real h) {
   const Real factor = h / before;
   // Without impulses this step begins like the first one.
   const Real in_range = std::isfinite(factor) ? factor : 0;
-  for (PairList* pairs : {&world.pairs, &world.sleeping.pairs}) scale_impulses(*pairs, in_range);
+  // Impulses that carry weight grow with the substep, but those of a blow do not: their energy may not grow.
+  // Those of sleeping bodies carry nothing but weight.
+  const double squared = static_cast<double>(in_range) * static_cast<double>(in_range);
+  scale_impulses(world.pairs, in_range, std::min(1.0, squared));
+  scale_impulses(world.sleeping.pairs, in_range, squared);
 }
 
 void store_impulses(WorldState& world) {
