@@ -144,5 +144,33 @@ TEST(Overlap, ATowerStandsAfterABoxWasPutIntoIt) {
   EXPECT_NEAR(world.body(boxes.back()).pose.position.z(), 4.5, 0.01);
 }
 
+/// The impulse of the last substep on the floor below two boxes that overlap (N·s). The only pass of a substep relaxes,
+/// so that nothing moves them apart.
+Real impulse_on_floor(int steps, int substeps) {
+  World world;
+  world.settings().warm_starting = false;
+  world.settings().pass_order = PassOrder::BackAndForth;
+  world.settings().iterations = 0;
+  world.settings().relax_iterations = 1;
+  world.settings().substeps = substeps;
+  world.add_body(floor_body());
+  world.add_body(body_at(unit_box(), {0, 0, Real(0.5)}));
+  world.add_body(body_at(unit_box(), {0, 0, 1}));
+  for (int i = 0; i < steps; ++i) world.step(step_length / Real(steps));
+  Real impulse = 0;
+  for (const ContactPoint& point : world.contacts()[0].manifold.points) {
+    impulse += point.normal_impulse;
+  }
+  return impulse;
+}
+
+// A step begins without impulses, and so must a substep. If it continues with those of the one before, it gives a
+// third more.
+TEST(Overlap, WithoutWarmStartingEachSubstepBeginsWithoutImpulses) {
+  const Real begun_anew = impulse_on_floor(2, 1);
+  EXPECT_GT(begun_anew, 0);
+  EXPECT_NEAR(impulse_on_floor(1, 2), begun_anew, Real(0.02) * begun_anew);
+}
+
 }  // namespace
 }  // namespace cs550

@@ -99,8 +99,8 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
   if (world.impacts.any) note_energy_before_impacts(world);
   with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
     refresh_masses(world, step);
-    if (settings.solver == SolverKind::Constraint) begin_push(world);
     if (!starts_warm(settings)) forget_impulses(world);
+    if (settings.solver == SolverKind::Constraint) begin_push(world);
     Passes passes = biased_passes(world, step);
     passes.warm_start = starts_warm(settings) && !resists_rolling(settings);
     if (resists_rolling(settings)) {
