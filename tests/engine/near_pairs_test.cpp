@@ -146,6 +146,37 @@ TEST(NearPairs, AreNotBodiesThatFallSideBySide) {
   }
 }
 
+/// A stored box reaches two steps ahead, so that it need not be replaced in each.
+TEST(NearPairs, TheBoxOfAFastBodyStaysForTwoSteps) {
+  for (const Real speed : {Real(5), Real(10), Real(50)}) {
+    Crowd crowd;
+    crowd.add(Vec3::Zero());
+    crowd.world.bodies[0].linear_velocity = {speed, 0, 0};
+    const auto stored = [&] { return crowd.world.tree.bounds(crowd.world.slots[0].leaf); };
+    int changes = 0;
+    for (int step = 0; step < 60; ++step) {
+      const Bounds before = stored();
+      fly(crowd.world);
+      changes += static_cast<int>(stored().lower != before.lower);
+    }
+    EXPECT_LE(changes, 31) << speed << " m/s";
+  }
+}
+
+/// A box that was stored for a fast body would make pairs of all its neighbours.
+TEST(NearPairs, TheBoxOfABodyThatHasStoppedShrinks) {
+  Crowd crowd;
+  crowd.add(Vec3::Zero());
+  RigidBody& body = crowd.world.bodies[0];
+  body.linear_velocity = {50, 0, 0};
+  fly(crowd.world);
+  body.linear_velocity.setZero();
+  fly(crowd.world);
+  const Bounds& stored = crowd.world.tree.bounds(crowd.world.slots[0].leaf);
+  const Vec3 room = stored.extent() - world_bounds(crowd.world.posed_shape(0)).extent();
+  EXPECT_LT(room.maxCoeff(), Real(0.1));
+}
+
 TEST(NearPairs, KeepTheirImpulsesWhileOthersComeAndGo) {
   Random random(2);
   Crowd crowd;

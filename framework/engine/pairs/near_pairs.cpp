@@ -54,7 +54,8 @@ Bounds box_to_store(const WorldState& world, std::size_t body, Real h) {
 bool leaf_is_stale(const WorldState& world, std::size_t body, Real h) {
   const Bounds& stored = world.tree.bounds(world.slots[body].leaf);
   if (!stored.contains(world.slots[body].swept_bounds)) return true;
-  return !box_to_store(world, body, h).expanded(4 * leaf_room(world)).contains(stored);
+  const Vec3 excess = stored.extent() - box_to_store(world, body, h).extent();
+  return excess.maxCoeff() > 8 * leaf_room(world);
 }
 
 bool is_awake(const WorldState& world, std::size_t body) {
