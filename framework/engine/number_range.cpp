@@ -4,7 +4,8 @@ namespace cs550 {
 
 bool fits(double number, Range range) {
   constexpr double largest = 1e6;
-  constexpr double smallest = 1e-6;
+  constexpr double smallest =
+      Real(1e-6);  // a little less, which a number becomes that is stored as Real
   switch (range) {
     case Range::Any:
       return number >= -largest && number <= largest;

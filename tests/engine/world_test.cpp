@@ -288,6 +288,14 @@ TEST(World, RefusesSettingsOutsideTheirRange) {
   }
 }
 
+// 1e-6 is no float, and the nearest one is smaller.
+TEST(World, TakesTheSmallestSettingsOfTheirRange) {
+  World world;
+  world.settings().length_unit = Real(1e-6);
+  world.settings().contact_hertz = Real(1e-6);
+  EXPECT_NO_THROW(world.step(step_length));
+}
+
 TEST(World, AStaticBodyHasNoVelocityWhateverIsWritten) {
   World world;
   const BodyId floor = world.add_body(floor_body());
