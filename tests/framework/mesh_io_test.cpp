@@ -67,7 +67,7 @@ TEST_F(ObjFile, WithFacesBeforeTheirVerticesLosesNone) {
 }
 
 TEST_F(ObjFile, WithNumbersThatWouldBeMisreadIsRefused) {
-  for (const std::string word : {"nan", "inf", "1,5", "1e99", "0e3192", "0x1p3", "two"}) {
+  for (const std::string word : {"nan", "inf", "1,5", "1e99", "0e3192", "0x1p3", "two", "+-1.5"}) {
     write("v 0 0 0\nv 1 0 " + word + "\nv 0 1 0\nf 1 2 3\n");
     expect_named(load_obj(path).error, "line 2");
     expect_named(load_obj(path).error, "found \"" + word + "\"");
@@ -77,6 +77,13 @@ TEST_F(ObjFile, WithNumbersThatWouldBeMisreadIsRefused) {
   expect_named(load_obj(path).error, "line 2: expected a coordinate such as 1.5");
   write("v 0 0\n");
   expect_named(load_obj(path).error, "line 1: expected three coordinates");
+}
+
+TEST_F(ObjFile, MayBeginWithAMarkOfUtf8) {
+  write("\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const SoupResult result = load_obj(path);
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(result.soup.vertices.size(), 3U);
 }
 
 TEST_F(ObjFile, MayHaveExponentsOfThreeDigits) {

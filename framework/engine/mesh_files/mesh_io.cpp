@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "engine/mesh_files/obj_check.hpp"
 
@@ -11,12 +12,14 @@ namespace cs550 {
 namespace {
 
 /// The text of a file, each line up to its "#". The parser knows comments only at the beginning of a line,
-/// and reads numbers in the others.
+/// and reads numbers in the others. It takes a mark of UTF-8 for a part of the first word.
 std::string without_comments(std::istream& file) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
   std::string text;
   for (std::string line; std::getline(file, line);) {
     text.append(line, 0, line.find('#')).push_back('\n');
   }
+  if (text.starts_with(mark)) text.erase(0, mark.size());
   return text;
 }
 

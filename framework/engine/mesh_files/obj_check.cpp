@@ -22,7 +22,8 @@ struct LargestNumber {
 
 template <class Number>
 bool parse_all(std::string_view word, Number& value) {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+  if (word.starts_with("+-")) return false;
+  if (word.starts_with('+')) word.remove_prefix(1);
   const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   return error == std::errc() && rest == word.data() + word.size();
 }
