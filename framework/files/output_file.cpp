@@ -1,6 +1,7 @@
 #include "files/output_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -18,24 +19,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr mode_t all_permissions = 0777;
 constexpr mode_t readable_and_writable = 0666;  // the umask removes what the user does not want
-
-/// The ordinary file behind a symbolic link, which keeps its content until the new one is complete; otherwise the
-/// path itself. The system's own links name what is already open, such as the standard output.
-fs::path target_of(const fs::path& file) {
-  std::error_code error;
-  const std::string text = fs::absolute(file, error).lexically_normal().string();
-  if (text.rfind("/dev/", 0) == 0 || text.rfind("/proc/", 0) == 0) return file;
-  if (!fs::is_symlink(file, error) || !fs::is_regular_file(file, error)) return file;
-  const fs::path target = fs::canonical(file, error);
-  return error ? file : target;
-}
 
 /// Whether renaming onto the path destroys nothing but an ordinary file.
 bool is_replaceable(const fs::path& file) {
   std::error_code unknown;
   const fs::file_status status = fs::symlink_status(file, unknown);
   return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+/// The system's own links name what is already open, such as the standard output.
+bool is_of_the_system(const fs::path& file) {
+  const std::string path = fs::absolute(file).lexically_normal().string();
+  return path.starts_with("/dev/") || path.starts_with("/proc/");
+}
+
+/// The ordinary file behind symbolic links, which keeps its content until the new one is complete and need not
+/// exist; otherwise the path itself.
+fs::path target_of(const fs::path& file) {
+  constexpr int most_links = 40;  // as many as the system follows
+  std::error_code error;
+  fs::path target = file;
+  for (int links = 0; fs::is_symlink(target, error); ++links) {
+    if (links == most_links || is_of_the_system(target)) return file;
+    target = target.parent_path() / fs::read_symlink(target, error);
+  }
+  return is_of_the_system(target) || !is_replaceable(target) ? file : target;
 }
 
 /// Calls a function that creates a draft. A draft that is already there is left from a process of the same
@@ -62,7 +72,9 @@ OutputFile::OutputFile(const fs::path& file) : file_(target_of(file)) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (is_replaceable(file_)) {
-    draft_ = fs::absolute(file_).string() + ".draft" + std::to_string(getpid());
+    // Not the whole name: with the ending it could be too long for the file system.
+    const std::string beginning = file_.filename().string().substr(0, 200);
+    draft_ = folder / (beginning + ".draft" + std::to_string(getpid()));
   }
   const int descriptor =
       draft_.empty()
@@ -96,6 +108,7 @@ void OutputFile::write(std::string_view bytes) {
 void OutputFile::commit() {
   if (std::fflush(stream_.get()) != 0) fail();
   if (!draft_.empty()) {
+    keep_permissions();
     name_draft();
     draft_has_name_ = true;
   }
@@ -103,6 +116,13 @@ void OutputFile::commit() {
   if (draft_.empty()) return;
   if (std::rename(draft_.c_str(), file_.c_str()) != 0) fail();
   draft_has_name_ = false;
+}
+
+/// Gives the draft the permissions of the file that it replaces, if there is one.
+void OutputFile::keep_permissions() const {
+  struct stat before {};
+  if (stat(file_.c_str(), &before) != 0) return;
+  if (fchmod(fileno(stream_.get()), before.st_mode & all_permissions) != 0) fail();
 }
 
 /// Gives a nameless draft its name. A link cannot replace a file; the rename that follows can.

@@ -14,7 +14,7 @@ namespace cs550::files {
 /// the draft has a name, and stays behind if the process is killed.
 ///
 /// What exists and is no ordinary file (a device, a pipe) is not replaced: the bytes are written to it. A symbolic
-/// link stays, and the file behind it is replaced.
+/// link stays, and the file behind it is replaced. The new file has the permissions of the one that it replaces.
 ///
 /// Every function throws std::runtime_error that names the file and the system's reason.
 class OutputFile {
@@ -37,6 +37,7 @@ class OutputFile {
 
   [[noreturn]] void fail() const;
   int open_draft();
+  void keep_permissions() const;
   void name_draft() const;
 
   std::filesystem::path file_;

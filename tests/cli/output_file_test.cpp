@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,38 @@ TEST_F(Output, BehindALinkToNothingIsMade) {
   write_file(file("link"), "new");
   EXPECT_TRUE(fs::is_symlink(file("link")));
   EXPECT_EQ(content("target"), "new");
+}
+
+TEST_F(Output, BehindALinkToNothingIsMadeAsAWhole) {
+  fs::create_symlink("second", file("first"));
+  fs::create_symlink(file("target"), file("second"));
+  {
+    OutputFile output(file("first"));
+    output.write("half");
+  }
+  EXPECT_FALSE(fs::exists(file("target")));
+  EXPECT_EQ(count(), 2);
+}
+
+TEST_F(Output, BehindLinksInACircleIsRefused) {
+  fs::create_symlink("second", file("first"));
+  fs::create_symlink("first", file("second"));
+  EXPECT_THROW(write_file(file("first"), "new"), std::runtime_error);
+}
+
+TEST_F(Output, MayHaveTheLongestNameOfTheSystem) {
+  const std::string name(255, 'a');
+  write_file(file(name), "whole");
+  EXPECT_EQ(content(name), "whole");
+}
+
+TEST_F(Output, KeepsThePermissionsOfTheFileThatItReplaces) {
+  write_file(file("private"), "before");
+  fs::permissions(file("private"), fs::perms::owner_read | fs::perms::owner_write);
+  write_file(file("private"), "after");
+  EXPECT_EQ(content("private"), "after");
+  EXPECT_EQ(fs::status(file("private")).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
 }
 
 TEST_F(Output, OfTwoDraftsOfAFolderNoneIsTheOther) {

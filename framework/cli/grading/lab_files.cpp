@@ -100,6 +100,7 @@ std::optional<std::vector<fs::path>> replace_lab_files(const std::string& lab_na
     if (same != fresh.end() && same->second == text) continue;
     backups.push_back(first_free_backup(folder / name));
     files::write_file(backups.back(), text);
+    fs::permissions(backups.back(), fs::status(folder / name).permissions());
     if (same == fresh.end()) fs::remove(folder / name);
   }
   for (const auto& [name, text] : fresh) files::write_file(folder / name, text);
