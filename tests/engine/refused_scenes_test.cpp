@@ -259,6 +259,41 @@ TEST(Scene, RefusesMoreMemoryThanIsAllowed) {
                  {"/: ", "at most 3 MB", "bytes of text"}, limits);
 }
 
+/// Generators copy it into each body.
+TEST(Scene, RefusesNamesThatWouldFillTheMemory) {
+  const auto named = [](std::size_t letters) {
+    return with_body(R"({"name": ")" + std::string(letters, 'a') + "\", " + shape_member + "}");
+  };
+  EXPECT_EQ(load_text(named(200)).error, "");
+  expect_refused(named(201), {"/bodies/0/name", "at most 200 bytes"});
+}
+
+/// The number of letters to change takes the product of both lengths to count.
+TEST(Scene, SuggestsNothingForWordsOfThousandsOfLetters) {
+  const std::string name(50000, 'a');
+  const std::string text =
+      R"({"schema": 1, "shapes": {")" + name +
+      R"(": {"kind": "box", "half_extents": [1, 1, 1]}}, "bodies": [{"shape": ")" + name +
+      R"(b"}]})";
+  expect_refused(text, {"/bodies/0/shape"});
+  EXPECT_EQ(load_text(text).error.find("did you mean"), std::string::npos);
+}
+
+TEST(Scene, RefusesADropWhoseSmallestBodyIsTheLargest) {
+  const auto drop = [](const std::string& members, const std::string& body = "{}") {
+    return R"({"schema": 1, "generators": [{"kind": "drop", "count": 3, "columns": [9, 9], "spacing": [9, 9, 9], )"
+           R"("seed": 1, )" +
+           members + R"("body": )" + body + "}]}";
+  };
+  EXPECT_EQ(load_text(drop(R"("smallest": [0.5, 0.5, 0.5], )")).error, "");
+  expect_refused(drop(R"("smallest": [0.3, 0.6, 0.3], )"),
+                 {"/generators/0/smallest", "no more than \"largest\""});
+  expect_refused(drop(R"("largest": [0.3, 0.2, 0.3], )"),
+                 {"/generators/0/largest", "no less than \"smallest\""});
+  expect_refused(drop("", R"({"orientation": {"axis": [0, 0, 1], "degrees": 45}})"),
+                 {"/generators/0/body/orientation", "at random"});
+}
+
 TEST(Scene, RefusesMeshFilesBeyondTheLimits) {
   for (const std::string& file : {test::fixture_file("cube"), std::string("bunny.obj")}) {
     const std::string text = with_body(R"({"shape": {"kind": "mesh", "file": ")" + file + R"("}})");

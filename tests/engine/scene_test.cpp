@@ -212,6 +212,17 @@ TEST(Scene, DropsAreRandomAndRepeatable) {
   EXPECT_EQ(equal_to_other, 0);
 }
 
+// Name and title are printed, and a terminal would obey them.
+TEST(Scene, IsNamedLikeItsFileWithoutControlCharacters) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / "cs550_\033[2Jscene.json";
+  std::ofstream(file) << with_body(std::string("{") + shape_member + "}");
+  const Scene scene = load_scene(file).scene;
+  std::filesystem::remove(file);
+  EXPECT_EQ(scene.name, "cs550_?[2Jscene");
+  EXPECT_EQ(scene.title, scene.name);
+}
+
 TEST(Scene, FindsScenesByNameAndPath) {
   EXPECT_EQ(find_scene("stack10").scene.name, "stack10");
   const TemporaryScene scene(with_body("{" + std::string(shape_member) + "}"));

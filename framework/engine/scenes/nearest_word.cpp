@@ -25,9 +25,12 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 }  // namespace
 
 std::string nearest_word(std::string_view typed, const std::vector<std::string>& words) {
+  constexpr std::size_t longest = 100;  // a scene may hold words of megabytes
+  if (typed.size() > longest) return {};
   std::string nearest;
   std::size_t least = typed.size();
   for (const std::string& word : words) {
+    if (word.size() > 2 * longest) continue;
     const std::size_t distance = edit_distance(typed, word);
     if (distance < least && 2 * distance <= word.size()) {
       nearest = word;

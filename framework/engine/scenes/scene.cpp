@@ -40,7 +40,7 @@ Scene read_scene(const nlohmann::json& document, const fs::path& file, SceneCost
   root.need("schema", schema, schema_version, schema_version);
 
   Scene scene;
-  scene.name = file.stem().string();
+  scene.name = excerpt(file.stem().string(), 200);  // it is printed
   scene.title = scene.name;
   root.read("title", scene.title);
   root.read("description", scene.description);

@@ -6,6 +6,7 @@ namespace cs550 {
 namespace {
 
 constexpr Real degree = pi / 180;
+constexpr std::size_t longest_name = 200;  // generators copy it into each of their bodies
 
 Quat about(const Vec3& axis, Real degrees) {
   return rotation_exp(degrees * degree * axis.normalized());
@@ -71,6 +72,10 @@ NamedBody read_body_without_shape(SceneReader& body) {
   NamedBody result;
   BodyDef& def = result.def;
   body.read("name", result.name);
+  if (result.name.size() > longest_name) {
+    body.refuse("name", "a text of at most " + std::to_string(longest_name) + " bytes",
+                R"("lower brick")");
+  }
   body.read("kind", def.kind,
             Names<BodyKind>{{"dynamic", BodyKind::Dynamic},
                             {"static", BodyKind::Static},

@@ -190,8 +190,19 @@ std::vector<NamedBody> drop(SceneReader& generator, const Context& context) {
   }
   generator.read("smallest", shapes.smallest, Range::Positive);
   generator.read("largest", shapes.largest, Range::Positive);
+  if ((shapes.smallest.array() > shapes.largest.array()).any()) {
+    if (generator.has("smallest")) {
+      generator.refuse("smallest", "no more than \"largest\" along each axis", "[0.3, 0.3, 0.3]");
+    }
+    generator.refuse("largest", "no less than \"smallest\" along each axis", "[0.5, 0.5, 0.5]");
+  }
   generator.require("body", R"({"position": [0, 0, 2]})");
   SceneReader body = generator.object("body", "{}");
+  if (body.has("orientation")) {
+    throw SceneFault(
+        body.path_of("orientation"),
+        "expected no orientation: the bodies of a drop are turned at random; remove it");
+  }
   Copies copies(read_body_without_shape(body));
   body.refuse_other_keys();
   add_cost(generator, context.cost, count, shapes);
