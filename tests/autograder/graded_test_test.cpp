@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "helpers/scratch_folder.hpp"
+
 namespace {
 
 struct Outcome {
@@ -128,11 +130,11 @@ TEST(GradedTestProgram, UnknownOptionIsWrongUsage) {
 }
 
 TEST(GradedTestProgram, PointsAndStepReachTheXmlReport) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "fake_lab.xml";
+  const cs550::test::ScratchFolder folder;
+  const std::filesystem::path file = folder / "fake_lab.xml";
   run_fake_lab("--gtest_filter=Lab5.Passes --gtest_output=xml:" + file.string());
   std::ifstream stream(file);
   const std::string report{std::istreambuf_iterator<char>(stream), {}};
-  std::filesystem::remove(file);
   EXPECT_NE(report.find("name=\"points\" value=\"6\""), std::string::npos) << report;
   EXPECT_NE(report.find("name=\"step\" value=\"L5.1\""), std::string::npos) << report;
 }

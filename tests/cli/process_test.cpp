@@ -10,6 +10,8 @@
 #include <string>
 #include <system_error>
 
+#include "helpers/scratch_folder.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,7 +39,8 @@ TEST(Process, NoFileOfAnotherUserIsInTheWayOfAnOutput) {
 }
 
 TEST(Process, AProgramThatPrintsWithoutEndIsStopped) {
-  const fs::path file = fs::path(testing::TempDir()) / "endless_print.txt";
+  const cs550::test::ScratchFolder folder;
+  const fs::path file = folder / "endless_print.txt";
   constexpr std::uint64_t most = 1 << 20;
   Surroundings surroundings;
   surroundings.output = file;
@@ -48,7 +51,6 @@ TEST(Process, AProgramThatPrintsWithoutEndIsStopped) {
   EXPECT_TRUE(ending.is_endless());
   EXPECT_EQ(read_output(file, ending).substr(0, 10), "here\nhere\n");
   EXPECT_LT(read_output(file, ending).size(), 3000U) << "nobody reads a megabyte of one line";
-  fs::remove(file);
 }
 
 TEST(Process, AProgramThatAllocatesWithoutEndFails) {

@@ -214,11 +214,10 @@ TEST(Scene, DropsAreRandomAndRepeatable) {
 
 // Name and title are printed, and a terminal would obey them.
 TEST(Scene, IsNamedLikeItsFileWithoutControlCharacters) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "cs550_\033[2Jscene.json";
+  const test::ScratchFolder folder;
+  const std::filesystem::path file = folder / "cs550_\033[2Jscene.json";
   std::ofstream(file) << with_body(std::string("{") + shape_member + "}");
   const Scene scene = load_scene(file).scene;
-  std::filesystem::remove(file);
   EXPECT_EQ(scene.name, "cs550_?[2Jscene");
   EXPECT_EQ(scene.title, scene.name);
 }
@@ -247,7 +246,8 @@ TEST(Scene, APathNamesThatFileAndNoOtherBesideIt) {
 }
 
 TEST(Scene, AssetsFolderCanBeChosenWhenTheProgramRuns) {
-  setenv("CS550_ASSETS", testing::TempDir().c_str(), 1);
+  const test::ScratchFolder empty;
+  setenv("CS550_ASSETS", empty.path().c_str(), 1);
   const std::vector<std::string> elsewhere = shipped_scenes();
   unsetenv("CS550_ASSETS");
   EXPECT_TRUE(elsewhere.empty());

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cs550/scene.hpp"
+#include "helpers/scratch_folder.hpp"
 
 namespace cs550 {
 
@@ -17,17 +18,15 @@ class TemporaryScene {
  public:
   explicit TemporaryScene(const std::string& text) {
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    file_ = std::filesystem::path(testing::TempDir()) / ("cs550_" + test + ".json");
+    file_ = folder_ / ("cs550_" + test + ".json");
     std::ofstream(file_) << text;
   }
-  ~TemporaryScene() { std::filesystem::remove(file_); }
-  TemporaryScene(const TemporaryScene&) = delete;
-  TemporaryScene& operator=(const TemporaryScene&) = delete;
 
   const std::filesystem::path& file() const { return file_; }
   SceneResult load() const { return load_scene(file_); }
 
  private:
+  test::ScratchFolder folder_;
   std::filesystem::path file_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace cs550::test {
 
@@ -15,7 +16,11 @@ class ScratchFolder {
     std::string name = (std::filesystem::temp_directory_path() / "cs550_test.XXXXXX").string();
     path_ = mkdtemp(name.data());
   }
-  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ~ScratchFolder() {
+    std::error_code
+        ignored;  // another process may have left something in it that cannot be removed
+    std::filesystem::remove_all(path_, ignored);
+  }
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 

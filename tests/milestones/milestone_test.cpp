@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 
+#include "helpers/scratch_folder.hpp"
 #include "milestones/record.hpp"
 
 namespace cs550::milestones {
@@ -149,7 +150,8 @@ TEST(Milestones, AWrongEngineReachesNone) {
 }
 
 TEST(Record, NamesTheCellThatIsNoNumber) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "cs550_record.csv";
+  const test::ScratchFolder folder;
+  const std::filesystem::path file = folder / "record.csv";
   for (const std::string cell : {"abc", "", "1,5", "1e999", "2x"}) {
     std::ofstream(file) << "time (s);height (m)\n0;1\n0.1;" << cell << "\n0.2;2\n";
     if (cell.empty()) std::ofstream(file) << "time (s);height (m)\n0;1\n;2\n";
@@ -162,7 +164,6 @@ TEST(Record, NamesTheCellThatIsNoNumber) {
                 file.string() + ": " + place + ": expected a number, found \"" + cell + '"');
     }
   }
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 // what physics allows. A scene that fails is shrunk and left as a file, for ./cs550 demo FILE.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "helpers/scratch_folder.hpp"
 #include "soak/random_scene.hpp"
 #include "soak/scene_run.hpp"
 
@@ -16,7 +18,8 @@ void run_scenes(std::uint32_t first, std::uint32_t count) {
   const std::filesystem::path folder = testing::TempDir();
   int failed = 0;
   for (std::uint32_t seed = first; seed < first + count && failed < 20; ++seed) {
-    const std::filesystem::path file = folder / ("random_scene_" + std::to_string(seed) + ".json");
+    const std::filesystem::path file = folder / ("random_scene_" + std::to_string(seed) + "." +
+                                                 std::to_string(getpid()) + ".json");
     const nlohmann::json document = test::random_scene(seed);
     const std::string fault = test::fault_of(document, file);
     if (fault.empty()) {
@@ -36,10 +39,9 @@ TEST(SceneFuzzer, ScenesThatWereFoundKeepTheLaws) {
   for (const auto& entry : std::filesystem::directory_iterator("tests/soak/found")) {
     std::ifstream stream(entry.path());
     const nlohmann::json document = nlohmann::json::parse(stream);
-    const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) / ("found_" + entry.path().filename().string());
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder / entry.path().filename().string();
     EXPECT_EQ(test::fault_of(document, file), "") << entry.path();
-    std::filesystem::remove(file);
     ++scenes;
   }
   EXPECT_GT(scenes, 0) << "tests run in the project's folder";
