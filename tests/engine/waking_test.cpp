@@ -151,6 +151,15 @@ TEST_F(WakingTest, AnImpulse) {
   expect_only_left_wakes();
 }
 
+// Momenta are the state; velocities follow from them.
+TEST_F(WakingTest, NotAVelocityThatTheProgramWrites) {
+  RigidBody& body = towers.world.body(towers.left[3]);
+  body.linear_velocity = {30, 0, 0};
+  towers.world.step(step_length);
+  EXPECT_TRUE(towers.is_asleep(towers.left));
+  EXPECT_TRUE(body.linear_velocity.isZero(0));
+}
+
 TEST_F(WakingTest, AForce) {
   towers.world.body(towers.left[2]).force = {0, 1, 0};
   expect_only_left_wakes();

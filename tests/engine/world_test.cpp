@@ -44,6 +44,10 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
   refused([](BodyDef& def) { def.mass = Real(1e19); });
   refused([](BodyDef& def) { def.linear_velocity.x() = Real(1e17); });
   refused([](BodyDef& def) { def.angular_velocity.z() = Real(1e20); });
+  refused([](BodyDef& def) {
+    def.kind = BodyKind::Kinematic;
+    def.angular_velocity.z() = Real(1e22);
+  });
   refused([](BodyDef& def) { def.density = -1; });
   refused([nan](BodyDef& def) {
     def.mass = Real(1);
@@ -53,6 +57,14 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
   refused(
       [](BodyDef& def) { def.friction = Real(1e20); });  // its square is beyond the range of Real
   refused([](BodyDef& def) { def.restitution = Real(1.5); });
+}
+
+// 7 kg over the volume, times the volume, are 7.0000005 kg.
+TEST(World, ABodyHasExactlyTheMassOfItsDefinition) {
+  World world;
+  BodyDef def = body_at(box_shape(Vec3::Constant(Real(0.3))), Vec3::Zero());
+  def.mass = Real(7);
+  EXPECT_EQ(world.body(world.add_body(def)).mass, Real(7));
 }
 
 TEST(World, ABodyIsMadeFromTheDefinitionOfAnother) {

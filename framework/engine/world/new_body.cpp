@@ -15,12 +15,16 @@ void require(bool holds, const char* what) {
 /// The square of a larger one may not be finite.
 constexpr Real largest_friction = Real(1e6);
 
+/// Whether squares of a velocity are finite, also times the radius of a body.
+bool is_bounded(const Vec3& velocity) { return velocity.norm() <= Real(1e18); }
+
 void check_definition(const BodyDef& def) {
   require(def.shape != nullptr, "a shape");
   require(def.pose.position.allFinite(), "a finite position");
   require(std::abs(def.pose.orientation.norm() - 1) < Real(1e-3),
           "a unit quaternion as its orientation");
-  require(def.linear_velocity.allFinite() && def.angular_velocity.allFinite(), "finite velocities");
+  require(is_bounded(def.linear_velocity) && is_bounded(def.angular_velocity),
+          "finite velocities, each of at most 1e18");
   if (def.mass) {
     require(std::isfinite(*def.mass) && *def.mass > 0, "a positive, finite mass");
   }
@@ -63,7 +67,8 @@ RigidBody make_body(const BodyDef& def) {
   RigidBody body;
   if (def.kind == BodyKind::Dynamic) {
     const Real density = def.mass ? *def.mass / def.shape->volume : def.density;
-    body = make_dynamic_body(density * def.shape->volume, density * def.shape->unit_inertia, pose);
+    const Real mass = def.mass ? *def.mass : density * def.shape->volume;  // exactly what it says
+    body = make_dynamic_body(mass, density * def.shape->unit_inertia, pose);
   } else {
     body = make_immovable_body(def.kind, pose);
   }

@@ -26,10 +26,10 @@ void refresh_velocities(WorldState& world) {
   for_body_blocks(world, [&](std::size_t first, std::size_t last) {
     for (RigidBody& body : std::span(world.bodies).subspan(first, last - first)) {
       if (!world.settings.sleeping) body.asleep = false;  // only the world puts a body to sleep
-      if (body.kind == BodyKind::Static) {
+      if (body.kind == BodyKind::Static || body.asleep) {
         body.linear_velocity.setZero();  // which the program may have written
         body.angular_velocity.setZero();
-      } else if (!body.asleep) {
+      } else {
         refresh_velocity(body);
       }
     }

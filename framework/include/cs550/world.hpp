@@ -222,8 +222,9 @@ class World {
   ///         physical meaning; the message names it
   BodyId add_body(const BodyDef& def);
   /// Removes a body and its contacts. May be called between steps. The id of a removed body is
-  /// ignored. What contacts(), sleeping_contacts() and axes() returned is invalid afterwards; what
-  /// began() and ended() returned is not. After the next step ended() lists the pairs that touched.
+  /// ignored. References to this body, its shape and its definition are invalid afterwards, those of
+  /// others are not. What contacts(), sleeping_contacts() and axes() returned is invalid; what began()
+  /// and ended() returned is not. After the next step ended() lists the pairs that touched.
   void remove_body(BodyId id);
   /// Replaces the definition of a body, including its pose and velocities: the way to change its
   /// kind, shape, mass, friction, restitution or filter. The body keeps its id and loses its
