@@ -1,12 +1,13 @@
-# Every user of a contract header needs these options. Otherwise two files could disagree on the
-# layout of a struct (alignment) or compute different bits (contraction).
+# Every user of a contract header needs these options. Otherwise two files could compute different bits
+# (contraction). Within the project, files must also agree on the layout of their own structs (alignment). The
+# contract's have no alignment, so programs that embed the engine may choose Eigen's.
 add_library(cs550_contract INTERFACE)
 target_include_directories(cs550_contract INTERFACE
-                           "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework/include>"
-                           "$<INSTALL_INTERFACE:include>")
+                           "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework/include>")
 target_compile_features(cs550_contract INTERFACE cxx_std_20)
 target_link_libraries(cs550_contract INTERFACE Eigen3::Eigen)
-target_compile_definitions(cs550_contract INTERFACE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MPL2_ONLY)
+target_compile_definitions(cs550_contract INTERFACE "$<BUILD_INTERFACE:EIGEN_MAX_ALIGN_BYTES=16>"
+                           "$<BUILD_INTERFACE:EIGEN_MPL2_ONLY>")
 # Other vector code than SSE adds in another order. Without any, summation_order.hpp restores that of SSE.
 if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
   target_compile_definitions(cs550_contract INTERFACE EIGEN_DONT_VECTORIZE)

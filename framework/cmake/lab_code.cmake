@@ -121,6 +121,7 @@ function(cs550_add_lab_code number variant)
                           LIBRARY_OUTPUT_DIRECTORY "${lab_folder}")
   else()
     add_library(${target} OBJECT EXCLUDE_FROM_ALL ${ARGN})
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)  # for the installed library
   endif()
   # Labs call functions of the engine, which is linked into the executable after them.
   target_link_libraries(${target} PRIVATE cs550_contract cs550_isolable 

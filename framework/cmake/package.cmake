@@ -16,11 +16,13 @@ set_target_properties(cs550_package PROPERTIES OUTPUT_NAME cs550 EXPORT_NAME cs5
 get_target_property(libraries cs550_package LINK_LIBRARIES)
 if(CS550_ISOLATE_LABS)
   list(FILTER libraries INCLUDE REGEX "^lab")
+  target_link_libraries(cs550_package INTERFACE ${libraries})  # programs call their functions, too
 else()
   set(libraries "")  # their objects are part of the shared library
 endif()
 
-install(TARGETS cs550_package cs550_contract ${libraries} EXPORT cs550 LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS cs550_package cs550_contract ${libraries} EXPORT cs550 LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT cs550 NAMESPACE cs550:: FILE cs550Targets.cmake DESTINATION "${package_folder}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/framework/include/cs550" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/framework/assets" DESTINATION "${CMAKE_INSTALL_DATADIR}/cs550")

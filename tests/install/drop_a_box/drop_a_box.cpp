@@ -1,4 +1,5 @@
-/// Embeds the engine: drops a cube of 1 m onto the ground and prints the height of its centre.
+/// Embeds the engine: throws a cube of 1 m up, and prints at which height its centre comes to rest.
+#include <cs550/integration.hpp>
 #include <cs550/primitives.hpp>
 #include <cs550/world.hpp>
 #include <iostream>
@@ -19,6 +20,7 @@ int main() {
   cs550::BodyDef cube = box({0.5F, 0.5F, 0.5F});
   cube.pose.position = {0, 0, 3};
   const cs550::BodyId id = world.add_body(cube);
+  apply_impulse(world.body(id), {0, 0, 1000}, cube.pose.position);  // 1 m/s upwards
   for (int step = 0; step < 180; ++step) world.step(1.0F / 60);
   std::cout << world.body(id).pose.position.z() << " m\n";
 }
