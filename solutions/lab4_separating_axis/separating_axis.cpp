@@ -151,6 +151,10 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
   if (result.face_b.separation > margin) return with_feature(AxisFeature::FaceB, result, a, b);
 
   result.edges = query_edge_directions(a, b);
+  if (result.edges && result.edges.separation > margin) {
+    return with_feature(AxisFeature::Edges, result, a, b);
+  }
+
   const Real tolerance = tie_tolerance * std::min(a.shape->radius, b.shape->radius);
   return with_feature(best_feature(result, hint.feature, tolerance), result, a, b);
 }

@@ -60,4 +60,21 @@ inline CrossedPair cross(const CrossedShape& kind, Real size, Real overlap_share
   return crossed;
 }
 
+/// Two cubes of 1 m that only the axis of two edges separates, by 20 µm. A face of A overlaps B by 30 µm, within
+/// the tolerance of a tie: B's keel crosses A's edge at x = z = 0.5 m, tilted by 1e-4 rad into A.
+inline CrossedPair barely_apart() {
+  const CrossedShape& cube = crossed_shapes()[0];
+  CrossedPair crossed;
+  crossed.shape = scaled_shape(cube.fixture, 1);
+  crossed.separation = 2e-5;
+  const Vec3 axis(Real(1e-4), 0, 1);
+  const Vec3 keel(1, 0, Real(-1e-4));
+  const Vec3 edge(Real(0.5), 0, Real(0.5));
+  const Vec3 place = edge + (cube.upward.norm() + Real(crossed.separation)) * axis;
+  crossed.pair = {{crossed.shape.get(), {Vec3::Zero(), Quat::Identity()}},
+                  {crossed.shape.get(), {place, stand(cube, keel, -axis)}},
+                  "cubes 20 µm apart along an axis of edges, a face 30 µm deep"};
+  return crossed;
+}
+
 }  // namespace cs550::test

@@ -161,6 +161,19 @@ void require_an_empty_query(Story story) {
   }
 }
 
+/// An axis of edges beyond the margin is returned although a face that does not separate ties with it. Without
+/// the margin either may win.
+void require_edges_beyond_the_margin(Story story) {
+  const CrossedPair crossed = barely_apart();
+  story.likely("edges beyond the margin are the answer, whatever ties with them");
+  for (const Real margin : {Real(0), HUGE_VALF}) {
+    Story here = story;
+    here.given("margin", margin, "m");
+    const SeparatingAxis answer = find_separating_axis(crossed.pair.a, crossed.pair.b, {}, margin);
+    require_best_axis(here, crossed.pair, answer, margin, rounding);
+  }
+}
+
 GRADED_TEST(Lab4, TheMarginEndsTheSearch, 3, "L4.4") {
   Story story("A separation beyond the margin is an early out, the hint's own feature first");
   story.likely("evaluate the face or the edges of the hint at today's poses before all others")
@@ -210,6 +223,7 @@ GRADED_TEST(Lab4, TheMarginEndsTheSearch, 3, "L4.4") {
                     1e-6, "m");
   require_hinted_edges_first(of_other_pairs);
   require_an_empty_query(of_other_pairs);
+  require_edges_beyond_the_margin(of_other_pairs);
 }
 
 GRADED_TEST(Lab4, AStaleHintIsNotBelieved, 2, "L4.4") {

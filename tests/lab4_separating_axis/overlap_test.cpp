@@ -2,6 +2,7 @@
 #include <cs550/graded_test.hpp>
 
 #include "helpers/fixtures.hpp"
+#include "lab4_separating_axis/crossed_shapes.hpp"
 #include "lab4_separating_axis/gjk.hpp"
 
 namespace cs550::test {
@@ -61,6 +62,10 @@ GRADED_TEST(Lab4, CubesThatTouchOverlap, 1, "L4.5") {
     here.given("two cubes of 1 m, B at", expected.position, "m");
     require(here.expect_equal("they overlap", overlap(a, b), expected.overlaps));
   }
+  const CrossedPair crossed = barely_apart();
+  Story apart = about(story, crossed.pair);
+  apart.likely("any positive separation is enough, whatever ties with it");
+  apart.expect_equal("they overlap", overlap(crossed.pair.a, crossed.pair.b), false);
 }
 
 }  // namespace

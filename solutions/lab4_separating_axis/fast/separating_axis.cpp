@@ -248,6 +248,9 @@ SeparatingAxis find_separating_axis(const PosedShape& a, const PosedShape& b,
   const Real to_beat = std::max(result.face_a.separation, result.face_b.separation) - tolerance;
   result.edges = EdgeSearch(ab).best_beyond_faces(hinted_edges, bounds, to_beat, margin);
   result.edges.axis = a.pose.rotate(result.edges.axis);
+  if (result.edges && result.edges.separation > margin) {
+    return with_feature(AxisFeature::Edges, result, a, b);
+  }
   return with_feature(best_feature(result, hint.feature, tolerance), result, a, b);
 }
 
