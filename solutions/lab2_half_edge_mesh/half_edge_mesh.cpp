@@ -10,7 +10,7 @@ namespace cs550 {
 
 namespace {
 
-/// Twice the area of a triangle, over the square of its longest edge, below which it has no area.
+/// Twice the area of a triangle, over the square of its longest edge, up to which it has no area.
 constexpr Real least_relative_area = Real(1e-7);
 
 Index count_of(std::size_t size) { return static_cast<Index>(size); }
@@ -24,7 +24,7 @@ bool is_degenerate(std::span<const Vec3> vertices, const Triangle& triangle) {
   const Vec3 bc = vertices[k] - vertices[j];
   const Vec3 ca = vertices[i] - vertices[k];
   const Real longest = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
-  return ab.cross(bc).norm() < least_relative_area * longest;
+  return ab.cross(bc).norm() <= least_relative_area * longest;
 }
 
 /// The first triangle, in the order of the list, whose vertices an earlier one has too.

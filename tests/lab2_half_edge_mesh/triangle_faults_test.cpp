@@ -86,7 +86,7 @@ GRADED_TEST(Lab2, MissingAndInfiniteVerticesAreNamed, 2, "L2.1") {
 
 GRADED_TEST(Lab2, DegenerateTrianglesAreTheSameAtEveryScale, 2, "L2.1") {
   Story story(
-      "A triangle has no area when twice its area is below 1e-7 of its longest edge squared");
+      "A triangle has no area when twice its area is at most 1e-7 of its longest edge squared");
   story.likely("an area in m² cannot be compared with a fixed number: divide by an edge squared")
       .likely("the longest of the three edges counts, whichever corner comes first");
 
@@ -96,6 +96,14 @@ GRADED_TEST(Lab2, DegenerateTrianglesAreTheSameAtEveryScale, 2, "L2.1") {
   repeated.given("triangle 3", "4, 6, 4");
   expect_error(repeated, issue_of(twice), MeshError::DegenerateTriangle);
   repeated.expect_equal("the triangle", issue_of(twice).triangle, 3);
+
+  const TriangleSoup point{std::vector(4, Vec3(0, 0, 0)),
+                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  Story coincident = story;
+  coincident.given("a tetrahedron with all four vertices at the origin")
+      .likely("the limit itself counts: if all corners coincide both sides are 0");
+  expect_error(coincident, issue_of(point), MeshError::DegenerateTriangle);
+  coincident.expect_equal("the triangle", issue_of(point).triangle, 0);
 
   // A tetrahedron with an edge of length s. A corner of triangle 0 is at distance h from that edge.
   const auto needle = [](Real size, Real height, std::size_t first_corner) {

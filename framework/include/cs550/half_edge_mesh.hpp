@@ -170,7 +170,7 @@ struct MeshBuild {
 ///
 /// Faults are looked for in the order below, and each check is complete before the next one begins.
 /// - L2.1 checks the triangles: NoTriangles, NonFiniteVertex, IndexOutOfRange, DegenerateTriangle,
-///   DuplicateTriangle, IsolatedVertex. A triangle has no area if twice its area is below 1e-7 of
+///   DuplicateTriangle, IsolatedVertex. A triangle has no area if twice its area is at most 1e-7 of
 ///   the square of its longest edge.
 /// - L2.2 checks the edges: NonManifoldEdge, InconsistentWinding, OpenEdge. It stores twins next to
 ///   each other.
