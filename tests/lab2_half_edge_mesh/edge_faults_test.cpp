@@ -57,6 +57,19 @@ GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
   }
 }
 
+/// Two tetrahedra share an edge: four triangles meet there, and two at every other edge.
+void expect_four_triangles_named(Story story) {
+  const TriangleSoup soup{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}},
+      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 1}, {0, 1, 5}, {0, 5, 4}, {1, 4, 5}}};
+  story.given("two tetrahedra that share the edge 0–1, which belongs to four triangles")
+      .likely("an edge may have more than three triangles: ask for more than two");
+  const MeshIssue issue = issue_of(soup);
+  if (expect_error(story, issue, MeshError::NonManifoldEdge)) {
+    require_shared_edge(story, soup, issue);
+  }
+}
+
 GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 2, "L2.2") {
   Story story("At an edge meet two triangles, which run along it in opposite directions");
   TriangleSoup fins = cut_from_corners(box(Vec3::Ones()));
@@ -76,6 +89,7 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 2, "L2.2") {
                    Story::show(fin.edge), "1, 5");
     require_shared_edge(crowded, fins, fin);
   }
+  expect_four_triangles_named(story);
 
   const TriangleSoup whole = cut_from_corners(dodecahedron());
   for (std::size_t reversed = 0; reversed < whole.triangles.size(); ++reversed) {
