@@ -73,6 +73,30 @@ GRADED_TEST(Lab6, MomentumIsKeptAndEnergyNeverGrows, 4, "L6.4") {
   }
 }
 
+/// Checks a pass over three cubes in a line whose first contact gets no impulse.
+void require_visits_of_later_contacts() {
+  const Vec3 right = Vec3(Real(0.5), 0, 0);
+  Story story("One pass visits every constraint, whatever the ones before it needed");
+  story.likely("a contact without impulse is skipped; the ones after it are still visited")
+      .likely("change the bodies of the span, not copies of them");
+  for (const Real gap : {Real(0), Real(0.1)}) {
+    std::vector<SolverBody> bodies(3, movable(1, Vec3::Constant(Real(0.5))));
+    bodies[0].v = Vec3(3, 0, 0);
+    std::vector<ContactConstraint> constraints = {touching(Vec3::UnitX(), right, -right, 0, 1, 2),
+                                                  touching(Vec3::UnitX(), right, -right, 0, 0, 1)};
+    constraints[0].separation = gap;
+    Story here = story;
+    here.given("three cubes of 1 kg in a line; the first moves at 3 m/s towards the others")
+        .given("the contact of the second and the third, which are at rest, is listed first")
+        .given("its gap", gap, "m")
+        .when("one pass");
+    resolve_contacts_naive(constraints, bodies);
+    require(here.expect_near("speeds of the three",
+                             Vec3(bodies[0].v.x(), bodies[1].v.x(), bodies[2].v.x()),
+                             Vec3(Real(1.5), Real(1.5), 0), 1e-6, "m/s"));
+  }
+}
+
 GRADED_TEST(Lab6, OnePassCannotHoldAStack, 4, "L6.4") {
   Story story("One pass over the constraints takes half a box's approach off it and hands it down");
   story.likely("constraints are visited once, in order, and each sees what the ones before it did")
@@ -111,6 +135,7 @@ GRADED_TEST(Lab6, OnePassCannotHoldAStack, 4, "L6.4") {
       second.expect_at_least("top sunk by", sunk, 1, "m");
     }
   }
+  require_visits_of_later_contacts();
 }
 
 }  // namespace
