@@ -41,6 +41,32 @@ GRADED_TEST(Lab5, ReductionKeepsTheDeepestPoint, 1, "L5.5") {
   }
 }
 
+/// Five points that touch. Of their distances from the deepest one, that of (0.9, 0) is the largest seen along
+/// the normal, and that of (0.8, 0) in space. Once (0.8, 0) is kept, the last two points add more area.
+void require_farthest_across_the_normal(Story story) {
+  const std::vector<Vec3> places = {{0, 0, 1},
+                                    {Real(0.8), 0, 0},
+                                    {Real(0.9), 0, Real(0.9)},
+                                    {Real(0.4), Real(0.4), Real(0.5)},
+                                    {Real(0.4), Real(-0.4), Real(0.5)}};
+  std::vector<ContactPoint> points(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    points[i].anchor_a = places[i];
+    points[i].separation = -places[i].z();
+  }
+  story.given("five points that touch, at heights of 0 to 1 m along the normal")
+      .likely("measure across the normal: the height along the normal is no lever arm");
+  const auto kept = reduce_manifold(points, Vec3::UnitZ(), Real(0.1));
+  story.picture([&] {
+    return reduction_picture(points, {kept.begin(), kept.end()}, Vec3::UnitZ());
+  });
+  const bool found = std::any_of(kept.begin(), kept.end(), [&](const ContactPoint& point) {
+    return point.anchor_a == places[2];
+  });
+  require(
+      story.expect("the farthest point from the deepest one, across the normal, is kept", found));
+}
+
 GRADED_TEST(Lab5, ReductionKeepsTheArea, 2, "L5.5") {
   Random random(59);
   Story story = with_area_causes(Story(
@@ -49,6 +75,8 @@ GRADED_TEST(Lab5, ReductionKeepsTheArea, 2, "L5.5") {
   for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     require_good_reductions(story, random, size, 100);
   }
+  require_farthest_across_the_normal(with_area_causes(
+      Story("The second point is the farthest from the deepest, seen along the normal")));
 }
 
 /// Four points touch, the fifth is at the margin and has the longest lever arm and the largest areas.
