@@ -155,7 +155,7 @@ GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
       const Index bottom = face_towards(b.shape->mesh, -Vec3::UnitZ());
       SeparatingAxis axis = face_axis(a.body, b.body, AxisFeature::FaceA, top);
       axis.face_b = face_axis(a.body, b.body, AxisFeature::FaceB, bottom).face_b;
-      axis.edges = {0, 9, Vec3::UnitZ(), 0};  // parallel edges, whose geometry must not be used
+      axis.edges = {0, 9, Vec3::UnitZ(), 0};  // any two edges: only their separation counts
       const Real preference = edge_preference * b.shape->radius;
 
       const auto built_with = [&](Real advantage, AxisFeature feature) {
