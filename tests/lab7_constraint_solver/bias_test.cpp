@@ -75,6 +75,12 @@ GRADED_TEST(Lab7, SoftContactsPushLikeADampedSpring, 2, "L7.3") {
   story.expect_near("bias, 10 mm deep", static_cast<double>(pushing.velocity), -0.2, 1e-6, "m/s");
   story.expect_near("mass scale", static_cast<double>(pushing.mass_scale), 0.75, 0);
   story.expect_near("impulse scale", static_cast<double>(pushing.impulse_scale), 0.25, 0);
+  const ContactBias touching = contact_bias(soft_constraint(), 0, step);
+  Story surface("soft: a contact at d = 0 has the constraint's scales");
+  surface.likely("a contact at d = 0 has no gap: it is soft, as if it were penetrating");
+  surface.expect_near("mass scale at d = 0", static_cast<double>(touching.mass_scale), 0.75, 0);
+  surface.expect_near("impulse scale at d = 0", static_cast<double>(touching.impulse_scale), 0.25,
+                      0);
   const ContactBias deep = contact_bias(soft_constraint(), -1, step);
   Story limited("soft: b is at least −max_push_speed");
   limited.given("rate", soft_constraint().softness.bias_rate, "1/s").given("penetration", 1, "m");
@@ -93,12 +99,15 @@ GRADED_TEST(Lab7, PushAndBounceAreNeverAdded, 2, "L7.3") {
   ContactStep step = rigid_step(h);
   step.model = ContactModel::Baumgarte;
   step.restitution_threshold = Real(0.5);
+  step.max_push_speed = 1;
   ContactConstraint constraint = soft_constraint();
   constraint.restitution = Real(0.5);
   Story story("Baumgarte: b = min(b_p, b_r) with b_r = e·v_n⁰ if e > 0 and v_n⁰ < −threshold");
   story.given("e", constraint.restitution).given("threshold", step.restitution_threshold, "m/s");
+  story.given("max_push_speed", step.max_push_speed, "m/s");
   story.likely("the sum of push and bounce throws bodies higher than they fell from")
-      .likely("v_n⁰ is the constraint's approach_velocity, negative when approaching");
+      .likely("v_n⁰ is the constraint's approach_velocity, negative when approaching")
+      .likely("the limit is that of the push; a bounce has none");
   const auto bias = [&](Real approach, Real separation) {
     constraint.approach_velocity = approach;
     return static_cast<double>(contact_bias(constraint, separation, step).velocity);
