@@ -38,21 +38,26 @@ GRADED_TEST(Lab7, ConstraintMassMatchesDenseAlgebra, 2, "L7.2") {
   Story story("the constraint mass is 1/(J·M⁻¹·Jᵀ)");
   story.seed(random.seed())
       .likely("the world inverse inertia belongs between the two angular parts of J")
-      .likely("the sum has four terms: two of each body");
-  for (int i = 0; i < 200; ++i) {
-    const SolverBody a = random_body(random);
-    const SolverBody b = i % 4 == 0 ? immovable_body() : random_body(random);
-    const ContactConstraint constraint = random_constraint(random);
-    const Vec12 j = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b);
-    const double expected = 1 / j.dot(dense_inverse_mass(a, b) * j);
-    ContactJacobian given;
-    given.linear_a = j.segment<3>(0).cast<Real>();
-    given.angular_a = j.segment<3>(3).cast<Real>();
-    given.linear_b = j.segment<3>(6).cast<Real>();
-    given.angular_b = j.segment<3>(9).cast<Real>();
-    const double got = static_cast<double>(constraint_mass(given, a, b));
-    require(story.expect_near("constraint mass", got, expected, 10 * jacobian_rounding * expected,
-                              "kg"));
+      .likely("the sum has four terms: two of each body")
+      .likely("the mass is 0 only if the sum is 0: heavy bodies have a small one");
+  for (const Real size : {Real(1), Real(0.01), Real(100)}) {
+    Story of_size = story;
+    of_size.given("size", size, "m");
+    for (int i = 0; i < 200; ++i) {
+      const SolverBody a = random_body(random, size);
+      const SolverBody b = i % 4 == 0 ? immovable_body() : random_body(random, size);
+      const ContactConstraint constraint = random_constraint(random, size);
+      const Vec12 j = dense_jacobian(constraint.n, constraint.r_a, constraint.r_b);
+      const double expected = 1 / j.dot(dense_inverse_mass(a, b) * j);
+      ContactJacobian given;
+      given.linear_a = j.segment<3>(0).cast<Real>();
+      given.angular_a = j.segment<3>(3).cast<Real>();
+      given.linear_b = j.segment<3>(6).cast<Real>();
+      given.angular_b = j.segment<3>(9).cast<Real>();
+      const double got = static_cast<double>(constraint_mass(given, a, b));
+      require(of_size.expect_near("constraint mass", got, expected,
+                                  10 * jacobian_rounding * expected, "kg"));
+    }
   }
 }
 
@@ -77,34 +82,40 @@ GRADED_TEST(Lab7, PreparedMassesInvertTheCoupledTangents, 3, "L7.4") {
   story.seed(random.seed())
       .likely(
           "u and v are coupled through the rotation: the matrix has numbers beside its diagonal")
-      .likely("inverting the diagonal alone gives two separate masses");
+      .likely("inverting the diagonal alone gives two separate masses")
+      .likely("only a determinant that is not positive gives 0: that of heavy bodies is small");
   Story with_swapped_diagonal("tangent_mass is the inverse of the 2 × 2 matrix of u and v");
   with_swapped_diagonal.seed(random.seed())
       .likely("the inverse of a 2 × 2 matrix swaps its diagonal: k_vv is the first, k_uu the last");
-  for (int i = 0; i < 100; ++i) {
-    std::vector<SolverBody> bodies = {random_body(random), random_body(random)};
-    if (i % 4 == 0) bodies[0] = immovable_body();
-    std::vector<ContactConstraint> constraints = {random_constraint(random)};
-    prepare_contacts(constraints, bodies, rigid_step());
-    const ContactConstraint& constraint = constraints[0];
+  for (const Real size : {Real(1), Real(0.01), Real(100)}) {
+    for (int i = 0; i < 100; ++i) {
+      std::vector<SolverBody> bodies = {random_body(random, size), random_body(random, size)};
+      if (i % 4 == 0) bodies[0] = immovable_body();
+      std::vector<ContactConstraint> constraints = {random_constraint(random, size)};
+      prepare_contacts(constraints, bodies, rigid_step());
+      const ContactConstraint& constraint = constraints[0];
+      Story prepared = story;
+      prepared.given("size", size, "m");
 
-    const Eigen::Matrix3d k = dense_inverse_contact_mass(constraint, bodies[0], bodies[1]);
-    const double expected = 1 / k(0, 0);
-    require(story.expect_near("normal mass", static_cast<double>(constraint.normal_mass), expected,
-                              10 * jacobian_rounding * expected, "kg"));
-    // The mass times the matrix that it inverts: rounding grows with the condition number.
-    const Eigen::Matrix2d tangents = k.bottomRightCorner<2, 2>();
-    const auto error_of = [&](const Eigen::Matrix2d& mass) {
-      return (mass * tangents - Eigen::Matrix2d::Identity()).norm();
-    };
-    const double condition = tangents.trace() * tangents.trace() / tangents.determinant();
-    const double tolerance = jacobian_rounding * condition;
-    const Eigen::Matrix2d mass = constraint.tangent_mass.cast<double>();
-    Eigen::Matrix2d swapped = mass;
-    std::swap(swapped(0, 0), swapped(1, 1));
-    Story& here = error_of(swapped) <= tolerance ? with_swapped_diagonal : story;
-    require(here.expect_near("distance of tangent_mass · (J·M⁻¹·Jᵀ) from the identity",
-                             error_of(mass), 0, tolerance));
+      const Eigen::Matrix3d k = dense_inverse_contact_mass(constraint, bodies[0], bodies[1]);
+      const double expected = 1 / k(0, 0);
+      require(prepared.expect_near("normal mass", static_cast<double>(constraint.normal_mass),
+                                   expected, 10 * jacobian_rounding * expected, "kg"));
+      // The mass times the matrix that it inverts: rounding grows with the condition number.
+      const Eigen::Matrix2d tangents = k.bottomRightCorner<2, 2>();
+      const auto error_of = [&](const Eigen::Matrix2d& mass) {
+        return (mass * tangents - Eigen::Matrix2d::Identity()).norm();
+      };
+      const double condition = tangents.trace() * tangents.trace() / tangents.determinant();
+      const double tolerance = jacobian_rounding * condition;
+      const Eigen::Matrix2d mass = constraint.tangent_mass.cast<double>();
+      Eigen::Matrix2d swapped = mass;
+      std::swap(swapped(0, 0), swapped(1, 1));
+      Story here = error_of(swapped) <= tolerance ? with_swapped_diagonal : story;
+      here.given("size", size, "m");
+      require(here.expect_near("distance of tangent_mass · (J·M⁻¹·Jᵀ) from the identity",
+                               error_of(mass), 0, tolerance));
+    }
   }
 }
 
