@@ -90,10 +90,11 @@ void prepare_contacts(std::span<ContactConstraint> constraints, std::span<const 
 void warm_start(const ContactConstraint& constraint, SolverBody& a, SolverBody& b);
 
 /// **L7.6** Solves the normal constraint once, at its contact_bias() and softened as described at
-/// Softness. normal_impulse is the sum of all impulses: it never becomes negative, a single impulse
-/// may. Both bodies receive the change. The bias is that of the current separation, which follows
-/// the displacements of the bodies since the step began, to first order and with r_a and r_b as
-/// they are.
+/// Softness. The effective mass is normal_mass, which the world may enlarge in relax passes.
+/// normal_impulse is the sum of all impulses: it never becomes negative, a single impulse may. Both
+/// bodies receive the change. The bias is that of the current separation, which follows the
+/// displacements of the bodies since the step began, to first order and with r_a and r_b as they
+/// are.
 void solve_normal(ContactConstraint& constraint, SolverBody& a, SolverBody& b,
                   const ContactStep& step);
 
