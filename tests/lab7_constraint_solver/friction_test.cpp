@@ -47,7 +47,7 @@ Meeting beam(Real angle = 0) {
 }
 
 GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 1, "L7.7") {
-  Story story("a slipping contact gets exactly μ·λ_n against the slip, whatever its direction");
+  Story story("a fast slip gets exactly μ·λ_n against it, whatever its direction");
   story.given("a body of 2 kg that slides at 30 m/s, μ = 0.5, λ_n = 6 N·s");
   story.likely("limiting λ_u and λ_v separately is a box: up to √2·μ along its diagonal")
       .likely("the limit is μ times the *accumulated* normal impulse");
@@ -63,6 +63,25 @@ GRADED_TEST(Lab7, FrictionIsTheSameInEveryDirection, 1, "L7.7") {
     // A second solve would have another slip, because the first has turned the beam.
     require_slide(long_beam, beam(), angle, 1);
   }
+}
+
+/// Checks a slip whose m_t·slip is outside the disk, but s·slip inside.
+void require_slide_inside_the_disk() {
+  Story story("a sliding contact gets λ_acc − s·slip as it is, if that is inside the disk");
+  story.given("a beam of 2 kg that slides along itself at 1 m/s, μ = 0.5, λ_n = 2 N·s")
+      .given("m_t is 1.6 kg along the beam and 0.5 kg across it, so that s = 0.5 kg");
+  story
+      .likely("the pair that stops the slip decides: if it is outside the disk, the contact slides")
+      .likely("a pair that is inside the disk already stays as it is: it is scaled back, never up");
+  Meeting meeting = beam();
+  meeting.b.v = Vec3(1, 0, 0);
+  meeting.constraint.friction = Real(0.5);
+  meeting.constraint.normal_impulse = 2;
+  solve_friction(meeting.constraint, meeting.a, meeting.b);
+  const Vec2 got = meeting.constraint.tangent_impulse;
+  const Vec3 expected(Real(-0.5), 0, 0);
+  story.picture([&] { return friction_picture(1, expected, got, Vec3(1, 0, 0)); });
+  require_pair(story, got, expected);
 }
 
 GRADED_TEST(Lab7, SlidingFrictionUsesTheSmallerEigenvalue, 1, "L7.7") {
@@ -96,6 +115,7 @@ GRADED_TEST(Lab7, SlidingFrictionUsesTheSmallerEigenvalue, 1, "L7.7") {
       require_pair(slide, got, expected);
     }
   }
+  require_slide_inside_the_disk();
 }
 
 GRADED_TEST(Lab7, FrictionIsScaledBackOntoTheDisk, 1, "L7.7") {

@@ -105,7 +105,7 @@ void solve_normal(ContactConstraint& constraint, SolverBody& a, SolverBody& b,
 /// - Sticking: the slip along u and v stops, if the disk allows it.
 /// - Sliding: otherwise friction opposes the slip, also where the effective mass is anisotropic,
 ///   with the smaller eigenvalue of tangent_mass as the mass. The accumulated pair is scaled back
-///   onto the disk.
+///   onto the disk. A pair that is inside the disk already stays as it is.
 void solve_friction(ContactConstraint& constraint, SolverBody& a, SolverBody& b);
 
 /// **L7.8** One pass over all constraints. Forwards: from the first to the last, the normal and
