@@ -158,6 +158,35 @@ GRADED_TEST(Lab7, OnlyFreshHardImpactsBounce, 1, "L7.9") {
   released.expect_near("v_n after", static_cast<double>(fast.b.v.z()), 4, 1e-6, "m/s");
 }
 
+/// Checks a contact that touches only because it pushes, and that the first sweep releases: the second one must
+/// not stop the lower cube on its way back to the floor.
+void require_touching_at_each_visit() {
+  Story story("a contact whose λ_n has fallen to 0 across a gap does not touch any more");
+  story.given("a cube of 2 kg, 5 cm above the floor, that leaves it at 1 m/s with λ_n = 1 N·s")
+      .given("another one at rest on it, hit at 4 m/s, e = 0.5")
+      .when("two sweeps");
+  story.likely("whether a contact touches is decided at each visit: the sweeps change λ_n");
+  Meeting lower = landing(2, Vec3(0, 0, 1));
+  lower.constraint.separation = Real(0.05);
+  lower.constraint.normal_impulse = 1;
+  ContactConstraint between = landing(2, Vec3::Zero()).constraint;
+  between.body_a = 1;
+  between.body_b = 2;
+  between.r_a = -between.r_b;
+  between.normal_mass = 1;
+  between.restitution = Real(0.5);
+  between.approach_velocity = -4;
+  between.normal_impulse = 8;
+  ContactConstraint constraints[] = {lower.constraint, between};
+  SolverBody bodies[] = {lower.a, lower.b, landing(2, Vec3::Zero()).b};
+  apply_restitution(constraints, bodies, bouncing_step(2));
+  // Released by the floor, the lower cube rises at 0.5 m/s. The bounce of 2.5 N·s leaves 0.5 − 1.25.
+  require(story.expect_near("v of the lower cube", static_cast<double>(bodies[1].v.z()), -0.75,
+                            1e-6, "m/s"));
+  require(story.expect_near("v of the upper cube", static_cast<double>(bodies[2].v.z()), 1.25, 1e-6,
+                            "m/s"));
+}
+
 GRADED_TEST(Lab7, CornersReachTheirTargetsTogether, 1, "L7.9") {
   Story story("restitution_iterations sweeps bring all corners of a box to −e·v_n⁰");
   story.given("a 1:5 box that landed flat at 4 m/s, e = 0.5");
@@ -185,6 +214,7 @@ GRADED_TEST(Lab7, CornersReachTheirTargetsTogether, 1, "L7.9") {
     // Each sweep reduces the error by at least a fifth: 0.8⁴⁰ ≈ 1e-4.
     if (sweeps == 40) swept.expect_at_most("largest error of v_n", worst, 1e-3, "m/s");
   }
+  require_touching_at_each_visit();
 }
 
 }  // namespace

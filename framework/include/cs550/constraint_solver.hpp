@@ -123,7 +123,7 @@ void solve_contacts(std::span<ContactConstraint> constraints, std::span<SolverBo
 /// - A constraint *bounces* if e > 0, impact_handled is false and v_n⁰ < −restitution_threshold.
 /// - A contact is *touching* if λ_n > 0 or its current separation is less than −2·v_n⁰·h. The
 ///   second case covers corners that would arrive within two substeps: other corners may have
-///   stopped the body already.
+///   stopped the body already. Decided at each visit, since λ_n changes from sweep to sweep.
 ///
 /// If at least one constraint with λ_n > 0 bounces, restitution_iterations sweeps visit all
 /// constraints in order. They let those that bounce leave at e times their speed of approach, and
