@@ -338,16 +338,33 @@ TEST(Roster, AClaimCountsOnlyWhereTheFileNameIsNobodys) {
   EXPECT_EQ(students[1].records.size(), 1U) << "eve must not hand in for ada";
 }
 
+/// The id of the student to whom a record is given.
+std::string owner_of(const Record& record, const std::vector<Student>& roster) {
+  const std::vector<Record> records{record};
+  for (const Student& student : assign(roster, records)) {
+    if (!student.records.empty()) return student.id;
+  }
+  return {};
+}
+
+TEST(Roster, AnIdWithSeparatorsIsFoundAsAWhole) {
+  const std::vector<Student> roster = parse_roster("id\nada\nada-l\nb.c_d\n", "roster.csv");
+  const auto owner = [&](const std::string& name) { return owner_of(record_of(name, {}), roster); };
+  EXPECT_EQ(owner("lab3-ada-l"), "ada-l") << "ada is a part of it";
+  EXPECT_EQ(owner("lab3-ada"), "ada");
+  EXPECT_EQ(owner("lab3-ada-lovelace"), "ada");
+  EXPECT_EQ(owner("lab3_B.C_D"), "b.c_d");
+  EXPECT_EQ(owner("lab3-adam"), "lab3-adam");
+  EXPECT_EQ(owner("ada-l and ada"), "ada-l and ada") << "it fits two students";
+}
+
 TEST(Roster, ANameThatFitsSeveralStudentsIsNobodys) {
   const std::string text = "id,name\ns1,Mallory Mal\ns2,Ada Lovelace\ns3,Ada Byron\n";
   const std::vector<Student> roster = parse_roster(text, "roster.csv");
   const auto student_of = [&](const std::string& name, const std::string& claimed = "") {
-    std::vector<Record> records{record_of(name, lab_record(24, 24, 12))};
-    records[0].claimed_student = claimed;
-    for (const Student& student : assign(roster, records)) {
-      if (!student.records.empty()) return student.id;
-    }
-    return std::string();
+    Record record = record_of(name, lab_record(24, 24, 12));
+    record.claimed_student = claimed;
+    return owner_of(record, roster);
   };
   const std::string uploaded = "Mallory Mal_123_assignsubmission_file_s2";
   EXPECT_EQ(student_of(uploaded), uploaded) << "the name of an uploaded file is no identity";

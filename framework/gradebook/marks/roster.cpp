@@ -28,13 +28,18 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(spaces) - first + 1);
 }
 
+/// Whether a byte is that of a letter or a digit. Letters of other alphabets have bytes from 0x80 in UTF-8.
+bool is_of_word(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x80 || std::isalnum(byte) != 0;
+}
+
 /// "doe_ada_s0101-lab3" has the words doe, ada, s0101, lab3.
 std::set<std::string> words_of(const std::string& text) {
   std::set<std::string> words;
   std::string word;
   for (const char c : lower(text) + ' ') {
-    const bool is_letter = static_cast<unsigned char>(c) >= 0x80;  // of other alphabets, in UTF-8
-    if (is_letter || std::isalnum(static_cast<unsigned char>(c)) != 0) {
+    if (is_of_word(c)) {
       word += c;
     } else if (!word.empty()) {
       words.insert(word);
@@ -42,6 +47,31 @@ std::set<std::string> words_of(const std::string& text) {
     }
   }
   return words;
+}
+
+/// Where an id is in a name.
+struct Span {
+  std::size_t begin, end;
+};
+
+bool is_within_longer(const Span& span, const std::vector<Span>& others) {
+  return std::any_of(others.begin(), others.end(), [&span](const Span& other) {
+    return other.begin <= span.begin && span.end <= other.end &&
+           span.end - span.begin < other.end - other.begin;
+  });
+}
+
+/// Where a student's id is in a name, with no letter or digit beside it.
+std::vector<Span> spans_of_id(const Student& student, const std::string& name) {
+  const std::string id = lower(student.id);
+  std::vector<Span> spans;
+  for (auto begin = name.find(id); begin != name.npos; begin = name.find(id, begin + 1)) {
+    const std::size_t end = begin + id.size();
+    const bool begins = begin == 0 || !is_of_word(name[begin - 1]);
+    const bool ends = end == name.size() || !is_of_word(name[end]);
+    if (begins && ends) spans.push_back({begin, end});
+  }
+  return spans;
 }
 
 bool is_called(const Student& student, const std::string& name) {
@@ -70,13 +100,23 @@ Places places(const std::vector<Student>& roster, const Condition& condition) {
 }
 
 /// Those who are called by a name. Of a name with further words, those whose id or name is in it: a
-/// platform adds the name of the file, which a student chooses, to that of the student.
+/// platform adds the name of the file, which a student chooses, to that of the student. An id that is a
+/// part of another one in the name does not count: "lab3-ada-l" is not ada's if there is an ada-l.
 Places fitting(const std::vector<Student>& roster, const std::string& name) {
   Places found = places(roster, [&](const Student& s) { return is_called(s, name); });
   if (!found.empty()) return found;
+  const std::string text = lower(name);
+  std::vector<Span> ids;
+  for (const Student& student : roster) {
+    for (const Span& span : spans_of_id(student, text)) ids.push_back(span);
+  }
+  const auto has_id = [&](const Student& student) {
+    const std::vector<Span> spans = spans_of_id(student, text);
+    return std::any_of(spans.begin(), spans.end(),
+                       [&ids](const Span& span) { return !is_within_longer(span, ids); });
+  };
   const std::set<std::string> words = words_of(name);
-  return places(
-      roster, [&](const Student& s) { return words.contains(lower(s.id)) || has_name(words, s); });
+  return places(roster, [&](const Student& s) { return has_id(s) || has_name(words, s); });
 }
 
 Student* student_of(std::vector<Student>& roster, const Record& record) {
