@@ -416,6 +416,30 @@ TEST(Discovery, AFolderOfALabMayHoldSubmissionsOfIt) {
   EXPECT_EQ(students("week"), (Students{{"lab3-ada", "ada"}, {"lab3-bob", "bob"}}));
 }
 
+TEST(Discovery, AnArchiveNamedLikeALabIsThatOfItsFolder) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "class/eve/lab1.zip", "");
+  files::write_file(scratch / "class/max/labs.zip", "");
+  files::write_file(scratch / "class/s0101/lab3/lab3.zip", "");
+  files::write_file(scratch / "class/zoe/lab3/hill_climbing.cpp", "");
+  const auto students = [](const std::vector<fs::path>& sources) {
+    std::map<std::string, std::string> found;
+    for (const FoundSubmission& submission :
+         find_submissions(sources, project_catalogue()).submissions) {
+      found[submission.name] = submission.student;
+    }
+    return found;
+  };
+  const fs::path folder = scratch / "class";
+  const std::map<std::string, std::string> expected{
+      {"eve-lab1", "eve"}, {"max-labs", "max"}, {"s0101-lab3-lab3", "s0101"}, {"zoe", "zoe"}};
+  EXPECT_EQ(students({folder}), expected);
+  EXPECT_EQ(students({folder / "eve", folder / "max", folder / "s0101", folder / "zoe"}), expected)
+      << "folders that are named one by one";
+  EXPECT_EQ(students({folder / "eve/lab1.zip", folder / "zoe/lab3"}),
+            (std::map<std::string, std::string>{{"eve-lab1", "eve"}, {"zoe-lab3", "zoe"}}));
+}
+
 TEST(Discovery, LinksAmongSubmissionsAreListed) {
   const ScratchFolder scratch;
   files::write_file(scratch / "elsewhere/bob.zip", "");

@@ -383,6 +383,18 @@ TEST(Merge, LabsOfOneSubmissionComeTogether) {
   EXPECT_EQ(records[1].name, "ada-2");
 }
 
+TEST(Merge, EqualFilesOfTwoStudentsStayTwoSubmissions) {
+  Record ada = record_of("lab3", lab_record(24, 0, 0));
+  ada.claimed_student = "ada";
+  Record bob = ada;
+  bob.claimed_student = "bob";
+  EXPECT_EQ(merged({{ada}, {bob}}).size(), 2U) << "of two claims";
+  Record again = ada;
+  again.source = "lab3-again.zip";
+  EXPECT_EQ(merged({{ada}, {again}}).size(), 2U) << "of two names";
+  EXPECT_EQ(merged({{ada}, {ada}}).size(), 1U);
+}
+
 TEST(Merge, MilestonesThatWereNotGradedStay) {
   const Record without = record_of("ada", lab_record(24, 0, 0));
   const Record failed = with_broken_engine(without, 2);

@@ -134,16 +134,35 @@ class Finder {
  private:
   static constexpr std::size_t deepest = 2;  ///< a folder per student, and one per lab in it
 
+  /// Whether a name is that of a lab, or of all: ./cs550 submit writes lab3.zip and labs.zip.
+  bool is_no_student(const std::string& name) const {
+    return name == "labs" || names_a_lab(name, catalogue_);
+  }
+
+  /// The name of the nearest folder around a source that may be a student's; empty if there is none.
+  std::string folder_around(const fs::path& source) const {
+    fs::path folder = source.parent_path();
+    while (is_no_student(folder.filename())) folder = folder.parent_path();
+    return folder.filename();
+  }
+
   /// The student whose folder it is in, else whose name the file has.
-  std::string student_of_source(const fs::path& source, const std::vector<std::string>& folders) {
+  std::string student_of_source(const fs::path& source,
+                                const std::vector<std::string>& folders) const {
     for (const std::string& folder : folders) {
-      if (!names_a_lab(folder, catalogue_)) return folder;
+      if (!is_no_student(folder)) return folder;
     }
     return student_of(stem(source));
   }
 
   void add(const fs::path& source, std::vector<std::string> folders) {
     if (!folders.empty() && folders.back() == source.filename()) folders.pop_back();
+    // The folder of a student may have been named by itself, as GNU parallel does.
+    if (is_no_student(student_of_source(source, folders))) {
+      if (const std::string around = folder_around(source); !around.empty()) {
+        folders.insert(folders.begin(), around);
+      }
+    }
     std::string name;
     for (const std::string& folder : folders) name += folder + '-';
     name = safe_name(name + stem(source));

@@ -29,7 +29,8 @@ struct Discovery {
 };
 
 /// Every archive and folder among `sources`. A folder without lab files of its own contains
-/// submissions: archives, folders, or one folder per student.
+/// submissions: archives, folders, or one folder per student. The student of one with the name of a
+/// lab, such as lab3.zip, is the folder around it, whether that was named or found.
 /// Throws std::runtime_error if a source does not exist or is no submission.
 Discovery find_submissions(const std::vector<std::filesystem::path>& sources,
                            const Catalogue& catalogue);

@@ -7,7 +7,8 @@ namespace cs550::gradebook {
 namespace {
 
 bool same_submission(const Record& a, const Record& b) {
-  return a.hash == b.hash && a.project == b.project && a.student == b.student;
+  return a.hash == b.hash && a.project == b.project && a.student == b.student &&
+         a.claimed_student == b.claimed_student && a.source == b.source;
 }
 
 void add_labs(Record& record, const Record& other) {
