@@ -414,6 +414,17 @@ TEST(Discovery, AFolderOfALabMayHoldSubmissionsOfIt) {
     files::write_file(scratch / "week/lab3" / (std::string(student) + ".zip"), "");
   }
   EXPECT_EQ(students("week"), (Students{{"lab3-ada", "ada"}, {"lab3-bob", "bob"}}));
+  files::write_file(scratch / "week/lab3/eve/hill_climbing.cpp", "");
+  const Students with_folder{{"lab3-ada", "ada"}, {"lab3-bob", "bob"}, {"lab3-eve", "eve"}};
+  EXPECT_EQ(students("week"), with_folder) << "a folder beside the archives";
+  for (const char* student : {"ada", "bob"}) {
+    const fs::path archive = scratch / "week/lab3" / (std::string(student) + ".zip");
+    fs::create_directory(scratch / "week/lab3" / student);
+    fs::rename(archive, scratch / "week/lab3" / student / "lab3.zip");
+  }
+  EXPECT_EQ(students("week"),
+            (Students{{"lab3-ada-lab3", "ada"}, {"lab3-bob-lab3", "bob"}, {"lab3-eve", "eve"}}))
+      << "a folder per student";
 }
 
 TEST(Discovery, AnArchiveNamedLikeALabIsThatOfItsFolder) {

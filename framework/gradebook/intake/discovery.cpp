@@ -39,13 +39,16 @@ bool names_a_lab(const std::string& folder, const Catalogue& catalogue) {
   return lab_path(folder + "/a.cpp", catalogue).lab != 0;
 }
 
-/// Whether a folder holds archives and no code: submissions, whatever its name is.
-bool holds_only_archives(const fs::path& folder) {
+/// Whether a folder holds submissions, whatever its name is: an archive is in it, or in a folder in it, and no code
+/// is directly in it.
+bool holds_archives(const fs::path& folder) {
   constexpr auto options = fs::directory_options::skip_permission_denied;
   bool has_archives = false;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, options)) {
-    if (files::is_source(entry.path())) return false;
-    has_archives = has_archives || is_some_archive(entry.path());
+  fs::recursive_directory_iterator entry(folder, options);
+  for (; entry != fs::recursive_directory_iterator(); ++entry) {
+    if (entry.depth() == 0 && files::is_source(entry->path())) return false;
+    if (entry.depth() == 1) entry.disable_recursion_pending();
+    has_archives = has_archives || is_some_archive(entry->path());
   }
   return has_archives;
 }
@@ -56,7 +59,7 @@ bool has_lab_files(const fs::path& folder, const Catalogue& catalogue) {
     const std::string name = child.filename();
     if (name == "labs" || name == ".git") return true;
     const bool is_of_lab = fs::is_directory(child)
-                               ? names_a_lab(name, catalogue) && !holds_only_archives(child)
+                               ? names_a_lab(name, catalogue) && !holds_archives(child)
                                : lab_path(name, catalogue).lab != 0;
     if (is_of_lab) return true;
   }
