@@ -296,6 +296,27 @@ TEST(Marks, AStudentWithoutMilestonesIsNoted) {
   EXPECT_EQ(notes("").find(note_no_milestones), std::string::npos) << "they have no weight";
 }
 
+TEST(Marks, MilestonesThatNoRunHasRunForAStudentCountAsNotReached) {
+  const Record ada = with_engine(record_of("ada", lab_record(24, 24, 12)), {"passed"});
+  const Record bob = with_engine(record_of("bob", lab_record(24, 24, 12)), {"passed", "failed"});
+  const std::vector<Record> records{ada, bob};
+  const Course course = course_of("[milestones]\nweight = 1\n");
+  const std::vector<StudentMark> marks = mark_class(assign({}, records), {3}, course);
+  for (const StudentMark& mark : marks) {
+    EXPECT_EQ(mark.engine.reached, 1);
+    EXPECT_EQ(mark.engine.of, 2);
+    EXPECT_DOUBLE_EQ(mark.percent, 75);
+  }
+  const std::string text = grades_csv(marks, {3});
+  EXPECT_NE(text.find("\nada,,,,graded,75.00,60,1,1 milestone counts as not reached"), text.npos)
+      << text;
+  EXPECT_NE(text.find("\nbob,,,,graded,75.00,60,1,\n"), text.npos) << text;
+
+  const std::vector<Record> failed{with_broken_engine(ada, 2), ada, bob};
+  EXPECT_FALSE(mark_class(assign({}, failed), {3}, course)[0].is_graded())
+      << "the engine that was not graded might have reached the other milestone";
+}
+
 TEST(Roster, RecordsFindTheirStudents) {
   const std::string text =
       "\xEF\xBB\xBFid,name,email\ns1,\"Lovelace, Ada\",ada@x.org\ns2,Bob,b@x.org\ns3,Eve,e@x.org\n";

@@ -222,15 +222,26 @@ bool has_broken_engine(const Record* record) {
   return record->engine && !record->engine->not_graded.empty();
 }
 
+/// The milestones of the labs that were graded: those of a student whose run left labs out are fewer.
+int count_milestones(const std::vector<Student>& students) {
+  std::size_t most = 0;
+  for (const Student& student : students) {
+    for (const Record* record : student.records) {
+      if (record->engine) most = std::max(most, record->engine->tests.size());
+    }
+  }
+  return static_cast<int>(most);
+}
+
 /// If the grader failed on another engine, that one might have reached more.
-EngineMark best_engine(const Student& student, const Course& course) {
+EngineMark best_engine(const Student& student, int milestones, const Course& course) {
   const std::set<std::string> in_time = reached_in_time(student, course);
   EngineMark best;
   for (const Record* record : student.records) {
     if (!record->engine) continue;
     EngineMark mark;
     mark.record = record;
-    mark.of = static_cast<int>(record->engine->tests.size());
+    mark.of = milestones;
     for (const TestResult& milestone : record->engine->tests) {
       if (!is_reached(milestone)) continue;
       ++(in_time.contains(milestone.name) ? mark.reached : mark.too_late);
@@ -255,6 +266,18 @@ double total_percent(const StudentMark& mark, const Course& course) {
   if (engine.of > 0) sum += course.milestones_weight * engine.reached / engine.of;
   if (engine.of > 0 || !engine.was_run) weights += course.milestones_weight;
   return weights > 0 ? 100 * sum / weights : 0;
+}
+
+StudentMark mark_one(const Student& student, const std::vector<int>& labs, int milestones,
+                     const Course& course) {
+  StudentMark result{student, {}, 0, best_engine(student, milestones, course)};
+  for (const int lab : labs) {
+    LabMark mark = best_mark(student, lab, course);
+    apply_adjustments(mark, student, course);
+    result.labs.push_back(std::move(mark));
+  }
+  result.percent = total_percent(result, course);
+  return result;
 }
 
 /// Milestones that no run has run for a student, but for others, count as a lab that no run graded: as 0.
@@ -304,21 +327,17 @@ std::vector<int> labs_of(const std::vector<Record>& records) {
 
 StudentMark mark_student(const Student& student, const std::vector<int>& labs,
                          const Course& course) {
-  StudentMark result{student, {}, 0, best_engine(student, course)};
-  for (const int lab : labs) {
-    LabMark mark = best_mark(student, lab, course);
-    apply_adjustments(mark, student, course);
-    result.labs.push_back(std::move(mark));
-  }
-  result.percent = total_percent(result, course);
-  return result;
+  return mark_one(student, labs, count_milestones({student}), course);
 }
 
 std::vector<StudentMark> mark_class(const std::vector<Student>& students,
                                     const std::vector<int>& labs, const Course& course) {
   std::vector<StudentMark> marks;
   marks.reserve(students.size());
-  for (const Student& student : students) marks.push_back(mark_student(student, labs, course));
+  const int milestones = count_milestones(students);
+  for (const Student& student : students) {
+    marks.push_back(mark_one(student, labs, milestones, course));
+  }
   count_missing_milestones(marks, course);
   return marks;
 }

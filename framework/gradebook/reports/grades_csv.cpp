@@ -66,6 +66,10 @@ std::string notes_of(const StudentMark& mark) {
   };
   if (mark.has_scattered_labs()) add(milestones_need_one_submission);
   if (!mark.engine.was_run) add(note_no_milestones);
+  if (const int count = mark.engine.not_run(); count > 0) {
+    add(fmt::format("{} milestone{} not reached: no run has run {} for this student", count,
+                    count == 1 ? " counts as" : "s count as", count == 1 ? "it" : "them"));
+  }
   if (!mark.engine.is_graded) add("milestones NOT GRADED: the grader failed");
   if (const int late =
           mark.engine.record == nullptr ? 0 : mark.engine.record->engine->tests_with("timeout");
