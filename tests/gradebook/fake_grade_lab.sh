@@ -62,7 +62,7 @@ if [ -n "${milestones-}" ]; then
   exit
 fi
 [ -z "${FAKE_LOG-}" ] || echo "lab $lab" >>"$FAKE_LOG"
-printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${salt:-published}" -v challenge="${challenge-}" '
+printf '%s\n' "$told" | awk -v lab="$lab" -v seed="${salt:+salt }${salt:-published}" -v challenge="${challenge-}" '
   FILENAME == "-" { if ($1 == "fails") fails[$2] = 1; if ($1 == "times") late[$3] = 1; if ($0 == "no compile") broken = 1; if ($1 == "compiler") stopped = 1; next }
   /"name":/ { split($0, part, "\""); name = part[4] }
   /"points": [0-9]/ { gsub(/[^0-9]/, ""); points = $0 }

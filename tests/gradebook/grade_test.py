@@ -626,7 +626,7 @@ def test_a_secret_salts_the_seeds(folder):
         grade(folder / "class", "--out", folder / out, "--labs", "3", "--course", course)
         return lab(folder / out, "ada", 3)["seed"]
 
-    assert 1 <= int(seed_with("x", "first")) <= 2 ** 28
+    assert 1 <= int(seed_with("x", "first").removeprefix("salt ")) <= 2 ** 28
     assert lab(folder / "first", "ada", 3)["seed"] == seed_with("x", "again") != seed_with("y", "other")
     grade(folder / "class", "--out", folder / "published", "--labs", "3")
     assert lab(folder / "published", "ada", 3)["seed"] == "published"
@@ -722,6 +722,13 @@ def test_a_run_is_resumed_with_its_own_secret(folder):
     assert "another secret" in printed, printed
     assert "one" in (out / "course.toml").read_text(), "the settings of the run were replaced"
     grade(folder / "ada.zip", "--out", out, "--labs", "3", "--resume", "--course", folder / "a.toml")
+    out = folder / "published"
+    grade(folder / "ada.zip", "--out", out, "--labs", "3")
+    grade("--report", out, "--course", folder / "a.toml")
+    printed = grade(folder / "ada.zip", "--out", out, "--labs", "3,5", "--resume", code=2)
+    assert "another secret" in printed, "the secret of a report is not that of the run"
+    (folder / "none.toml").write_text("")
+    grade(folder / "ada.zip", "--out", out, "--labs", "3,5", "--resume", "--course", folder / "none.toml")
 
 
 def test_a_lab_that_no_run_graded_is_named(folder):

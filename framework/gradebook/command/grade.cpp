@@ -142,14 +142,19 @@ void check_place(const fs::path& out, const std::vector<fs::path>& submissions) 
   }
 }
 
-/// Refuses another secret than that of the run that is resumed: part of the class would have other seeds.
+/// Refuses another secret than that of the run that is resumed: part of the class would have other seeds. The
+/// records have the seeds; the course file in the folder may be that of a later report.
 void check_secret(const Settings& settings, const GradeRequest& request) {
-  if (!request.resume || !RecordFolder(request.out).has_records()) return;
-  const Settings before = read_settings(request.root, {}, {}, request.out);
-  if (before.course.secret == settings.course.secret) return;
-  throw std::invalid_argument(request.out.string() +
-                              " was graded with another secret, so with other seeds.\n"
-                              "  Keep the secret of its course.toml, or choose another --out.");
+  if (!request.resume) return;
+  const std::string seed = recorded_seed(settings.course);
+  for (const Record& record : RecordFolder(request.out).records()) {
+    for (const LabRecord& lab : record.labs) {
+      if (lab.seed.empty() || lab.seed == seed) continue;
+      throw std::invalid_argument(request.out.string() +
+                                  " was graded with another secret, so with other seeds.\n"
+                                  "  Name the course file of that run, or choose another --out.");
+    }
+  }
 }
 
 /// Refuses to replace records, or to remove marks: a resumed run replaces the records that its submissions have, with

@@ -226,6 +226,10 @@ std::string result_key(int lab, const LabFiles& files, const Course& course, con
   return fmt::format("lab{}-{}", lab, sha256_of({parts.begin(), parts.end()}));
 }
 
+std::string recorded_seed(const Course& course) {
+  return course.secret.empty() ? "published" : "salt " + seed_salt(course.secret);
+}
+
 LabRecord grade_lab(const CatalogueLab& lab, const LabFiles& files, const Course& course,
                     const Judge& judge, const std::atomic<bool>& stop) {
   try {

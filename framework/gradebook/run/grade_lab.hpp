@@ -53,6 +53,9 @@ std::map<int, std::string> mistakes_of(const std::filesystem::path& program,
 /// Names everything that the result of a lab depends on.
 std::string result_key(int lab, const LabFiles& files, const Course& course, const Judge& judge);
 
+/// The seed in the records of labs that are graded in a course.
+std::string recorded_seed(const Course& course);
+
 /// Runs the judge of a lab, or of an engine, in a new folder, which is removed afterwards. What went wrong with the grader
 /// itself is in `not_graded`.
 /// @param stop the judge is killed when it becomes true
