@@ -660,6 +660,18 @@ def test_folders_are_merged(folder):
     assert len(marks(folder / "both")) == 4
 
 
+def test_a_report_leaves_no_records_of_an_earlier_one(folder):
+    for name in ("ada", "bob"):
+        pack(folder / f"{name}.zip", {HILL: f"// {name}"})
+        grade(folder / f"{name}.zip", "--out", folder / name, "--labs", "3")
+    both = ("--report", folder / "ada", folder / "bob", "--out", folder / "both")
+    grade(*both)
+    grade(*both)
+    printed = grade("--report", folder / "ada", "--out", folder / "both", code=2)
+    assert "records of an earlier report" in printed and "another --out" in printed, printed
+    assert grades(folder / "both").keys() == {"ada", "bob"}
+
+
 def test_a_regrade_is_compared(folder):
     pack(folder / "ada.zip", {HILL: "// fake: fails FirstOfEqualVerticesWins"})
     grade(folder / "ada.zip", "--out", folder / "old", "--labs", "3")

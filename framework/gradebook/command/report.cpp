@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <set>
 #include <stdexcept>
@@ -47,15 +48,29 @@ void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
   std::cout << "Who is who is in " << file.string() << '\n';
 }
 
+/// Whether a folder has records that a report does not replace.
+bool has_other_records(const fs::path& out, const std::vector<Record>& records) {
+  std::set<fs::path> replaced;
+  for (const Record& record : records) replaced.insert(record.name + ".json");
+  const std::vector<fs::path> files = cli::files_below(out / "records");
+  return std::any_of(files.begin(), files.end(), [&replaced](const fs::path& file) {
+    return !replaced.contains(file.filename());
+  });
+}
+
+/// Refuses a folder with records of an earlier report: a later one from this folder would count them.
+void check_has_no_other_records(const fs::path& out, const std::vector<Record>& records) {
+  if (!has_other_records(out, records)) return;
+  throw std::invalid_argument(
+      fmt::format("{} has records of an earlier report, which are not in this one.\n"
+                  "  Choose another --out.",
+                  out.string()));
+}
+
 /// Refuses a folder in which an earlier report has left names. Records that this one replaces have none: they
 /// are those of an earlier report with the same pseudonyms.
 void check_has_no_names(const fs::path& out, const PseudonymousClass& pseudonymous) {
-  std::set<fs::path> replaced;
-  for (const Record& record : pseudonymous.records) replaced.insert(record.name + ".json");
-  std::string names;
-  for (const fs::path& file : cli::files_below(out / "records")) {
-    if (!replaced.contains(file.filename())) names = "records";
-  }
+  std::string names = has_other_records(out, pseudonymous.records) ? "records" : "";
   for (const char* file : {"course.toml", "roster.csv"}) {
     if (fs::exists(out / file)) names = file;
   }
@@ -96,6 +111,7 @@ void report(const ReportRequest& request) {
     settings.roster = std::move(pseudonymous.roster);
     settings.course = std::move(pseudonymous.course);
   } else {
+    if (!in_place) check_has_no_other_records(request.out, records);
     keep_settings(settings, request.out);
   }
   if (!in_place) {
