@@ -345,6 +345,19 @@ def test_resume_keeps_the_records_of_other_submissions(folder):
     assert sorted(marks(out)) == sorted(before), "a folder that was moved has the same submissions"
 
 
+def test_resume_keeps_an_attempt_in_time_beside_an_equal_late_one(folder):
+    (folder / "course.toml").write_text("[lab.3]\ndue = 2026-10-12T23:59:00+02:00\n"
+                                        "[late]\nclock = 'file'\npercent_per_day = 10\n")
+    for submission, days_late in (("round1", -1), ("round2", 1)):
+        zip_file = folder / submission / "s0101.zip"
+        pack(zip_file, {HILL: "// the same"})
+        os.utime(zip_file, (1791842340 + 86400 * days_late,) * 2)
+        grade(folder / submission, "--out", folder / "out", "--labs", "3", "--resume",
+              "--course", folder / "course.toml")
+    assert sorted(marks(folder / "out")) == ["s0101-2.json", "s0101.json"]
+    assert grades(folder / "out")["s0101"]["lab3"] == "60"
+
+
 def test_resume_keeps_records_whose_names_are_equal_in_ascii(folder):
     for student, text in (("李明", "// fake: fails FirstOfEqualVerticesWins"), ("王芳", "// right")):
         pack(folder / student / f"{student}.zip", {HILL: text})

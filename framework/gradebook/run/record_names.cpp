@@ -1,6 +1,8 @@
 #include "gradebook/run/record_names.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace cs550::gradebook {
@@ -31,10 +33,13 @@ const Record* RecordNames::own_record(const Submission& submission) const {
           find([&](const Record& known) { return known.path == submission.path; })) {
     return record;
   }
-  // The folder of submissions may have been moved, or be another one on another machine.
+  // The folder of submissions may have been moved, or be another one on another machine. What is still in its place
+  // was handed in, too.
   return find([&](const Record& known) {
+    std::error_code is_gone;
     return known.source == submission.source && known.student == submission.student &&
-           known.hash == submission.hash() && !paths_.contains(known.path);
+           known.hash == submission.hash() && !paths_.contains(known.path) &&
+           !std::filesystem::exists(known.path, is_gone);
   });
 }
 
