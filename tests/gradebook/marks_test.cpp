@@ -379,6 +379,25 @@ TEST(Roster, AnIdWithSeparatorsIsFoundAsAWhole) {
   EXPECT_EQ(owner("ada-l and ada"), "ada-l and ada") << "it fits two students";
 }
 
+TEST(Roster, InAFolderThatIsNobodysTheNameOfTheFileCounts) {
+  const std::vector<Student> roster =
+      parse_roster("id,name\ns0101,Ada Lovelace\nb.c,\ns3,Eve\n", "roster.csv");
+  const auto owner = [&](const std::string& folder, const std::string& file) {
+    Record record = record_of(folder, {});
+    record.source = file;
+    record.claimed_student = "s3";
+    return owner_of(record, roster);
+  };
+  EXPECT_EQ(owner("sectionA", "s0101.zip"), "s0101");
+  EXPECT_EQ(owner("sectionA", "Ada Lovelace_123.tar.gz"), "s0101");
+  EXPECT_EQ(owner("sectionA", "b.c"), "b.c") << "a folder";
+  EXPECT_EQ(owner("sectionA", "lab3.zip"), "s3") << "the claim";
+  EXPECT_EQ(owner("s0101", "b.c.zip"), "s0101") << "the folder is somebody's";
+  Record both = record_of("sectionA", {});
+  both.source = "s0101_s3.zip";
+  EXPECT_EQ(rivals(roster, both), (std::vector<std::string>{"s0101", "s3"}));
+}
+
 TEST(Roster, ANameThatFitsSeveralStudentsIsNobodys) {
   const std::string text = "id,name\ns1,Mallory Mal\ns2,Ada Lovelace\ns3,Ada Byron\n";
   const std::vector<Student> roster = parse_roster(text, "roster.csv");

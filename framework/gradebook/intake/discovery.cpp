@@ -66,14 +66,7 @@ bool has_lab_files(const fs::path& folder, const Catalogue& catalogue) {
   return false;
 }
 
-/// The name of a file without the ending of an archive.
-std::string stem(const fs::path& source) {
-  static const std::regex ending(R"((.+?)(\.zip|\.tar|\.tar\.gz|\.tgz|\.rar|\.7z)?)",
-                                 std::regex::icase);
-  std::smatch match;
-  const std::string name = source.filename();
-  return std::regex_match(name, match, ending) ? match[1].str() : name;
-}
+std::string stem(const fs::path& source) { return without_ending(source.filename()); }
 
 /// "ada-lab3" and "ada_labs" were handed in by ada.
 std::string student_of(const std::string& name) {
@@ -220,6 +213,13 @@ Submission read_submission(const FoundSubmission& found, const Catalogue& catalo
   collector.finish();
   if (!submission.trouble.empty()) submission.labs.clear();
   return submission;
+}
+
+std::string without_ending(const std::string& name) {
+  static const std::regex ending(R"((.+?)(\.zip|\.tar|\.tar\.gz|\.tgz|\.rar|\.7z)?)",
+                                 std::regex::icase);
+  std::smatch match;
+  return std::regex_match(name, match, ending) ? match[1].str() : name;
 }
 
 std::string safe_name(const std::string& name) {

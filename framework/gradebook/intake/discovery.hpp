@@ -41,6 +41,9 @@ std::string recorded_path(const FoundSubmission& found);
 /// Never throws: what is wrong with it becomes its `trouble`, unless it has one.
 Submission read_submission(const FoundSubmission& found, const Catalogue& catalogue);
 
+/// The name of a file without the ending of an archive.
+std::string without_ending(const std::string& name);
+
 /// The name of a record or a student's file: other characters than letters, digits and ._- become
 /// an underscore.
 std::string safe_name(const std::string& name);

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "gradebook/intake/discovery.hpp"
 #include "gradebook/marks/csv_table.hpp"
 #include "gradebook/marks/time_text.hpp"
 
@@ -119,8 +120,14 @@ Places fitting(const std::vector<Student>& roster, const std::string& name) {
   return places(roster, [&](const Student& s) { return has_id(s) || has_name(words, s); });
 }
 
-Student* student_of(std::vector<Student>& roster, const Record& record) {
+/// Those whom the name of a record's folder fits, else that of its file: a folder may be that of a section.
+Places owners(const std::vector<Student>& roster, const Record& record) {
   Places found = fitting(roster, record.student);
+  return found.empty() ? fitting(roster, without_ending(record.source)) : found;
+}
+
+Student* student_of(std::vector<Student>& roster, const Record& record) {
+  Places found = owners(roster, record);
   if (found.empty()) {
     found = places(roster, [&](const Student& s) { return is_called(s, record.claimed_student); });
   }
@@ -195,7 +202,7 @@ std::vector<Student> assign(std::vector<Student> roster, const std::vector<Recor
 
 std::vector<std::string> rivals(const std::vector<Student>& roster, const Record& record) {
   std::vector<std::string> ids;
-  for (const std::size_t i : fitting(roster, record.student)) ids.push_back(roster[i].id);
+  for (const std::size_t i : owners(roster, record)) ids.push_back(roster[i].id);
   return ids.size() > 1 ? ids : std::vector<std::string>();
 }
 
