@@ -306,7 +306,11 @@ def test_a_judge_that_fails_gives_no_mark(folder):
     printed = grade(folder / "class", "--out", out, code=1)
     assert "NOT GRADED: ada, lab 3" in printed and "told to break" in printed, printed
     row = grades(out)["ada"]
-    assert (row["status"], row["lab3"], row["lab5"]) == ("NOT GRADED", "", "60"), row
+    assert (row["status"], row["percent"], row["lab3"], row["lab5"]) == ("NOT GRADED", "", "", "60"), row
+    for kind in ("md", "html"):
+        feedback = (out / f"feedback/ada.{kind}").read_text()
+        assert "Lab 3: not graded" in feedback and "Lab 5: 60 of 60 points" in feedback, feedback
+        assert "Lab 3: 0 of" not in feedback, feedback
 
 
 def test_resume_removes_no_marks(folder):

@@ -144,8 +144,8 @@ std::string student_table(const std::vector<StudentMark>& marks, const std::vect
   headings.emplace_back("");
   std::string rows;
   for (const StudentMark& mark : marks) {
-    rows +=
-        fmt::format("<tr><td>{}</td><td class=\"number\">{:.1f}%</td>", link(mark), mark.percent);
+    rows += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td>", link(mark),
+                        mark.is_graded() ? fmt::format("{:.1f}%", mark.percent) : "–");
     for (const LabMark& lab : mark.labs) rows += mark_cell(lab);
     if (has_engines) rows += engine_cell(mark.engine);
     rows += "<td>" + status(mark) + "</td></tr>\n";

@@ -52,8 +52,7 @@ std::string test_table(const LabRecord& lab, const Course& course) {
 }
 
 std::string lab_section(const LabMark& mark, const Course& course) {
-  std::string text = fmt::format("<h2>Lab {}: {} of {} points</h2>\n", mark.lab,
-                                 points_text(mark.mark), points_text(mark.points));
+  std::string text = "<h2>" + lab_heading(mark) + "</h2>\n";
   std::string notes;
   for (const std::string& note : mark.notes) {
     notes += "<li>" + html(note_in_feedback(note, mark, course)) + "</li>\n";

@@ -37,8 +37,7 @@ std::string failures(const LabRecord& lab) {
 }
 
 std::string lab_in_markdown(const LabMark& mark, const Course& course) {
-  std::string text = fmt::format("\n## Lab {}: {} of {} points\n\n", mark.lab,
-                                 points_text(mark.mark), points_text(mark.points));
+  std::string text = "\n## " + lab_heading(mark) + "\n\n";
   for (const std::string& note : mark.notes) {
     text += "- " + markdown(note_in_feedback(note, mark, course)) + '\n';
   }

@@ -104,8 +104,9 @@ std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<
   text += has_engines ? ",milestones,notes\n" : ",notes\n";
   for (const StudentMark& mark : marks) {
     const Student& student = mark.student;
-    text += fmt::format("{},{},{},{},{},{:.2f}", csv(student.id), csv(student.name),
-                        csv(student.email), csv(student.section), status_of(mark), mark.percent);
+    text += fmt::format("{},{},{},{},{},{}", csv(student.id), csv(student.name), csv(student.email),
+                        csv(student.section), status_of(mark),
+                        mark.is_graded() ? fmt::format("{:.2f}", mark.percent) : "");
     for (const LabMark& lab : mark.labs) {
       // An empty field differs from a zero that was earned.
       text +=

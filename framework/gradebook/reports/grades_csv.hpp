@@ -10,7 +10,8 @@
 namespace cs550::gradebook {
 
 /// One line per student: id, name, email, section, status, percent, a column per lab, notes.
-/// Students without a submission are listed with status `missing`.
+/// Students without a submission are listed with status `missing`. The percent of one without a
+/// mark is empty.
 std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<int>& labs);
 
 }  // namespace cs550::gradebook

@@ -29,6 +29,12 @@ std::string without_hidden_names(std::string note, const LabRecord& lab) {
   return note;
 }
 
+std::string lab_heading(const LabMark& mark) {
+  if (!mark.is_graded) return fmt::format("Lab {}: not graded", mark.lab);
+  return fmt::format("Lab {}: {} of {} points", mark.lab, points_text(mark.mark),
+                     points_text(mark.points));
+}
+
 std::string engine_heading(const StudentMark& mark) {
   const EngineMark& engine = mark.engine;
   if (engine.record == nullptr || !engine.record->engine->submitted) return {};
