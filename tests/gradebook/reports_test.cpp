@@ -450,6 +450,26 @@ TEST(Pseudonyms, LeaveNoOrderAndNoTime) {
   }
 }
 
+TEST(Pseudonyms, KeepTheOrderOfAttempts) {
+  const Course course = course_of(
+      "secret = 'x'\nattempt = 'last'\n[lab.1]\ndue = 2026-10-05T23:59:00Z\n"
+      "[lab.2]\ndue = 2026-10-08T23:59:00Z\n[late]\nclock = 'file'\npercent_per_day = 10\n"
+      "[[extension]]\nstudent = 'ada'\nlab = 1\ndue = 2026-10-19T23:59:00Z\nreason = 'r'\n");
+  const auto handed_in_on = [](const char* date, int first) {
+    Record record = record_of("ada", lab_record(first, 0, 0));
+    record.labs[0].lab = 1;
+    record.file_time = parse_time(std::string(date) + "T12:00:00Z")->time_since_epoch().count();
+    return record;
+  };
+  std::vector<Record> records{handed_in_on("2026-10-05", 24), handed_in_on("2026-10-07", 0)};
+  records[1].labs.push_back(records[1].labs[0]);
+  records[1].labs[1].lab = 2;
+  const PseudonymousClass hidden = with_pseudonyms(records, {}, course);
+  EXPECT_LT(hidden.records[0].file_time, hidden.records[1].file_time);
+  const StudentMark mark = mark_class(assign({}, hidden.records), {1, 2}, hidden.course).front();
+  EXPECT_DOUBLE_EQ(mark.labs[0].mark, 0) << "the last attempt counts";
+}
+
 TEST(Pseudonyms, LeaveNoName) {
   Record record = hostile_record();
   record.student = record.source = record.claimed_student = "Lovelace";
@@ -457,8 +477,13 @@ TEST(Pseudonyms, LeaveNoName) {
   record.labs[0].files = {"lovelace.cpp"};
   record.labs[0].tests[0].message = "Lovelace was here";
   const Course course = course_of(
-      "secret = 'x'\n[[adjustment]]\nstudent = 'Lovelace'\nlab = 3\npoints = 2\nreason = 'r'\n");
-  const std::vector<Record> records{record};
+      "secret = 'x'\n[[adjustment]]\nstudent = 'Lovelace'\nlab = 3\npoints = 2\n"
+      "reason = 'Lovelace explained it'\n");
+  Record failed = record;
+  failed.name = "failed";
+  failed.trouble = "cannot read Lovelace/notes.txt";
+  failed.labs[0].not_graded = "no room for lovelace.cpp";
+  const std::vector<Record> records{record, failed};
   const PseudonymousClass hidden = with_pseudonyms(records, {}, course);
   const ScratchFolder scratch;
   write_reports(scratch / "out", hidden.records, hidden.roster, hidden.course);

@@ -23,13 +23,19 @@ std::string id_in(const std::vector<Student>& students, const std::string& entry
   return entry;
 }
 
+/// A text that is there stays there, without what it tells.
+void replace_text(std::string& text, const char* other) {
+  if (!text.empty()) text = other;
+}
+
 void remove_texts(LabRecord& lab) {
   lab.files.clear();
   lab.same_as.clear();
   lab.compile_errors.clear();
+  replace_text(lab.not_graded, "the grader failed");
   if (lab.own_tests) {
     lab.own_tests->message.clear();
-    if (!lab.own_tests->not_graded.empty()) lab.own_tests->not_graded = "the grader failed";
+    replace_text(lab.own_tests->not_graded, "the grader failed");
   }
   for (TestResult& test : lab.tests) test.message.clear();
 }
@@ -54,7 +60,8 @@ void hide_time(Record& record, const Record& original, const Student& student,
   const auto later = std::count_if(
       student.records.begin(), student.records.end(),
       [&](const Record* other) { return time_of_submission(student, *other, course) > time; });
-  const Time shown = coarse_time(*time, submitted_labs({&original}), student, course) -
+  // With the dates of all labs of the student: those of its own labs alone could turn the order round.
+  const Time shown = coarse_time(*time, submitted_labs(student.records), student, course) -
                      std::chrono::seconds(later);
   const Clock clock = course.late ? course.late->clock : Clock::File;
   if (clock == Clock::File) record.file_time = shown.time_since_epoch().count();
@@ -69,6 +76,7 @@ Record without_names(Record record, const std::string& student, std::size_t numb
   record.claimed_student.clear();
   record.starter.clear();
   record.ignored.clear();
+  replace_text(record.trouble, "unreadable");
   for (LabRecord& lab : record.labs) remove_texts(lab);
   if (record.engine) remove_texts(*record.engine);
   return record;
@@ -106,6 +114,7 @@ PseudonymousClass with_pseudonyms(const std::vector<Record>& records,
       entry.student = pseudonym(id_in(students, entry.student), course.secret);
     }
   };
+  for (Adjustment& adjustment : result.course.adjustments) adjustment.reason = "adjustment";
   rename(result.course.adjustments);
   rename(result.course.extensions);
   rename(result.course.regrades);

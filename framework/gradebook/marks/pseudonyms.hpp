@@ -21,7 +21,8 @@ struct PseudonymousClass {
 
 /// A pseudonym derives from the student's id and the secret of the course, so it is the same in
 /// every report and tells nothing by its place. Names, addresses, paths, the names of ignored files,
-/// compiler messages and what a test printed are left out. Of times remains what marks need.
+/// compiler messages, what a test printed, reasons of adjustments and what went wrong in the grader
+/// are left out. Of times remains what marks need.
 PseudonymousClass with_pseudonyms(const std::vector<Record>& records,
                                   const std::vector<Student>& roster, const Course& course);
 
