@@ -309,6 +309,26 @@ TEST(Compare, PrintsMilestonesThatChanged) {
             "ada, milestones: not run -> 2 of 3 reached\n1 of 1 submissions changed.\n");
 }
 
+TEST(Compare, PrintsABonusThatChanged) {
+  const auto with_tests = [](const OwnTests& own) {
+    Record record = record_of("ada", lab_record(24, 0, 0));
+    record.labs[0].own_tests = own;
+    return record;
+  };
+  const Record before = with_tests({true, 20, 20, false, "", ""});
+  const auto changes = [&](const Record& after) { return comparison({before}, {after}); };
+  const auto line = [](const std::string& after) {
+    return "ada, lab 3: 24 of 60 -> 24 of 60\n    my_tests.cpp: 20 of 20 known mistakes -> " +
+           after + "\n1 of 1 submissions changed.\n";
+  };
+  EXPECT_EQ(changes(with_tests({true, 21, 10, false, "", ""})), line("10 of 21 known mistakes"));
+  EXPECT_EQ(changes(with_tests({true, 20, 0, true, "", ""})), line("fails on the reference"));
+  EXPECT_EQ(changes(with_tests({false, 20, 0, false, "", ""})), line("does not compile"));
+  EXPECT_EQ(changes(with_tests({true, 0, 0, false, "", "it broke"})), line("not graded"));
+  EXPECT_EQ(changes(record_of("ada", lab_record(24, 0, 0))), line("not run"));
+  EXPECT_EQ(changes(before), "0 of 1 submissions changed.\n");
+}
+
 TEST(Reports, ClassPageShowsHowManyReachEachMilestone) {
   const std::vector<Record> records{
       with_engine(record_of("ada", lab_record(24, 0, 0)), {"passed", "passed"}),

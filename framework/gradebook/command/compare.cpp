@@ -45,10 +45,26 @@ std::string test_changes(const LabRecord& before, const LabRecord& after) {
   return text;
 }
 
+/// "10 of 21 known mistakes", or why the student's own tests find none.
+std::string found_mistakes(const LabRecord& lab) {
+  if (!lab.own_tests) return "not run";
+  if (!lab.own_tests->not_graded.empty()) return "not graded";
+  if (!lab.own_tests->compiled) return "does not compile";
+  if (lab.own_tests->fails_reference) return "fails on the reference";
+  return fmt::format("{} of {} known mistakes", lab.own_tests->caught, lab.own_tests->mistakes);
+}
+
+std::string own_tests_changes(const LabRecord& before, const LabRecord& after) {
+  const std::string was = found_mistakes(before);
+  const std::string is = found_mistakes(after);
+  return was == is ? "" : fmt::format("    my_tests.cpp: {} -> {}\n", was, is);
+}
+
 std::string lab_changes(const std::string& name, int number, const LabRecord* before,
                         const LabRecord* after) {
-  const std::string tests =
-      before != nullptr && after != nullptr ? test_changes(*before, *after) : std::string();
+  const std::string tests = before != nullptr && after != nullptr
+                                ? test_changes(*before, *after) + own_tests_changes(*before, *after)
+                                : std::string();
   const bool is_new_content = before != nullptr && after != nullptr && before->hash != after->hash;
   if (points_of(before) == points_of(after) && tests.empty()) return {};
   return fmt::format("{}, lab {}: {} -> {}{}\n{}", name, number, points_of(before),

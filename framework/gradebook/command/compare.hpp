@@ -9,7 +9,7 @@
 
 namespace cs550::gradebook {
 
-/// Every lab and test whose points or status differ, by submission; then a sentence with the
+/// Every lab, test and bonus whose points or status differ, by submission; then a sentence with the
 /// totals.
 std::string comparison(const std::vector<Record>& before, const std::vector<Record>& after);
 
