@@ -294,6 +294,14 @@ TEST(Marks, AStudentWithoutMilestonesIsNoted) {
   EXPECT_NE(text.find("\nbob,,,,graded,50.00,60,,"), std::string::npos) << text;
   EXPECT_NE(text.find(note_no_milestones), std::string::npos) << text;
   EXPECT_EQ(notes("").find(note_no_milestones), std::string::npos) << "they have no weight";
+
+  const Course by_hand = course_of(
+      weighted + "[[adjustment]]\nstudent = 'max'\nlab = 3\npoints = 30\nreason = 'oral'\n");
+  const std::vector<Student> roster = parse_roster("id\nada\nbob\nmax\nzoe\n", "roster.csv");
+  const std::vector<StudentMark> marks = mark_class(assign(roster, records), {3}, by_hand);
+  EXPECT_DOUBLE_EQ(marks[2].percent, 25) << "max has 30 of 60 points, and no milestones";
+  EXPECT_FALSE(marks[2].engine.was_run);
+  EXPECT_TRUE(marks[3].engine.was_run) << "zoe is missing";
 }
 
 TEST(Marks, MilestonesThatNoRunHasRunForAStudentCountAsNotReached) {

@@ -286,7 +286,8 @@ void count_missing_milestones(std::vector<StudentMark>& marks, const Course& cou
   const bool counts =
       course.milestones_weight > 0 && std::any_of(marks.begin(), marks.end(), has_engine);
   for (StudentMark& mark : marks) {
-    if (!counts || has_engine(mark) || mark.is_missing()) continue;
+    const bool has_nothing = mark.is_missing() && mark.percent == 0;  // no points by hand either
+    if (!counts || has_engine(mark) || has_nothing) continue;
     mark.engine.was_run = false;
     mark.percent = total_percent(mark, course);
   }
