@@ -828,6 +828,19 @@ def test_entries_about_nobody_are_printed(folder):
     assert message not in grade(folder / "class/ada.zip", "--out", folder / "part", "--labs", "3", *course)
 
 
+def test_two_extensions_of_one_student_are_refused(folder):
+    pack(folder / "s0101.zip", {HILL: "// right"})
+    (folder / "course.toml").write_text("".join(
+        f"[[extension]]\nstudent = '{student}'\nlab = {lab}\ndue = 2026-10-19T23:59:00+02:00\nreason = 'r'\n"
+        for student, lab in (("S0101", 3), ("ada@example.org", 5), ("ada@example.org", 3))))
+    (folder / "roster.csv").write_text("id,email\ns0102,b@example.org\ns0101,Ada@example.org\n")
+    options = (folder / "s0101.zip", "--labs", "3", "--course", folder / "course.toml")
+    printed = grade(*options, "--out", folder / "out", "--roster", folder / "roster.csv", code=1)
+    assert "of lab 3 for S0101 and for ada@example.org are about one student" in printed, printed
+    assert not (folder / "out").exists()
+    grade(*options, "--out", folder / "unknown")
+
+
 def test_wrong_usage(folder):
     pack(folder / "ada.zip", {HILL: ""})
     (folder / "bad.toml").write_text("[late]\nclock = 'sun'\n")

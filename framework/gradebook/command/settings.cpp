@@ -9,6 +9,7 @@
 #include "cli/system/terminal.hpp"
 #include "files/output_file.hpp"
 #include "gradebook/course/course_file.hpp"
+#include "gradebook/marks/dates.hpp"
 #include "gradebook/marks/mark.hpp"
 
 namespace cs550::gradebook {
@@ -56,6 +57,7 @@ Settings read_settings(const fs::path& root, const fs::path& course, const fs::p
     settings.roster_text = cli::read_text(file);
     settings.roster = parse_roster(settings.roster_text, file.string());
   }
+  check_extensions(settings.course, settings.roster);
   return settings;
 }
 

@@ -1,8 +1,11 @@
 #include "gradebook/marks/dates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <ratio>
 
+#include "gradebook/course/course_file.hpp"
 #include "gradebook/marks/time_text.hpp"
 
 namespace cs550::gradebook {
@@ -26,6 +29,20 @@ const Extension* extension_of(const Student& student, int lab, const Course& cou
     if (is_about(extension.student, student) && extension.lab == lab) return &extension;
   }
   return nullptr;
+}
+
+void check_extensions(const Course& course, const std::vector<Student>& roster) {
+  for (const Student& student : roster) {
+    for (const Extension& extension : course.extensions) {
+      if (!is_about(extension.student, student)) continue;
+      const Extension* first = extension_of(student, extension.lab, course);
+      if (first == &extension) continue;
+      throw CourseError(fmt::format(
+          "[[extension]] of lab {} for {} and for {} are about one student of the roster; keep the "
+          "one that counts",
+          extension.lab, first->student, extension.student));
+    }
+  }
 }
 
 Time coarse_time(Time time, const std::vector<int>& labs, const Student& student,
