@@ -313,6 +313,15 @@ def test_a_judge_that_fails_gives_no_mark(folder):
         assert "Lab 3: 0 of" not in feedback, feedback
 
 
+def test_a_student_without_a_lab_that_is_graded_is_printed(folder):
+    pack(folder / "class/ada.zip", {CLIP: "// another lab"})
+    pack(folder / "class/bob-lab3.zip", {HILL: "// right"})
+    pack(folder / "class/bob-lab5.zip", {CLIP: "// another lab, beside the one"})
+    printed = grade(folder / "class", "--out", folder / "out", "--labs", "3")
+    assert "no graded lab: ada" in printed and "no graded lab: bob" not in printed, printed
+    assert [grades(folder / "out")[name]["status"] for name in ("ada", "bob")] == ["no graded lab", "graded"]
+
+
 def test_resume_removes_no_marks(folder):
     small_class(folder / "class")
     grade(folder / "class", "--out", folder / "out", "--labs", "3")

@@ -475,6 +475,17 @@ TEST(GradesCsv, ListsMissingStudentsAndEscapesNames) {
             "'=cmd,,,,not on the roster,40.00,24,\n");
 }
 
+TEST(GradesCsv, NamesAStudentWithoutALabThatIsGraded) {
+  LabRecord none;
+  none.lab = 3;
+  std::vector<Record> records{record_of("ada", none), record_of("bob", none)};
+  records[1].trouble = "the archive is damaged";
+  const std::vector<Student> students = assign(parse_roster("id\nada\nbob\n", "r"), records);
+  const std::string text = grades_csv(mark_class(students, {3}, course_of("")), {3});
+  EXPECT_NE(text.find("\nada,,,,no graded lab,0.00,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nbob,,,,unreadable,0.00,"), std::string::npos) << text;
+}
+
 TEST(GradesCsv, NotesWhatAnInstructorMayWantToLookAt) {
   LabRecord broken = lab_record(0, 0, 0);
   broken.compiled = false;

@@ -78,6 +78,7 @@ void print_students_to_look_at(const Settings& settings, const std::vector<Recor
   const std::vector<Student> students = assign(settings.roster, records);
   for (const StudentMark& mark : mark_class(students, labs_of(records), settings.course)) {
     if (!mark.student.on_roster) print_unknown(mark.student, settings.roster);
+    if (mark.has_no_lab()) std::cout << fmt::format("no graded lab: {}\n", mark.student.id);
     for (const LabMark& lab : mark.labs) {
       if (lab.was_run) continue;
       std::cout << cli::indented(

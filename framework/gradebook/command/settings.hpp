@@ -33,8 +33,8 @@ void keep_settings(const Settings& settings, const std::filesystem::path& folder
 /// is a part of a class, and says nothing about them.
 void print_entries_about_nobody(const Settings& settings, const std::vector<Record>& records);
 
-/// Prints which submissions belong to nobody on the roster, and whose labs are in several submissions, so that
-/// milestones are missing.
+/// Prints which submissions belong to nobody on the roster, who has handed in none of the graded
+/// labs, and whose labs are in several submissions, so that milestones are missing.
 void print_students_to_look_at(const Settings& settings, const std::vector<Record>& records);
 
 /// Prints which records are older than the course keeps them.

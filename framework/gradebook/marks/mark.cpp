@@ -300,6 +300,13 @@ bool StudentMark::is_graded() const {
          std::all_of(labs.begin(), labs.end(), [](const LabMark& mark) { return mark.is_graded; });
 }
 
+bool StudentMark::has_no_lab() const {
+  const auto is_readable = [](const Record* record) { return record->trouble.empty(); };
+  const auto has_no_record = [](const LabMark& mark) { return mark.record == nullptr; };
+  return !is_missing() && std::all_of(labs.begin(), labs.end(), has_no_record) &&
+         std::all_of(student.records.begin(), student.records.end(), is_readable);
+}
+
 bool StudentMark::has_scattered_labs() const {
   const auto has_all = [this](const Record* record) {
     return std::all_of(labs.begin(), labs.end(), [record](const LabMark& mark) {

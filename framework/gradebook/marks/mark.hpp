@@ -49,6 +49,8 @@ struct StudentMark {
   EngineMark engine;
 
   bool is_missing() const { return student.records.empty(); }
+  /// Whether submissions are there, and can be read, but have no lab that is graded.
+  bool has_no_lab() const;
   bool is_graded() const;
   /// Whether the milestones were run, and no submission has all labs that the student handed in.
   bool has_scattered_labs() const;

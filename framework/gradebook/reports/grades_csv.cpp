@@ -25,7 +25,8 @@ std::string status_of(const StudentMark& mark) {
   if (mark.is_missing()) return "missing";
   if (!mark.is_graded()) return "NOT GRADED";
   if (!trouble_of(mark.student).empty()) return "unreadable";
-  return mark.student.on_roster ? "graded" : "not on the roster";
+  if (!mark.student.on_roster) return "not on the roster";
+  return mark.has_no_lab() ? "no graded lab" : "graded";
 }
 
 /// Submissions that could not be read, of a student with another one that could.
