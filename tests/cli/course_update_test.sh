@@ -29,6 +29,16 @@ grep -qxF "It has no solutions." "$printed" || wrong "it must report that it rel
 [ -z "$(git -C "$copy" status --porcelain)" ] || wrong "an update to the same version changes the copy"
 grep -qF "0 files added, 0 replaced, 0 removed" "$printed" || wrong "it must replace nothing"
 
+# Where the book is not built, an update keeps the figures that a copy has.
+mkdir "$scratch/linked/docs/chapters/figures"
+echo drawn >"$scratch/linked/docs/chapters/figures/a.svg"
+echo docs/chapters/figures/a.svg >>"$scratch/linked/.starters/files.txt"
+for i in 1 2; do
+  CS550_ROOT=$scratch/links "$program" starter --update "$scratch/linked" >"$printed" 2>/dev/null
+  [ -e "$scratch/linked/docs/chapters/figures/a.svg" ] || wrong "update $i removes a figure"
+  grep -qF "keeps the figures" "$printed" || wrong "it must report that the figures are old"
+done
+
 # As if the copy were an older version.
 echo 'an old handout' >"$copy/$handout"
 echo 'an old page' >"$copy/docs/old_page.md"

@@ -96,15 +96,18 @@ void keep_starters(const fs::path& folder) {
 }
 
 /// The book's figures, so that its chapters can be read as they are. They are not committed: a copy has
-/// them if the book was built here.
-void add_figures(const fs::path& folder) {
+/// them if the book was built here. If it was not, an update keeps those that the copy has.
+void add_figures(const fs::path& folder, const fs::path& old_copy) {
   const fs::path drawn = project_root() / drawn_figures;
-  if (fs::exists(drawn)) fs::copy(drawn, folder / copied_figures);
+  const fs::path figures = fs::exists(drawn) ? drawn : old_copy / copied_figures;
+  if (fs::exists(figures)) fs::copy(figures, folder / copied_figures);
 }
 
 void warn_of_missing_figures(const fs::path& folder) {
-  if (fs::exists(folder / copied_figures)) return;
-  std::cout << "Its chapters have no figures. ./cs550 docs draws them, and then\n"
+  if (fs::exists(project_root() / drawn_figures)) return;
+  std::cout << (fs::exists(folder / copied_figures) ? "It keeps the figures that it had."
+                                                    : "Its chapters have no figures.")
+            << " ./cs550 docs draws them, and then\n"
             << fmt::format("./cs550 starter --update '{}'\nadds them.\n", folder.string());
 }
 
@@ -121,12 +124,13 @@ void list_files(const fs::path& folder) {
   files::write_file(folder / file_list, text);
 }
 
-void write_students_copy(const fs::path& folder, int released) {
+/// @param old_copy the one that is updated; empty for a new one
+void write_students_copy(const fs::path& folder, int released, const fs::path& old_copy) {
   unpack("HEAD", folder);
   add_solutions(folder, released);
   list_visible_tests_only(folder);
   fs::rename(folder / students_readme, folder / "README.md");
-  add_figures(folder);
+  add_figures(folder, old_copy);
   // Here it would run in the instructors' repository.
   fs::create_directories(folder / ".github/workflows");
   fs::rename(folder / classroom_workflow, folder / ".github/workflows/labs.yml");
@@ -263,7 +267,7 @@ int make_copy(const StarterOptions& options, const fs::path& folder) {
                   " exists and is not empty.\n  To update a students' copy, add --update.");
   }
   const DraftFolder draft(folder);
-  write_students_copy(draft.path(), options.released.value_or(0));
+  write_students_copy(draft.path(), options.released.value_or(0), {});
   start_history(draft.path());
   files::throw_if_interrupted();
   fs::rename(draft.path(), folder);
@@ -286,7 +290,7 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
   const std::string old_version = starter_version(folder);
   const DraftFolder draft(folder);
   write_students_copy(draft.path(),
-                      options.released ? *options.released : last_released_lab(folder));
+                      options.released ? *options.released : last_released_lab(folder), folder);
   files::throw_if_interrupted();
   const CopyUpdate update = update_copy(folder, draft.path());
   warn_of_uncommitted_changes();
@@ -299,6 +303,7 @@ int renew_copy(const StarterOptions& options, const fs::path& folder) {
       old_version, starter_version(folder), update.added.size(), update.replaced.size(),
       update.removed.size(), update.kept.size());
   print_released_solutions(folder);
+  warn_of_missing_figures(folder);
   for (const std::string& file : update.conflicts) {
     std::cout << fmt::format(
         "conflict: {} was changed, and so was its starter.\n"
