@@ -1,5 +1,6 @@
 #include "pages/world/simulation.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <stdexcept>
 
@@ -13,6 +14,14 @@ namespace {
 constexpr Real pull_hertz = 2;         ///< of the spring between body and mouse, for any mass
 constexpr Real pull_damping = 1;       ///< critical: the body comes to rest at the mouse
 constexpr Real thrown_density = 2000;  ///< kg/m³
+
+/// The acceleration of a point per force at it, times the mass of the body: 1 − m·[r]×·I⁻¹·[r]×.
+/// @param r from the centre of mass, world (m)
+Mat3 response(const RigidBody& body, const Vec3& r) {
+  Mat3 cross;
+  cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return Mat3::Identity() - cross * (body.mass * body.world_inverse_inertia) * cross;
+}
 
 std::vector<Bounds> inner_nodes(const AabbTree& tree) {
   std::vector<Bounds> boxes;
@@ -85,7 +94,8 @@ void Simulation::throw_box(const Throw& thrown) {
   world_->add_body(def);
 }
 
-/// A damped spring. Its stiffness is proportional to the mass.
+/// A damped spring. Its force is that of the end of the step (implicit Euler), for the mass that the pulled
+/// point has: a corner yields more than the centre. So it is stable for every point and every step.
 void Simulation::pull(const Pull& pull) {
   if (pull.body == no_index || !world_->is_alive(world_->id_at(pull.body))) return;
   RigidBody& body = world_->body(world_->id_at(pull.body));
@@ -94,8 +104,10 @@ void Simulation::pull(const Pull& pull) {
   const Vec3 r = point - body.pose.position;
   const Vec3 velocity = body.linear_velocity + body.angular_velocity.cross(r);
   const Real omega = 2 * pi * pull_hertz;
-  const Vec3 force =
-      body.mass * (omega * omega * (pull.target - point) - 2 * pull_damping * omega * velocity);
+  const Vec3 displacement = pull.target - point - h_ * velocity;
+  const Vec3 acceleration = (omega * omega * displacement - 2 * pull_damping * omega * velocity) /
+                            (1 + 2 * pull_damping * omega * h_ + omega * omega * h_ * h_);
+  const Vec3 force = body.mass * response(body, r).inverse() * acceleration;
   try {
     add_force(body, force, point);
   } catch (const NotImplemented&) {

@@ -1,0 +1,27 @@
+// What a user does with a running scene: pull, pick and throw bodies, and read their numbers.
+#include "pages/world/world_page.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cs550::test {
+namespace {
+
+using namespace pages;
+
+/// At a corner, a force turns the box more than it moves it.
+TEST(WorldPulls, ABodyAtItsCornerComesToRestAtTheMouse) {
+  WorldPage page("free_spin", Isolation::Here);
+  page.refresh();
+  const Vec3 corner(Real(0.2), Real(0.5), 1);
+  const Vec3 grabbed = page.frame().bodies[0].pose.to_world(corner);
+  const Vec3 target = grabbed + Vec3(Real(0.3), Real(0.1), Real(0.2));
+  page.grab({0, grabbed});
+  page.drag_to(target);
+  page.take_steps(120);
+  const RigidBody& body = page.frame().bodies[0];
+  EXPECT_LT((body.pose.to_world(corner) - target).norm(), 0.15);
+  EXPECT_LT(body.angular_velocity.norm(), 20);
+}
+
+}  // namespace
+}  // namespace cs550::test
