@@ -27,3 +27,9 @@ endforeach()
 add_dependencies(tests_viewer viewer_on_starters)
 target_compile_definitions(tests_viewer PRIVATE
   CS550_VIEWER_ON_STARTERS="$<TARGET_FILE:viewer_on_starters>")
+
+# The page of a running scene on the starters, without a picture
+add_executable(tests_starters "${PROJECT_SOURCE_DIR}/tests/viewer/starters/world_page_test.cpp")
+target_link_libraries(tests_starters PRIVATE cs550_pages cs550_warnings GTest::gtest_main)
+cs550_link_labs(tests_starters stub)
+cs550_discover_tests(tests_starters viewer "*" viewer 120)

@@ -18,7 +18,7 @@ HalfEdgeMesh scaled(HalfEdgeMesh mesh, Real factor) {
 
 }  // namespace
 
-ShapePtr recorded_shape(int name) {
+ShapePtr recorded_shape(int name, Real radius) {
   constexpr std::array<const char*, 7> files{"unit_box.json",  "regular_tetrahedron.json",
                                              "prism6.json",    "dodecahedron.json",
                                              "hull16.json",    "hull32.json",
@@ -29,7 +29,7 @@ ShapePtr recorded_shape(int name) {
   const ShapeResult measured = make_shape(loaded.mesh);
   if (!measured) throw std::runtime_error(measured.error);
   // All shapes have the same radius, so that pages do not depend on the size of a shape.
-  const ShapeResult result = make_shape(scaled(loaded.mesh, 1 / measured.shape->radius));
+  const ShapeResult result = make_shape(scaled(loaded.mesh, radius / measured.shape->radius));
   if (!result) throw std::runtime_error(result.error);
   return result.shape;
 }

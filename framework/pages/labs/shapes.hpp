@@ -17,9 +17,9 @@ inline constexpr std::array<const char*, 7> shape_names{
 /// Their indices in shape_names.
 enum ShapeName : int { Box, Tetrahedron, Prism, Dodecahedron, Hull16, Hull32, Icosphere };
 
-/// A shape of about 1 m. @param name index in shape_names
+/// A recorded shape. @param name index in shape_names @param radius of the shape (m)
 /// @throws std::runtime_error if its file is missing or damaged
-ShapePtr recorded_shape(int name);
+ShapePtr recorded_shape(int name, Real radius = 1);
 
 /// A pose from a position (m) and a turn about the fixed x, then y, then z axis (degrees).
 Pose pose_from(const Vec3& position, const Vec3& turn_degrees);
