@@ -8,6 +8,14 @@ namespace {
 
 using namespace pages;
 
+/// The value of a fact on the panel.
+std::string panel_fact(const WorldPage& page, const std::string& name) {
+  for (const Fact& fact : page.content().facts) {
+    if (fact.name == name) return fact.value;
+  }
+  return "missing";
+}
+
 /// At a corner, a force turns the box more than it moves it.
 TEST(WorldPulls, ABodyAtItsCornerComesToRestAtTheMouse) {
   WorldPage page("free_spin", Isolation::Here);
@@ -21,6 +29,18 @@ TEST(WorldPulls, ABodyAtItsCornerComesToRestAtTheMouse) {
   const RigidBody& body = page.frame().bodies[0];
   EXPECT_LT((body.pose.to_world(corner) - target).norm(), 0.15);
   EXPECT_LT(body.angular_velocity.norm(), 20);
+}
+
+TEST(WorldNumbers, AreThoseOfTheMomentaBeforeTheFirstStep) {
+  WorldPage page("collisions", Isolation::Here);
+  page.refresh();
+  page.select(Index{0});
+  page.refresh();
+  EXPECT_EQ(panel_fact(page, "v").substr(0, 5), "(2.00");
+  EXPECT_EQ(page.frame().step, 0);
+  page.throw_box(Vec3(0, 0, 5), Vec3(0, 0, 6));
+  EXPECT_NEAR(page.frame().bodies.back().linear_velocity.z(), 20, 1e-3);
+  EXPECT_NEAR(page.frame().bodies.back().angular_velocity.z(), 3, 1e-3);
 }
 
 }  // namespace

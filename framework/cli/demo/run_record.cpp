@@ -31,16 +31,6 @@ std::string columns(const Numbers& numbers) {
   return text;
 }
 
-struct Velocities {
-  Vec3 linear, angular;
-};
-
-Velocities velocities_from_momenta(const RigidBody& body) {
-  const Vec3 angular_momentum = body.pose.unrotate(body.angular_momentum);
-  return {body.inverse_mass * body.linear_momentum,
-          body.pose.rotate(body.inverse_inertia * angular_momentum)};
-}
-
 /// Until the first step, nothing has derived the velocities of a dynamic body.
 Velocities velocities(const World& world, const RigidBody& body) {
   const bool are_derived = world.step_count() > 0 || body.kind != BodyKind::Dynamic;

@@ -56,6 +56,12 @@ Eigen::Vector3d angular_momentum(const World& world) {
   return sum;
 }
 
+Velocities velocities_from_momenta(const RigidBody& body) {
+  const Vec3 angular_momentum = body.pose.unrotate(body.angular_momentum);
+  return {body.inverse_mass * body.linear_momentum,
+          body.pose.rotate(body.inverse_inertia * angular_momentum)};
+}
+
 bool is_finite(const World& world) { return first_lost_body(world) == no_index; }
 
 std::vector<StageProblem> find_broken_stages(World before, Real h) {

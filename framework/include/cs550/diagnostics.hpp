@@ -1,6 +1,6 @@
 #pragma once
 /// @file diagnostics.hpp
-/// Energy and momentum of a world, summed in double precision, and what to do when they are lost.
+/// Energy, momentum and velocities of a world, and what to do when they are lost.
 
 #include <vector>
 
@@ -28,6 +28,16 @@ Eigen::Vector3d linear_momentum(const World& world);
 
 /// Σ L + x × P of the dynamic bodies about the world's origin (kg·m²/s).
 Eigen::Vector3d angular_momentum(const World& world);
+
+/// Velocities of a body, world frame.
+struct Velocities {
+  Vec3 linear;   ///< v (m/s)
+  Vec3 angular;  ///< ω (rad/s)
+};
+
+/// The velocities of a dynamic body that follow from its momenta and its pose. Its own velocities
+/// are those that the last step derived, and 0 before the first step. Calls no lab function.
+Velocities velocities_from_momenta(const RigidBody& body);
 
 /// Whether all poses, momenta and kinetic energies are finite. It does not check pending forces and
 /// torques, nor the velocities of kinematic bodies.

@@ -64,7 +64,10 @@ WorldFrame Simulation::serve(const WorldRequest& request) {
 void Simulation::step() {
   const World before = *world_;
   world_->step(h_);
-  if (is_finite(*world_)) return;
+  if (is_finite(*world_)) {
+    stepped_ = world_->bodies().size();
+    return;
+  }
   lost_ = find_broken_stages(before, h_);
   *world_ = before;
 }
@@ -76,6 +79,7 @@ void Simulation::build(const std::string& name, WorldFrame& frame) {
   scene.settings.sleeping = true;
   world_.emplace(make_world(scene));
   h_ = scene.h;
+  stepped_ = 0;
   lost_.clear();
   sent_meshes_.clear();
   frame.scene = {scene.name,       scene.title,    scene.description,
@@ -139,6 +143,13 @@ Index Simulation::mesh_number(const ShapePtr& shape, WorldFrame& frame) {
 
 void Simulation::describe(WorldFrame& frame) {
   frame.bodies.assign(world_->bodies().begin(), world_->bodies().end());
+  for (std::size_t i = stepped_; i < frame.bodies.size(); ++i) {
+    RigidBody& body = frame.bodies[i];
+    if (body.kind != BodyKind::Dynamic) continue;
+    const auto [linear, angular] = velocities_from_momenta(body);
+    body.linear_velocity = linear;
+    body.angular_velocity = angular;
+  }
   frame.contacts.assign(world_->contacts().begin(), world_->contacts().end());
   const std::span<const Contact> asleep = world_->sleeping_contacts();
   frame.contacts.insert(frame.contacts.end(), asleep.begin(), asleep.end());

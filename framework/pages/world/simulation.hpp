@@ -27,6 +27,7 @@ class Simulation {
 
   std::optional<World> world_;
   Real h_ = Real(1) / 60;
+  std::size_t stepped_ = 0;  ///< number of bodies whose velocities a step has derived
   std::map<ShapePtr, Index> sent_meshes_;
   std::vector<StageProblem> lost_;  ///< what the next step would break, if the world stands still
 };
