@@ -31,6 +31,24 @@ TEST(WorldPulls, ABodyAtItsCornerComesToRestAtTheMouse) {
   EXPECT_LT(body.angular_velocity.norm(), 20);
 }
 
+/// The walls of the pit are translucent where they would hide the boxes.
+TEST(WorldPicks, BodiesBehindATranslucentWall) {
+  WorldPage page("box_pile", Isolation::Here);
+  page.refresh();
+  const Focus& focus = page.content().focus;
+  const Vec3 eye = fitted(page.first_view(), focus.center, focus.radius).eye();
+  int rays = 0;
+  int dynamic = 0;
+  for (const RigidBody& body : page.frame().bodies) {
+    if (body.kind != BodyKind::Dynamic) continue;
+    ++rays;
+    const auto hit = page.pick(eye, (body.pose.position - eye).normalized());
+    dynamic += hit && page.frame().bodies[hit->body].kind == BodyKind::Dynamic ? 1 : 0;
+  }
+  EXPECT_GT(rays, 50);
+  EXPECT_GT(dynamic, 0.9 * rays);
+}
+
 TEST(WorldNumbers, AreThoseOfTheMomentaBeforeTheFirstStep) {
   WorldPage page("collisions", Isolation::Here);
   page.refresh();

@@ -223,13 +223,16 @@ std::vector<Fact> WorldPage::facts() const {
 }
 
 std::optional<WorldPage::Hit> WorldPage::pick(const Vec3& origin, const Vec3& direction) const {
+  std::vector<Solid> seen = solids();
+  open_view(seen, origin);
+  auto solid = seen.begin();
   Hit hit;
   Real nearest = HUGE_VALF;
   for (std::size_t i = 0; i < frame_.bodies.size(); ++i) {
     if (frame_.mesh_of_body[i] == no_index) continue;
-    const Pose& pose = frame_.bodies[i].pose;
-    const HalfEdgeMesh& mesh = *meshes_[frame_.mesh_of_body[i]];
-    const Real distance = entry_distance(mesh, pose.to_body(origin), pose.unrotate(direction));
+    const auto& [mesh, pose, colour, is_ground] = *solid++;
+    if (is_ground && colour.w() < 1) continue;
+    const Real distance = entry_distance(*mesh, pose.to_body(origin), pose.unrotate(direction));
     if (distance < nearest) {
       nearest = distance;
       hit = {static_cast<Index>(i), origin + distance * direction};

@@ -33,7 +33,8 @@ class WorldPage final : public Page {
   /// Throws a box from one point through another.
   void throw_box(const Vec3& from, const Vec3& through);
 
-  /// The first body that a ray hits. Immovable bodies cannot be picked, but hide others.
+  /// The first body that a ray from the eye hits. Immovable bodies hide others, except where
+  /// open_view() makes them translucent.
   struct Hit {
     Index body = no_index;      ///< index in bodies
     Vec3 point = Vec3::Zero();  ///< world (m)
