@@ -2,11 +2,30 @@
 #include "pages/world/world_page.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 namespace cs550::test {
 namespace {
 
 using namespace pages;
+
+/// A scene file of bodies, as JSON. It is removed at the end.
+class SceneFile {
+ public:
+  explicit SceneFile(const std::string& members)
+      : path_(std::filesystem::temp_directory_path() /
+              ("cs550-page-" + std::to_string(getpid()) + ".json")) {
+    std::ofstream(path_) << R"({"schema": 1, )" << members << "}";
+  }
+  ~SceneFile() { std::filesystem::remove(path_); }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
 
 /// The value of a fact on the panel.
 std::string panel_fact(const WorldPage& page, const std::string& name) {
@@ -47,6 +66,35 @@ TEST(WorldPicks, BodiesBehindATranslucentWall) {
   }
   EXPECT_GT(rays, 50);
   EXPECT_GT(dynamic, 0.9 * rays);
+}
+
+TEST(WorldFocus, StaysWhenABodyFliesAway) {
+  WorldPage page("bounce", Isolation::Here);
+  page.refresh();
+  const Focus first = page.content().focus;
+  const Vec3 above = first.center + Vec3(0, 0, 2 * first.radius);
+  page.throw_box(above, above + Vec3(1, 0, 1));
+  const Real side = page.frame().bounds.back().extent().x();
+  page.take_steps(600);
+  page.refresh();
+  EXPECT_LT(page.content().focus.radius, 3 * first.radius);
+  page.throw_box(above, above + Vec3(1, 0, 1));
+  EXPECT_NEAR(page.frame().bounds.back().extent().x(), side, 1e-3 * side);
+}
+
+/// At 1,000 km a float is exact to 6 cm.
+TEST(WorldFocus, IsTheSameInEachStepWhereFloatDoesNotResolveABody) {
+  const SceneFile scene(R"("world": {"gravity": [0, 0, 0]}, "bodies": [
+    {"shape": {"kind": "box", "half_extents": [0.01, 0.01, 0.01]}, "position": [1e6, 0, 1]}])");
+  WorldPage page(scene.path(), Isolation::Here);
+  page.take_steps(1);
+  page.refresh();
+  ASSERT_EQ(page.content().problem, "");
+  const Focus first = page.content().focus;
+  EXPECT_NEAR(first.center.x(), 1e6, 1);
+  page.take_steps(49);
+  page.refresh();
+  EXPECT_EQ(page.content().focus.radius, first.radius);
 }
 
 TEST(WorldNumbers, AreThoseOfTheMomentaBeforeTheFirstStep) {

@@ -21,6 +21,16 @@ std::string counted(std::ptrdiff_t count, const char* one, const char* several) 
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
+/// A box with some extent along each axis: far from the origin, float may not resolve that of a body.
+Bounds resolved(Bounds box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.lower[axis] != box.upper[axis]) continue;
+    box.lower[axis] = std::nextafter(box.lower[axis], -HUGE_VALF);
+    box.upper[axis] = std::nextafter(box.upper[axis], HUGE_VALF);
+  }
+  return box;
+}
+
 }  // namespace
 
 WorldPage::WorldPage(std::string scene, Isolation isolation)
@@ -79,7 +89,7 @@ void WorldPage::throw_box(const Vec3& from, const Vec3& through) {
   WorldRequest request;
   request.settings = settings_;
   request.thrown =
-      Throw{from, throw_speed * (through - from).normalized(), Real(0.12) * focus_.radius};
+      Throw{from, throw_speed * (through - from).normalized(), Real(0.12) * first_focus_.radius};
   ask(request);
 }
 
@@ -121,13 +131,22 @@ Bounds WorldPage::down_to_the_ground(Bounds box) const {
   return box;
 }
 
-/// The movable bodies, except a few that are far from the rest. All bodies if none is movable.
+/// The movable bodies, except a few that are far from the rest and those that left the scene. All bodies if none is
+/// movable.
 void WorldPage::find_focus() {
   Bounds all;
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < frame_.bodies.size(); ++i) {
     all.include(frame_.bounds[i]);
     if (frame_.bodies[i].kind == BodyKind::Dynamic) moving.push_back(i);
+  }
+  const auto is_near = [&](std::size_t i) {
+    constexpr Real far = 5;  // radii
+    const Vec3 way = frame_.bodies[i].pose.position - first_focus_.center;
+    return way.norm() <= far * first_focus_.radius;
+  };
+  if (!frame_.scene && std::any_of(moving.begin(), moving.end(), is_near)) {
+    std::erase_if(moving, [&](std::size_t i) { return !is_near(i); });
   }
   Bounds core;
   for (int axis = 0; axis < 3; ++axis) {
@@ -141,9 +160,12 @@ void WorldPage::find_focus() {
       core.upper[axis] = std::max(core.upper[axis], frame_.bounds[moving[i]].upper[axis]);
     }
   }
-  const Bounds shown = moving.empty() ? all : down_to_the_ground(core);
-  if ((shown.lower.array() < shown.upper.array()).all()) focus_ = focus_of(shown);
-  focus_.radius *= Real(1.06);  // margin
+  const Bounds shown = resolved(moving.empty() ? all : down_to_the_ground(core));
+  if ((shown.lower.array() < shown.upper.array()).all()) {
+    focus_ = focus_of(shown);
+    focus_.radius *= Real(1.06);  // margin
+  }
+  if (frame_.scene) first_focus_ = focus_;
 }
 
 void WorldPage::refresh() {

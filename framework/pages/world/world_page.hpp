@@ -77,6 +77,7 @@ class WorldPage final : public Page {
   std::optional<Index> selected_;
   std::string failure_;
   Focus focus_;
+  Focus first_focus_;  ///< when the scene began
   Content content_;
   bool is_loaded_ = false;
   bool shows_times_ = true;
