@@ -242,6 +242,7 @@ class LiveFigure {
     try {
       await this.engine.ask('set', `${name}=${value}`);
       if (name === 'scene') this.changed.clear();  // a scene brings its own settings
+      this.changed.delete(name);  // the link sets the settings in this order
       this.changed.set(name, value);
     } catch (reason) {
       this.fail(reason);
@@ -250,7 +251,7 @@ class LiveFigure {
         return;
       }
     }
-    if (name === 'scene') await this.list();
+    if (name === 'scene' || name === 'quality') await this.list();  // they change other settings
     this.drawSoon();
   }
 

@@ -75,6 +75,20 @@ await live.engine.ask('facts');
 return [live.stage.clientWidth, live.canvas.width / devicePixelRatio];
 """
 
+# Chooses a quality, changes one of its settings, and chooses another quality.
+QUALITIES = """
+const live = figure.live;
+live.changed.clear();
+const shown = [];
+for (const [name, value] of [['quality', 'game'], ['substeps', '8'], ['quality', 'accurate']]) {
+  const input = live.controls.elements[name];
+  input.value = value;
+  await live.set(name, value);
+  shown.push(live.controls.elements.substeps.value);
+}
+return [shown, [...live.changed.keys()]];
+"""
+
 MARKS = """
 const marks = [...figure.live.legend.querySelectorAll('.live-mark')];
 return [...new Set(marks.map(mark => getComputedStyle(mark).backgroundColor))];
@@ -121,6 +135,16 @@ def check_settings(browser, figure):
         run(browser, CHANGE, figure, place)
         if run(browser, LATER, figure, STEPS_OF_A_SETTING) == shown[world] and name != FINDS_NOTHING:
             yield f"setting {name} of '{world}' changes nothing"
+
+
+def check_quality(browser, figure):
+    """A quality changes other settings: the inputs show them, and the link sets them in the reader's order."""
+    run(browser, BEGIN_WORLD, figure, f"0 {TOWER}")
+    shown, order = run(browser, QUALITIES, figure)
+    if len(set(shown)) < 3:
+        yield f"the inputs show {shown} substeps for game, a number of the reader's own, and accurate"
+    if order != ["substeps", "quality"]:
+        yield f"the link sets {order}"
 
 
 def check_acts(browser, figure):
