@@ -2,21 +2,26 @@
 
 namespace cs550 {
 
-bool fits(double number, Range range) {
+Ends ends(Range range) {
   constexpr double largest = 1e6;
   constexpr double smallest =
       Real(1e-6);  // a little less, which a number becomes that is stored as Real
   switch (range) {
     case Range::Any:
-      return number >= -largest && number <= largest;
+      return {-largest, largest};
     case Range::NotNegative:
-      return number >= 0 && number <= largest;
+      return {0, largest};
     case Range::Positive:
-      return number >= smallest && number <= largest;
+      return {smallest, largest};
     case Range::ZeroToOne:
-      return number >= 0 && number <= 1;
+      return {0, 1};
   }
-  return false;
+  return {};
+}
+
+bool fits(double number, Range range) {
+  const auto [least, most] = ends(range);
+  return number >= least && number <= most;
 }
 
 const char* in_words(Range range) {

@@ -10,6 +10,12 @@ namespace cs550 {
 /// density × length⁵) stay within the range of a float.
 enum class Range : std::uint8_t { Any, NotNegative, Positive, ZeroToOne };
 
+/// The least and the largest number of a range.
+struct Ends {
+  double least, most;
+};
+Ends ends(Range range);
+
 /// Whether a number is within a range.
 bool fits(double number, Range range);
 

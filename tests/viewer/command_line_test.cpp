@@ -67,7 +67,7 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
       {{"--lab", "8"}, "--lab"},
       {{"--steps", "-1"}, "--steps"},
       {{"--set", "substeps"}, "name=value"},
-      {{"--set", "substeps=99"}, "1 to 16"},
+      {{"--set", "substeps=1001"}, "1 to 1000"},
       {{"--set", "gravity=1,2"}, "x,y,z"},
       {{"--set", "soultion=1"}, "It has: contacts"},
       {{"--lab", "3", "--set", "step=-2"}, "0 to 60, or last"},

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace cs550::test {
 namespace {
@@ -107,6 +108,26 @@ TEST(WorldNumbers, AreThoseOfTheMomentaBeforeTheFirstStep) {
   page.throw_box(Vec3(0, 0, 5), Vec3(0, 0, 6));
   EXPECT_NEAR(page.frame().bodies.back().linear_velocity.z(), 20, 1e-3);
   EXPECT_NEAR(page.frame().bodies.back().angular_velocity.z(), 3, 1e-3);
+}
+
+/// A scene may have what no slider reaches.
+TEST(WorldSettingsOf, AnySceneCanBeSetAgain) {
+  const SceneFile scene(R"("world": {"gravity": [0, 0, -981], "substeps": 60, "contact_hertz": 800,
+    "restitution_iterations": 0, "relax_iterations": 70}, "bodies": [
+    {"shape": {"kind": "box", "half_extents": [1, 1, 1]}}])");
+  WorldPage page(scene.path(), Isolation::Here);
+  page.refresh();
+  ASSERT_EQ(page.content().problem, "");
+  ControlLister lister;
+  page.describe(lister);
+  EXPECT_NE(lister.text().find("substeps=60 "), std::string::npos);
+  std::istringstream lines(lister.text());
+  for (std::string line; std::getline(lines, line);) {
+    ControlSetter setter(line.substr(0, line.find(' ')));
+    EXPECT_NO_THROW(page.describe(setter)) << line;
+  }
+  EXPECT_EQ(page.settings().substeps, 60);
+  EXPECT_EQ(page.settings().gravity.z(), -981);
 }
 
 }  // namespace

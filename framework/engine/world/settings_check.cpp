@@ -1,3 +1,5 @@
+#include "cs550/setting_range.hpp"
+
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -32,7 +34,26 @@ void check_number(const char* name, Number value, Bound least, Bound most) {
   refuse(name, range.str(), value);
 }
 
+template <class Number>
+SettingRange in_numbers(Number least, Number most) {
+  return {static_cast<Real>(least), static_cast<Real>(most)};
+}
+
+SettingRange in_numbers(Range range) {
+  const auto [least, most] = ends(range);
+  return in_numbers(least, most);
+}
+
 }  // namespace
+
+std::optional<SettingRange> setting_range(std::string_view name) {
+  const WorldSettings settings;
+  std::optional<SettingRange> found;
+  for_each_range(settings, [&](const char* each, const auto& /*value*/, auto... range) {
+    if (name == each) found = in_numbers(range...);
+  });
+  return found;
+}
 
 void check(const WorldSettings& settings) {
   for_each_range(settings, [](const char* name, const auto& value, auto... range) {

@@ -9,15 +9,24 @@
 namespace cs550::pages {
 namespace {
 
-std::string range_text(double least, double most, const Control& control) {
+/// The range that --set accepts. @param least, most of the slider
+SettingRange accepted(const Control& control, Real least, Real most) {
+  return control.accepted.value_or(SettingRange{least, most});
+}
+
+SettingRange accepted(const Control& control, int least, int most) {
+  return accepted(control, static_cast<Real>(least), static_cast<Real>(most));
+}
+
+std::string range_text(const SettingRange& range, const Control& control) {
   const std::string unit = *control.unit == '\0' ? "" : std::string(" ") + control.unit;
-  return short_number(least) + " to " + short_number(most) + unit;
+  return short_number(range.least) + " to " + short_number(range.most) + unit;
 }
 
 constexpr const char* last_step_name = "last";
 
 std::string step_range_text(int most, const Control& control) {
-  return range_text(0, most, control) + ", or " + last_step_name;
+  return range_text({0, static_cast<Real>(most)}, control) + ", or " + last_step_name;
 }
 
 std::string alternatives(std::span<const char* const> names) {
@@ -67,41 +76,43 @@ Real ControlSetter::to_number(const std::string& word, const std::string& expect
   return value;
 }
 
-int ControlSetter::to_whole(int least, int most, const std::string& expected) const {
+int ControlSetter::to_whole(const SettingRange& range, const std::string& expected) const {
   const Real given = to_number(text_, expected);
-  if (given != std::floor(given)) refuse(expected);
-  if (given < static_cast<Real>(least) || given > static_cast<Real>(most)) refuse(expected);
+  if (given != std::floor(given) || given < range.least || given > range.most) refuse(expected);
   return static_cast<int>(given);
 }
 
 void ControlSetter::whole(const Control& control, int& value, int least, int most) {
   if (!is_meant(control)) return;
-  value = to_whole(least, most, "a whole number, " + range_text(least, most, control));
+  const SettingRange range = accepted(control, least, most);
+  value = to_whole(range, "a whole number, " + range_text(range, control));
 }
 
 void ControlSetter::step(const Control& control, int& value, int most) {
   if (!is_meant(control)) return;
-  value = text_ == last_step_name
-              ? last_step
-              : to_whole(last_step, most, "a whole number, " + step_range_text(most, control));
+  value = text_ == last_step_name ? last_step
+                                  : to_whole({last_step, static_cast<Real>(most)},
+                                             "a whole number, " + step_range_text(most, control));
 }
 
 void ControlSetter::number(const Control& control, Real& value, Real least, Real most) {
   if (!is_meant(control)) return;
-  const std::string expected = "a number, " + range_text(least, most, control);
+  const SettingRange range = accepted(control, least, most);
+  const std::string expected = "a number, " + range_text(range, control);
   const Real given = to_number(text_, expected);
-  if (given < least || given > most) refuse(expected);
+  if (given < range.least || given > range.most) refuse(expected);
   value = given;
 }
 
 void ControlSetter::vector(const Control& control, Vec3& value, Real most) {
   if (!is_meant(control)) return;
-  const std::string expected = "x,y,z, each " + range_text(-most, most, control);
+  const SettingRange range = accepted(control, -most, most);
+  const std::string expected = "x,y,z, each " + range_text(range, control);
   std::vector<Real> given;
   std::istringstream words(text_);
   for (std::string word; std::getline(words, word, ',');) {
     given.push_back(to_number(word, expected));
-    if (std::abs(given.back()) > most) refuse(expected);
+    if (given.back() < range.least || given.back() > range.most) refuse(expected);
   }
   if (given.size() != 3) refuse(expected);
   value = {given[0], given[1], given[2]};
@@ -155,19 +166,19 @@ void ControlLister::add(const Control& control, const std::string& value,
 }
 
 void ControlLister::whole(const Control& control, int& value, int least, int most) {
-  add(control, std::to_string(value), range_text(least, most, control));
+  add(control, std::to_string(value), range_text(accepted(control, least, most), control));
 }
 void ControlLister::step(const Control& control, int& value, int most) {
   add(control, value == last_step ? last_step_name : std::to_string(value),
       step_range_text(most, control));
 }
 void ControlLister::number(const Control& control, Real& value, Real least, Real most) {
-  add(control, short_number(value), range_text(least, most, control));
+  add(control, short_number(value), range_text(accepted(control, least, most), control));
 }
 void ControlLister::vector(const Control& control, Vec3& value, Real most) {
   add(control,
       short_number(value.x()) + "," + short_number(value.y()) + "," + short_number(value.z()),
-      "each " + range_text(-most, most, control));
+      "each " + range_text(accepted(control, -most, most), control));
 }
 void ControlLister::toggle(const Control& control, bool& value) {
   add(control, value ? "on" : "off", "on, off");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cs550/math.hpp"
+#include "cs550/setting_range.hpp"
 
 namespace cs550::pages {
 
@@ -15,6 +15,8 @@ struct Control {
   const char* name;   ///< on the command line: "substeps"
   const char* label;  ///< on the panel: "substeps"
   const char* unit;   ///< "m", "1/s", or empty
+  /// The range that --set accepts, if it is more than a slider offers.
+  std::optional<SettingRange> accepted = {};
 };
 
 /// As the displayed step of a walk: its last one, however long the walk is. It is called "last".
@@ -31,7 +33,7 @@ class ControlVisitor {
 
   /// Starts a group of settings.
   virtual void section(const char* /*title*/) {}
-  /// A setting and its range, including both ends.
+  /// A setting and the range of its slider, including both ends.
   /// @{
   virtual void whole(const Control& control, int& value, int least, int most) = 0;
   /// The displayed step of a walk: 0 to most, or last_step.
@@ -73,7 +75,7 @@ class ControlSetter final : public ControlVisitor {
   bool is_meant(const Control& control);
   [[noreturn]] void refuse(const std::string& expected) const;
   Real to_number(const std::string& word, const std::string& expected) const;
-  int to_whole(int least, int most, const std::string& expected) const;
+  int to_whole(const SettingRange& range, const std::string& expected) const;
 
   std::string name_;
   std::string text_;
