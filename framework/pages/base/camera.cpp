@@ -63,12 +63,15 @@ void Camera::pan(const Vec2& pixels, const Area& area) {
   target += scale * (pixels.y() * right.cross(forward) - pixels.x() * right);
 }
 
-void Camera::zoom(Real factor) { distance = std::clamp(distance * factor, nearest, Real(1e4)); }
+void Camera::zoom(Real factor) {
+  distance = std::clamp(distance * factor, std::min(nearest, distance),
+                        std::max(largest_number, distance));
+}
 
 Camera seen_from(Real yaw, Real pitch) {
   Camera camera;
   camera.yaw = yaw;
-  camera.pitch = pitch;
+  camera.pitch = std::clamp(pitch, -steepest, steepest);
   return camera;
 }
 

@@ -19,17 +19,23 @@ struct Camera {
   Real yaw = Real(-1.05);      ///< about z, from the x axis (rad)
   Real pitch = Real(0.38);     ///< above the horizontal (rad)
 
+  bool operator==(const Camera& other) const {
+    return target == other.target && distance == other.distance && yaw == other.yaw &&
+           pitch == other.pitch;
+  }
+
   /// The position of the eye (m).
   Vec3 eye() const;
   /// Turns by angles (rad), but not over the poles.
   void orbit(Real yaw_change, Real pitch_change);
   /// Moves parallel to the picture, so that the target follows the mouse. @param pixels right, down
   void pan(const Vec2& pixels, const Area& area);
-  /// Multiplies the distance.
+  /// Multiplies the distance, within the range of parse_camera().
   void zoom(Real factor);
 };
 
-/// A camera with a direction; fitted() determines its position. @param yaw, pitch rad
+/// A camera with a direction, but not from a pole; fitted() determines its position.
+/// @param yaw, pitch rad
 Camera seen_from(Real yaw, Real pitch);
 
 /// The field of view along the shorter side of a picture (rad).
