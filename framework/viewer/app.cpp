@@ -37,8 +37,7 @@ App::App(const Options& options, Interface& interface) : options_(options), inte
     for (int i = 0; i < steps; ++i) page_->advance();
   }
   page_->refresh();
-  frame_focus();
-  if (!options.camera.empty()) camera_ = parse_camera(options.camera, camera_);
+  frame_first();
 }
 
 void App::open(int lab) {
@@ -66,9 +65,19 @@ void App::reset() {
   }
 }
 
-void App::frame_focus() {
+Camera App::first_camera() const {
   const Focus& focus = page_->content().focus;
-  camera_ = fitted(page_->first_view(), focus.center, focus.radius);
+  return fitted(page_->first_view(), focus.center, focus.radius);
+}
+
+void App::frame_focus() {
+  framed_ = first_camera();
+  camera_ = framed_;
+}
+
+void App::frame_first() {
+  frame_focus();
+  if (!options_.camera.empty()) camera_ = parse_camera(options_.camera, camera_);
 }
 
 void App::hide_times() {
@@ -88,6 +97,8 @@ void App::draw(Canvas& canvas) {
   hear_mouse();
   pass_time();
   page_->refresh();
+  // The panels of a failing test may show different places, and from different sides.
+  if (page_->lab() == failure_page && !(first_camera() == framed_)) frame_first();
   const Layout places = layout();
   if (places.panel.width > 0) show_panel(places);
   if (places.plots.width > 0) show_plots(places.plots);

@@ -73,6 +73,8 @@ class App {
     Real depth = 0;               ///< of the point from the eye, along the view (m)
   };
 
+  Camera first_camera() const;
+  void frame_first();
   void hear_mouse();
   void hear_drag_of_body(const Vec2& mouse);
   void hear_drag_of_handle(const Vec2& mouse);
@@ -96,6 +98,7 @@ class App {
   std::shared_ptr<Page> failure_;  ///< kept, because the next passing test removes its picture
   WorldPage* world_ = nullptr;
   Camera camera_;
+  Camera framed_;  ///< by the last frame_focus()
   bool plays_ = false;
   int slowness_ = 1;         ///< the clock's speed over the world's
   double waiting_time_ = 0;  ///< since the last step, as a share of the time for one

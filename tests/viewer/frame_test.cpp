@@ -124,6 +124,24 @@ TEST_F(Frames, TheFailureStaysWhenItsPictureIsGone) {
   EXPECT_EQ(app.page().content().problem, "");
 }
 
+TEST_F(Frames, EachPanelOfAFailureIsInThePicture) {
+  const std::filesystem::path picture =
+      std::filesystem::temp_directory_path() / ("Lab3.Far" + std::to_string(getpid()) + ".svg");
+  std::vector<FailurePanel> panels(2);
+  panels[1].content.focus = {Vec3(100, 0, 0), 1};
+  std::ofstream(picture) << with_panels("<svg></svg>", panels);
+  Options options;
+  options.failure = picture;
+  App app(options, ui);
+  std::filesystem::remove(picture);
+  Canvas canvas({320, 180});
+  app.draw(canvas);
+  EXPECT_EQ(app.camera().target, Vec3(100, 0, 0)) << "the last panel is shown first";
+  app.advance();
+  app.draw(canvas);
+  EXPECT_EQ(app.camera().target, Vec3(0, 0, 0));
+}
+
 TEST_F(Frames, APageWithoutStepsDoesNotPlay) {
   Options options;
   options.lab = 4;
