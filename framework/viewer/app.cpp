@@ -10,7 +10,8 @@ namespace cs550::viewer {
 namespace {
 
 constexpr double seconds_per_lab_step = 0.4;  ///< of a lab's walk: slow enough to follow
-constexpr int most_steps_per_frame = 4;       ///< of a world that is slower than the clock
+constexpr int steps_at_once = 4;              ///< of a world, before the clock is read
+constexpr double most_time_of_steps = 0.04;   ///< s, in a frame: a slower world falls behind
 constexpr double rounding_of_time = 1e-3;     ///< steps: a frame may be as long as a step
 
 Size display_size() {
@@ -121,7 +122,7 @@ bool App::is_still() const {
 }
 
 /// The world keeps pace with the clock, whatever the rate of the display and the length of a step.
-/// If drawing takes too long, it falls behind. A picture takes a sixtieth of a second.
+/// If drawing or the steps take too long, it falls behind. A picture takes a sixtieth of a second.
 void App::pass_time() {
   plays_ = plays_ && can_step();
   if (!plays_) {
@@ -131,15 +132,17 @@ void App::pass_time() {
   const double step = world_ != nullptr ? static_cast<double>(world_->step_length()) * slowness_
                                         : seconds_per_lab_step;
   waiting_time_ += static_cast<double>(ImGui::GetIO().DeltaTime) / step;
-  const int due = static_cast<int>(waiting_time_ + rounding_of_time);
-  waiting_time_ = due > most_steps_per_frame ? 0 : waiting_time_ - due;
-  const int steps = std::min(due, most_steps_per_frame);
-  if (steps == 0) return;
-  if (world_ != nullptr) {
-    world_->take_steps(steps);
-  } else {
+  int due = static_cast<int>(waiting_time_ + rounding_of_time);
+  if (due == 0) return;
+  waiting_time_ -= due;
+  if (world_ == nullptr) {
     page_->advance();
+    return;
   }
+  for (; due > 0 && interface_.time_in_frame() < most_time_of_steps; due -= steps_at_once) {
+    world_->take_steps(std::min(due, steps_at_once));
+  }
+  if (due > 0) waiting_time_ = 0;
 }
 
 Layout App::layout() const {

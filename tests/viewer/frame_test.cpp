@@ -163,7 +163,7 @@ TEST_F(Frames, TheWorldKeepsPaceWithTheClock) {
       std::filesystem::temp_directory_path() / ("cs550-pace-" + std::to_string(getpid()) + ".json");
   Canvas canvas({160, 90});
   for (const auto& [h, steps] :
-       {std::pair{"0.0083333333", 60}, {"0.016666667", 30}, {"0.05", 10}}) {
+       {std::pair{"0.002", 250}, {"0.0083333333", 60}, {"0.016666667", 30}, {"0.05", 10}}) {
     std::ofstream(scene) << R"({"schema": 1, "h": )" << h << R"(, "bodies": [
       {"shape": {"kind": "box", "half_extents": [1, 1, 1]}, "mass": 1}]})";
     Options options;

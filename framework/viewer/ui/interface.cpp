@@ -52,12 +52,17 @@ void Interface::begin_frame(Size canvas, bool has_panels) {
   set_scale(has_panels ? panel_scale(size, full_scale_) : full_scale_);
   ImGui_ImplOpenGL3_NewFrame();
   if (window_ != nullptr) {
+    frame_start_ = glfwGetTime();
     ImGui_ImplGlfw_NewFrame();
   } else {
     ImGui::GetIO().DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     ImGui::GetIO().DeltaTime = 1.0F / 60;
   }
   ImGui::NewFrame();
+}
+
+double Interface::time_in_frame() const {
+  return window_ != nullptr ? glfwGetTime() - frame_start_ : 0;
 }
 
 void Interface::end_frame() {

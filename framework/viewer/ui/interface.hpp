@@ -25,6 +25,9 @@ class Interface {
   /// Draws the widgets to the current framebuffer.
   void end_frame();
 
+  /// Time since the present frame began (s). Without a window no time passes within a frame.
+  double time_in_frame() const;
+
   const Fonts& fonts() const { return fonts_; }
   /// Of the present frame.
   float scale() const { return scale_; }
@@ -36,6 +39,7 @@ class Interface {
   GLFWwindow* window_;
   float full_scale_;
   float scale_;
+  double frame_start_ = 0;  ///< on GLFW's clock (s)
   Fonts fonts_;
 };
 
