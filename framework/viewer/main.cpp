@@ -31,9 +31,13 @@ std::unique_ptr<cs550::viewer::Page> page_of(const Options& options) {
   return page;
 }
 
+/// @throws std::invalid_argument for a page that cannot be shown, except because of a student's code
 void list_settings(const Options& options) {
+  const auto page = page_of(options);
+  const std::string& problem = page->content().problem;
+  if (!problem.empty() && !options.student) throw std::invalid_argument(problem);
   cs550::viewer::ControlLister lister;
-  page_of(options)->describe(lister);
+  page->describe(lister);
   std::cout << lister.text();
 }
 

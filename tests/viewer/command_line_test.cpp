@@ -190,6 +190,14 @@ TEST_F(CommandLine, AWorldThatLosesItsFiniteStateFailsAndIsShown) {
   EXPECT_TRUE(fs::exists(file("1000.png")));
 }
 
+TEST_F(CommandLine, ASceneThatCannotBeReadHasNoSettings) {
+  std::ofstream(file("damaged.json")) << "{";
+  const Outcome outcome = view({file("damaged.json"), "--list"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.output.find("damaged.json"), std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.output.find("substeps="), std::string::npos) << outcome.output;
+}
+
 TEST_F(CommandLine, HelpFitsEightyColumns) {
   std::istringstream lines(view({"--help"}).output);
   int count = 0;
