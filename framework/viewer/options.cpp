@@ -88,24 +88,27 @@ void declare(CLI::App& app, Options& options) {
          "show panels and plots; hidden if the width is below\n"
          "495 pixels")
       ->option_text("on|off");
-  app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window")
-      ->option_text("FILE")
-      ->check(ends_in(".png"))
-      ->check(files::fault_of_path)
-      ->excludes(list);
+  auto* snapshot =
+      app.add_option("--snapshot", options.snapshot, "write a PNG file instead of opening a window")
+          ->option_text("FILE")
+          ->check(ends_in(".png"))
+          ->check(files::fault_of_path)
+          ->excludes(list);
   app.add_option("--frames", options.frames,
                  "write 0000.png, 0001.png, ... to this folder, one per\n"
                  "step")
       ->option_text("FOLDER")
       ->check(files::fault_of_path)
-      ->excludes(list);
+      ->excludes(list)
+      ->excludes(snapshot);
   app.add_option("--gif", options.gif,
                  "write an animation, one frame per step (needs ffmpeg\n"
                  "or ImageMagick)")
       ->option_text("FILE")
       ->check(ends_in(".gif"))
       ->check(files::fault_of_path)
-      ->excludes(list);
+      ->excludes(list)
+      ->excludes(snapshot);
   app.add_option("--frame-count", options.frame_count,
                  "frames for --frames and --gif; by default all steps of\n"
                  "the page, or 120")

@@ -72,6 +72,7 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
       {{"--set", "soultion=1"}, "It has: contacts"},
       {{"--lab", "3", "--set", "step=-2"}, "0 to 60, or last"},
       {{"--lab", "2", "--set", "walk=jump"}, "next, prev, twin, face"},
+      {{"--frames", file("frames")}, "excludes"},
       {{"--frames", ""}, "found an empty text"},
       {{"--frames", std::string(300, 'x')}, "found 300 letters"},
       {{"--gif", std::string(300, 'x') + ".gif"}, "found 304 letters"},
