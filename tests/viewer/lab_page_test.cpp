@@ -111,6 +111,13 @@ TEST(LabPage, NothingIsClippedWhereEdgesMeet) {
   EXPECT_EQ(fact_of(*clipping, "points kept"), "1");
 }
 
+TEST(LabPage, ThePointsOfAManifoldAreNamed) {
+  const std::unique_ptr<Page> page = lab_page(5);
+  const std::string name = fact_of(*page, "point 1");
+  EXPECT_NE(name.find("vertex "), std::string::npos) << name;
+  EXPECT_NE(name.find(" on face "), std::string::npos) << name;
+}
+
 /// There are fewer colours than boxes.
 TEST(LabPage, EachBoxOfAStackHasItsOwnCurve) {
   for (const int lab : {6, 7}) {

@@ -79,8 +79,11 @@ void show_manifold(const BodyPair& bodies, const SeparatingAxis& axis, Content& 
                             {"tangent u", {Role::Incident, 2, false, true}, {}}};
   add_bodies_to_legend(content.drawing);
   content.facts.push_back({"points kept", std::to_string(manifold.points.size())});
-  for (const ContactPoint& point : manifold.points) {
-    content.facts.push_back({"separation", quantity(static_cast<double>(point.separation), "m")});
+  for (int i = 0; i < manifold.points.size(); ++i) {
+    const ContactPoint& point = manifold.points[i];
+    const std::string separation = quantity(static_cast<double>(point.separation), "m");
+    content.facts.push_back({"point " + std::to_string(i + 1),
+                             separation + ", " + drawing::feature_text(point.feature)});
   }
 }
 
