@@ -93,3 +93,18 @@ misused --csv "" "--csv: expected the path of a file or folder, found an empty t
 misused --csv "$(printf 'x%.0s' $(seq 300))" "found 300 letters"
 misused --threads=2 --no-picture=5 "--no-picture takes no value"
 misused --threads 0 "not in range"  # CLI11's words about the range depend on its version
+
+# The picture is of the run: a project whose viewer prints its arguments and fails. Without a viewer there is none.
+mkdir -p project/build/release/bin
+printf '#!/bin/sh\n' >project/cs550
+printf '#!/bin/sh\necho "$@"\nexit 1\n' >project/build/release/bin/cs550_viewer
+chmod +x project/cs550 project/build/release/bin/cs550_viewer
+pictured() {
+  CS550_ROOT=$scratch/project "$program" scene.json "$@" >printed 2>&1 || wrong "demo $* failed"
+  if grep -q "^For a picture" printed; then return; fi
+  cp project/build/results/scene.png.txt printed
+  for word in $words; do grep -q -- "$word" printed || wrong "demo $*: expected $word for the viewer"; done
+}
+words="sleeping=on" pictured
+words="sleeping=off quality=game" pictured --quality game --sleeping off
+words="quality=accurate" pictured --quality accurate

@@ -1,4 +1,5 @@
 // The program behind ./cs550 demo: runs a scene through the assembled engine, prints a summary.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -73,8 +74,10 @@ void run_scene(World& world, const Scene& scene, int steps, RunRecord& record,
 }
 
 /// A picture of the scene after an eighth of the run, when most happens. It is optional.
-void take_picture(const Scene& scene, const std::string& name, int steps) {
+void take_picture(const Scene& scene, const DemoOptions& options, int steps) {
   constexpr int moment = 8;
+  constexpr int latest = 100000;  // steps that the viewer takes
+  const std::string& name = options.scene;
   if (!CS550_HAS_VIEWER) {
     std::cout << "\nFor a picture: ./cs550 view " << name << " (installs the packages it needs)\n";
     return;
@@ -84,8 +87,14 @@ void take_picture(const Scene& scene, const std::string& name, int steps) {
   const std::filesystem::path file = project_root() / "build/results" / (scene.name + ".png");
   const std::filesystem::path log = file.string() + ".txt";
   std::filesystem::create_directories(file.parent_path());
-  command.insert(command.end(), {name, "--steps", std::to_string(steps / moment), "--ui", "off",
-                                 "--snapshot", file.string()});
+  command.insert(
+      command.end(),
+      {name, "--steps", std::to_string(std::min(steps / moment, latest)), "--ui", "off", "--set",
+       options.sleeping ? "sleeping=on" : "sleeping=off", "--snapshot", file.string()});
+  if (options.quality) {
+    const bool is_game = *options.quality == Quality::Game;
+    command.insert(command.end(), {"--set", is_game ? "quality=game" : "quality=accurate"});
+  }
   if (run(command, {{}, log}).good()) {
     std::cout << "\nPicture: " << std::filesystem::relative(file).string()
               << "\nIn motion: ./cs550 view " << name << '\n';
@@ -123,7 +132,7 @@ int run_demo(const DemoOptions& options) {
   const int steps = options.steps > 0 ? options.steps : scene.steps;
   run_scene(world, scene, steps, record, trajectory);
   record.print(std::cout);
-  if (!options.no_picture) take_picture(scene, options.scene, steps);
+  if (!options.no_picture) take_picture(scene, options, steps);
   return record.good() ? Good : Failed;
 }
 
