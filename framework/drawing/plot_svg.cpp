@@ -34,15 +34,19 @@ double on_axis(Real value, bool logarithmic) {
   return number;
 }
 
-/// The values that can be drawn.
-std::vector<Value> drawable(const Series& series, const Plot& plot) {
-  std::vector<Value> result;
+/// The values that can be drawn, in runs: one that cannot be drawn interrupts a curve.
+std::vector<std::vector<Value>> drawable_runs(const Series& series, const Plot& plot) {
+  std::vector<std::vector<Value>> runs(1);
   for (const Vec2& value : series.values) {
     const double x = on_axis(value.x(), plot.logarithmic_x);
     const double y = on_axis(value.y(), plot.logarithmic);
-    if (std::isfinite(x) && std::isfinite(y)) result.push_back({x, y});
+    if (std::isfinite(x) && std::isfinite(y)) {
+      runs.back().push_back({x, y});
+    } else if (!runs.back().empty()) {
+      runs.emplace_back();
+    }
   }
-  return result;
+  return runs;
 }
 
 /// Maps values to the page.
@@ -50,9 +54,11 @@ class Axes {
  public:
   Axes(const Plot& plot, const Rectangle& area) : area_(area) {
     for (const Series& series : plot.series) {
-      for (const Value& value : drawable(series, plot)) {
-        x_.include(value.x);
-        y_.include(value.y);
+      for (const std::vector<Value>& run : drawable_runs(series, plot)) {
+        for (const Value& value : run) {
+          x_.include(value.x);
+          y_.include(value.y);
+        }
       }
     }
     for (const PlotMark& mark : plot.marks) {
@@ -147,18 +153,18 @@ void draw_axes(SvgWriter& svg, const Plot& plot, const Axes& axes, const Rectang
 
 void draw_series(SvgWriter& svg, const Series& series, const Plot& plot, const Axes& axes) {
   const Colour ink = colour(series.role);
-  std::vector<PagePoint> points;
-  for (const Value& value : drawable(series, plot)) {
-    points.push_back(axes.place(value.x, value.y));
-  }
-  switch (series.style) {
-    case SeriesStyle::Curve:
-      if (points.size() == 1) svg.circle(points[0], 3, ink, paper, 1);
-      if (points.size() > 1) svg.polyline(points, ink, 2, series.dashed);
-      return;
-    case SeriesStyle::Dots:
-      for (const PagePoint& at : points) svg.circle(at, 3, ink, paper, 0.8);
-      return;
+  for (const std::vector<Value>& run : drawable_runs(series, plot)) {
+    std::vector<PagePoint> points;
+    for (const Value& value : run) points.push_back(axes.place(value.x, value.y));
+    switch (series.style) {
+      case SeriesStyle::Curve:
+        if (points.size() == 1) svg.circle(points[0], 3, ink, paper, 1);
+        if (points.size() > 1) svg.polyline(points, ink, 2, series.dashed);
+        break;
+      case SeriesStyle::Dots:
+        for (const PagePoint& at : points) svg.circle(at, 3, ink, paper, 0.8);
+        break;
+    }
   }
 }
 

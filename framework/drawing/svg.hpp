@@ -31,7 +31,7 @@ struct Page {
   Size panel_size = {420, 360};    ///< of each panel (pixels)
 };
 
-/// Writes an SVG file. Elements that are not finite are left out, with a note.
+/// Writes an SVG file. Elements and values that are not finite are left out, with a note.
 std::string write_svg(const Page& page);
 /// One drawing.
 std::string write_svg(const Drawing& drawing, const View& view = {}, const Size& size = {});

@@ -39,6 +39,16 @@ TEST(Plot, ALogarithmicAxisLeavesOutWhatHasNoLogarithm) {
   EXPECT_EQ(count(svg, "inf"), 0);
 }
 
+TEST(Plot, ACurveIsInterruptedWhereAValueIsNotFinite) {
+  Plot plot;
+  add_series(plot, "energy", {{-1, 1}, {0, 1}, {1, NAN}, {2, 3}, {3, 3}});
+  const std::string svg = write_svg(plot);
+  EXPECT_EQ(count(svg, "<polyline"), 2);
+  EXPECT_EQ(count(svg, "1 value is not finite: left out."), 1);
+  plot.series[0].values = {{0, 1}, {1, NAN}, {2, 3}};
+  EXPECT_EQ(count(write_svg(plot), "<polyline"), 0) << "a dot on each side";
+}
+
 TEST(Plot, APowerLawIsAStraightLineOnLogarithmicAxes) {
   Plot plot;
   plot.logarithmic = plot.logarithmic_x = true;
