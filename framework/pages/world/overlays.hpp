@@ -12,7 +12,7 @@ namespace cs550::pages {
 struct Overlays {
   bool wireframe = false;    ///< bodies are transparent
   bool contacts = false;     ///< points and normals
-  bool impulses = false;     ///< as arrows; one length unit is the impulse of a weight in a step
+  bool impulses = false;     ///< as arrows, all to the same scale
   bool feature_ids = false;  ///< of each contact point
   bool bounds = false;       ///< boxes of the broad phase
   bool tree = false;         ///< inner boxes of its tree
