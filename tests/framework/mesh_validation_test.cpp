@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "cs550/convex_shape.hpp"
+#include "cs550/primitives.hpp"
 #include "helpers/fixtures.hpp"
 
 namespace cs550::test {
@@ -105,6 +110,22 @@ TEST_F(BrokenMesh, TwinsThatAreNotNeighbours) {
   for (Index& e : mesh.vertex_edge) e = renamed(e);
   for (Face& f : mesh.faces) f.edge = renamed(f.edge);
   expect_defect(MeshElement::HalfEdge, 0, "its twin is 2, not its neighbour 1");
+}
+
+// All faces of a roof stay planar and convex if its ridge becomes a point. Hill climbing would stop there.
+TEST_F(BrokenMesh, EdgeWithoutALength) {
+  const std::vector<Vec3> roof = {{-1, -1, 0}, {1, -1, 0},    {1, 1, 0},
+                                  {-1, 1, 0},  {0, -0.5F, 1}, {0, 0.5F, 1}};
+  const SoupResult hull = convex_hull(roof);
+  mesh = make_shape(hull.soup.vertices, hull.soup.triangles).shape->mesh;
+  ASSERT_FALSE(validate(mesh));
+  for (Vec3& v : mesh.vertices) {
+    if (v.z() > 0) v.y() = 0;
+  }
+  for (Index f = 0; f < mesh.face_count(); ++f) face(f).plane = face_plane(mesh, f);
+  const auto defect = validate(mesh);
+  ASSERT_TRUE(defect);
+  EXPECT_NE(defect->sentence.find("ends are in one place"), std::string::npos) << defect->sentence;
 }
 
 TEST_F(BrokenMesh, TwinsInTheSameDirection) {

@@ -112,6 +112,9 @@ Defect twins(const Subject& subject) {
       return defect(MeshElement::HalfEdge, e, "it and its twin ", twin,
                     " point to the same vertex ", mesh.edge(e).vertex);
     }
+    if (mesh.vertex(mesh.edge(e).vertex) == mesh.vertex(mesh.origin(e))) {
+      return defect(MeshElement::HalfEdge, e, "its ends are in one place; make them one vertex");
+    }
   }
   return std::nullopt;
 }

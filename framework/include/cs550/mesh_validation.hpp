@@ -20,10 +20,10 @@ struct MeshDefect {
 };
 
 /// Returns the first violated invariant of a mesh, if any. The invariants are checked in this
-/// order: array sizes and index ranges, finite vertices, twins (`e ^ 1`, opposite), loops
-/// (next/prev, at least three edges, one face), vertex_edge, no vertex of degree two, closedness
-/// and Euler's V − E + F = 2, unit normals, planar faces, positive signed volume (winding),
-/// convexity.
+/// order: array sizes and index ranges, finite vertices, twins (`e ^ 1`, opposite, between two
+/// places), loops (next/prev, at least three edges, one face), vertex_edge, no vertex of degree two,
+/// closedness and Euler's V − E + F = 2, unit normals, planar faces, positive signed volume
+/// (winding), convexity.
 /// @param tolerance for planarity and convexity, relative to the largest extent of the bounds
 std::optional<MeshDefect> validate(const HalfEdgeMesh& mesh, Real tolerance = Real(1e-4));
 
