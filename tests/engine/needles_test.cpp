@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cs550/primitives.hpp"
 #include "cs550/separating_axis.hpp"
 #include "engine/test_bodies.hpp"
 #include "helpers/exact_separation.hpp"
@@ -154,6 +155,32 @@ TEST(Needles, SeparationsOfTrianglesAreExactToRounding) {
       expect_consistent(pair, bound * pair.extent());
     }
   }
+}
+
+ShapePtr pyramid(int sides, Real radius, Real height) {
+  const TriangleSoup soup = pyramid_soup(sides, radius, height);
+  return make_shape(soup.vertices, soup.triangles).shape;
+}
+
+// The arcs of a rim between two faces that look away from each other are nearly half circles. Float has few digits
+// of how near their chords come to the origin.
+TEST(Discs, ADiscAndARodAreAsFarApartAsTheyAre) {
+  const ShapePtr disc = pyramid(6, Real(0.5), Real(3e-4));
+  const ShapePtr rod = box_shape({Real(0.5), Real(0.003), Real(0.003)});
+  const Pose pose{
+      {Real(-0.283172607), Real(0.740120769), Real(0.400501221)},
+      Quat(Real(0.824851334), Real(0.0308642797), Real(0.564441085), Real(-0.00859790761))};
+  expect_separation_of_brute_force({{disc.get(), {}}, {rod.get(), pose}}, 1e-4);
+}
+
+TEST(Discs, ANeedleThroughADiscIsAsDeepAsItIs) {
+  const ShapePtr disc = pyramid(6, Real(0.5), Real(3e-4));
+  const ShapePtr needle = pyramid(5, Real(0.004), Real(1));
+  const Pose pose{
+      {Real(-0.254203171), Real(0.155221015), Real(0.113067918)},
+      Quat(Real(-0.199701592), Real(0.807311416), Real(-0.548919082), Real(-0.083996192))
+          .normalized()};
+  expect_separation_of_brute_force({{disc.get(), {}}, {needle.get(), pose}}, 2e-4);
 }
 
 }  // namespace

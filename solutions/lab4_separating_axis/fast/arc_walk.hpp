@@ -44,9 +44,12 @@ struct Arc {
       return false;  // without a peak, s/|n| ≤ s ≤ the better end
     }
     if (bound <= 0) return bound > floor;
-    const Real shortest_normal = std::sqrt(std::max(Real(0), (1 + from.dot(to)) / 2));
-    return bound > floor * shortest_normal;
+    return bound > floor * shortest_normal();
   }
+
+  /// Whether the ends are so nearly opposite that rounding decides the order of the crossings: the chord comes
+  /// close to the origin, where its normals turn at once. The edges of a thin disc's rim are such.
+  bool is_nearly_half_a_circle() const { return shortest_normal() < Real(5e-3); }
 
   /// Whether the crossing at t, of an edge of B through v, separates by more than `floor`. Says yes
   /// where |n(t)| is too small to tell.
@@ -58,6 +61,9 @@ struct Arc {
   }
 
  private:
+  /// |n(½)|. From the sum, which is exact where the ends are nearly opposite.
+  Real shortest_normal() const { return (from + to).norm() / 2; }
+
   Real separation_slope(const Vec3& chord, const Vec3& v) const { return chord.dot(v - tail); }
 };
 

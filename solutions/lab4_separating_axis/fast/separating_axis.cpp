@@ -181,14 +181,22 @@ class EdgeSearch {
     return last_support_ = vertex;
   }
 
+  void try_edges(Index edge_a, Index edge_b) {
+    const EdgeQuery query = query_edge_pair(pair_, edge_a, edge_b);
+    if (query && (!best_ || query.separation > best_.separation)) best_ = query;
+  }
+
   void walk(Index edge_a, const Arc& arc) {
+    if (arc.is_nearly_half_a_circle()) {
+      for (Index edge_b = 0; edge_b < pair_.b.edge_count(); edge_b += 2) try_edges(edge_a, edge_b);
+      return;
+    }
     const Index start = support(pair_.a.edge(edge_a).face, arc.from);
     walk_arc(pair_.b, arc, start, [&](Real t, Index edge_b) {
       if (best_ &&
           !arc.may_separate_by(best_.separation, t, pair_.b.vertex(pair_.b.origin(edge_b))))
         return;
-      const EdgeQuery query = query_edge_pair(pair_, edge_a, edge_b & ~1);
-      if (query && (!best_ || query.separation > best_.separation)) best_ = query;
+      try_edges(edge_a, edge_b & ~1);
     });
   }
 
