@@ -182,8 +182,23 @@ class CoplanarMerger {
     return result;
   }
 
-  /// Merges if all faces that change are faces still: the united one, and its neighbours at the
-  /// vertices that go.
+  /// Whether a removed vertex, at the end of a half-edge, is near the line between the nearest vertices
+  /// that are kept. Where its two faces enclose a small angle, a corner is near both planes, too.
+  bool is_straight(Index in, const std::vector<Index>& removed) const {
+    const auto is_kept = [&](Index v) {
+      return std::find(removed.begin(), removed.end(), v) == removed.end();
+    };
+    Index first = in, last = mesh_.edge(in).next;
+    while (!is_kept(mesh_.origin(first))) first = mesh_.edge(first).prev;
+    while (!is_kept(mesh_.edge(last).vertex)) last = mesh_.edge(last).next;
+    const Vec3& start = mesh_.vertex(mesh_.origin(first));
+    const Vec3 along = mesh_.vertex(mesh_.edge(last).vertex) - start;
+    const Vec3 offset = mesh_.vertex(mesh_.edge(in).vertex) - start;
+    return along.cross(offset).norm() <= dent_slack * slack_ * along.norm();
+  }
+
+  /// Merges if all faces that change are faces still, the united one and its neighbours at the
+  /// vertices that go, and if these vertices are not corners.
   void try_merge(const Union& merged) {
     const std::vector<Index> straight = edges_after_straight_vertices(merged.outline);
     std::vector<Index> vertices;
@@ -192,8 +207,9 @@ class CoplanarMerger {
 
     if (!is_face(corners(merged.outline, vertices))) return;
     for (Index e : straight) {
-      const Index neighbour = mesh_.edge(mesh_.edge(e).twin).face;
-      if (!is_face(corners(outline_of(mesh_, neighbour), vertices))) return;
+      const Index twin = mesh_.edge(e).twin;
+      if (!is_face(corners(outline_of(mesh_, mesh_.edge(twin).face), vertices))) return;
+      if (!is_straight(twin, vertices)) return;
     }
     unite(merged);
     for (Index e : straight) remove_origin(e);

@@ -97,6 +97,21 @@ TEST(ConvexShape, WorldBoundsHoldTheBodyAndAreTightForBoxes) {
   }
 }
 
+TEST(ConvexShape, OfAThinMeshKeepsItsCorners) {
+  const ShapeResult plate = shape_of(box_soup({500, 500, 0.005F}));
+  ASSERT_TRUE(plate) << plate.error;
+  EXPECT_EQ(plate.shape->mesh.face_count(), 6);
+  EXPECT_NEAR(plate.shape->volume, 1e4, 1);
+  // The base and the sides enclose 0.1°: a corner that is cut off is near both planes.
+  const ShapeResult pyramid = shape_of(pyramid_soup(64, 0.5F, 1e-3F));
+  ASSERT_TRUE(pyramid) << pyramid.error;
+  EXPECT_EQ(pyramid.shape->mesh.vertex_count(), 65);
+}
+
+TEST(ConvexShape, RefusesAMeshAsThinAsTheRoundingOfItsVertices) {
+  expect_refused(shape_of(box_soup({0.5F, 0.5F, 1e-7F})), "too thin", "make it thicker");
+}
+
 TEST(ConvexShape, TheRawTeapotIsRefusedAsOpen) {
   const TriangleSoup teapot = scanned("teapot");
   EXPECT_EQ(build_half_edge_mesh(teapot.vertices, teapot.triangles).issue.error,

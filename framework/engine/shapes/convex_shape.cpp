@@ -100,24 +100,32 @@ Real steepest_edge(const HalfEdgeMesh& mesh) {
   return steepest;
 }
 
+/// The part of the volume that merging must keep. A mesh that is thinner than the tolerance collapses.
+constexpr Real least_volume_kept = Real(0.9);
+
 /// Merges faces with the largest tolerance that leaves no edge steeper than max_edge_slope, else with the
 /// one that leaves the flattest edges. The tolerance is relative to the whole mesh: on a thin one it also
 /// unites narrow faces that enclose an angle. Their edges are then not perpendicular to the common normal,
-/// and the arcs of lab 4 rely on that.
-HalfEdgeMesh with_flat_faces(const HalfEdgeMesh& mesh) {
+/// and the arcs of lab 4 rely on that. A tolerance that loses volume is not taken. Nothing if all do.
+std::optional<HalfEdgeMesh> with_flat_faces(const HalfEdgeMesh& mesh) {
   HalfEdgeMesh best = merge_coplanar_faces(mesh, coplanar_tolerance);
   // Refused as it is. To validate it may take minutes if it has too many edges.
   if (has_too_many_edges(best) || validate(best)) return best;
-  Real least = steepest_edge(best);
+  const Real least_volume = least_volume_kept * mass_properties(mesh).volume;
+  const auto steepness = [&](const HalfEdgeMesh& merged) {
+    return mass_properties(merged).volume < least_volume ? HUGE_VALF : steepest_edge(merged);
+  };
+  Real least = steepness(best);
   for (const Real tolerance : {coplanar_tolerance / 10, vertex_rounding}) {
     if (least <= max_edge_slope) break;
     HalfEdgeMesh merged = merge_coplanar_faces(mesh, tolerance);
     if (validate(merged)) continue;
-    const Real steepest = steepest_edge(merged);
+    const Real steepest = steepness(merged);
     if (steepest >= least) continue;
     least = steepest;
     best = std::move(merged);
   }
+  if (least == HUGE_VALF) return std::nullopt;
   return best;
 }
 
@@ -151,7 +159,13 @@ ShapeResult make_shape(std::span<const Vec3> vertices, std::span<const Triangle>
   if (build.issue) {
     return {nullptr, describe(build.issue) + "; or use the convex hull of the vertices"};
   }
-  return make_shape(with_flat_faces(build.mesh));
+  const std::optional<HalfEdgeMesh> merged = with_flat_faces(build.mesh);
+  if (!merged) {
+    return {nullptr,
+            "the mesh is too thin: merging its faces removes more than a tenth of its volume; "
+            "make it thicker than a millionth of its length"};
+  }
+  return make_shape(*merged);
 }
 
 Vec3 PosedShape::vertex(Index v) const { return pose.to_world(mesh().vertex(v)); }

@@ -62,8 +62,10 @@ struct ShapeResult {
 /// max_face_vertices vertices.
 ShapeResult make_shape(const HalfEdgeMesh& mesh);
 
-/// Makes a shape from triangles by build_half_edge_mesh(), merge_coplanar_faces() and make_shape(). If an
-/// edge exceeds max_edge_slope, and not only by rounding, faces are merged with a smaller tolerance.
+/// Makes a shape from triangles by build_half_edge_mesh(), merge_coplanar_faces() and make_shape().
+/// If an edge exceeds max_edge_slope, and not only by rounding, or if more than a tenth of the
+/// volume is lost, faces are merged with a smaller tolerance. Rejects a mesh that loses as much with
+/// the smallest one.
 /// @param triangles counter-clockwise seen from outside
 ShapeResult make_shape(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
 

@@ -210,7 +210,8 @@ inline constexpr Real coplanar_tolerance = Real(1e-5);
 ///   farther than that in front of it, and its outline is convex, up to dents: of two edges in a row
 ///   the longer may end 4·tolerance·size outside the line of the shorter.
 /// - L2.7: a vertex that is left with only two edges is removed from both of its faces. Nothing is
-///   merged if one of them would not be valid without it.
+///   merged if one of them would not be valid without it, or if the vertex is farther than
+///   4·tolerance·size from the line through the nearest remaining vertices before and after it.
 /// - L2.8: if the union of two faces has a reflex vertex, the coplanar faces behind that vertex are
 ///   included, so that a flat face becomes one polygon however it was triangulated. A chain of shared
 ///   edges is removed as a whole, with its inner vertices.
