@@ -23,6 +23,10 @@ struct TestPair {
   Real smaller_radius() const { return std::min(a.shape->radius, b.shape->radius); }
   Real larger_radius() const { return std::max(a.shape->radius, b.shape->radius); }
   TestPair swapped() const { return {b, a, names + ", swapped"}; }
+  /// Moves B towards A, to a share of their distance.
+  void approach(Real share) {
+    b.pose.position = a.pose.position + share * (b.pose.position - a.pose.position);
+  }
 };
 
 /// A fixture, enlarged.

@@ -56,10 +56,12 @@ GRADED_TEST(Lab4, FaceQueryMatchesBruteForce, 4, "L4.2") {
   Story story = with_face_causes(
       Story("The best face has the largest, over faces, of the smallest distance of B's vertices"));
   story.seed(random.seed()).when("query_face_directions(A, B)");
+  story.likely("into A's frame, subtract x_A before you turn the point: A is not at the origin");
   const std::vector<ShapePtr> shapes = small_shapes();
   int apart = 0;
   for (int i = 0; i < 300; ++i) {
-    const TestPair pair = random_pair(random, shapes);
+    const Vec3 place = random.point_in_box({3, 3, 3});
+    const TestPair pair = random_pair(random, shapes, place);
     const FaceQuery answer = query_face_directions(pair.a, pair.b);
     Story here = about(story, pair);
     here.picture([&] { return face_query_picture(pair, answer); });

@@ -42,24 +42,53 @@ void require_faces_without_edges(Story story) {
                       {cube.get(), {Vec3(0, 0, Real(0.9)), Quat::Identity()}},
                       "two aligned cubes of 1 m, B 0.9 m above A: no arcs cross"};
   story.likely("an empty edge query has no separation: it is no candidate, though its 0 is larger");
-  for (const AxisFeature kind : {AxisFeature::None, AxisFeature::FaceA, AxisFeature::FaceB}) {
+  story.likely("an empty edge query is no candidate, also if the hint names edges");
+  for (const AxisFeature kind :
+       {AxisFeature::None, AxisFeature::FaceA, AxisFeature::FaceB, AxisFeature::Edges}) {
     Story here = about(story, pair);
     here.given("hint", name_of(kind));
-    const SeparatingAxis answer =
-        find_separating_axis(pair.a, pair.b, hint_of_kind(kind, pair), HUGE_VALF);
-    const AxisFeature expected = kind == AxisFeature::None ? AxisFeature::FaceA : kind;
+    SeparatingAxis hint = hint_of_kind(kind, pair);
+    hint.feature = kind;
+    hint.edges = {0, 0, Vec3::UnitZ(), 0};  // of earlier poses, at which their arcs crossed
+    const SeparatingAxis answer = find_separating_axis(pair.a, pair.b, hint, HUGE_VALF);
+    const AxisFeature expected =
+        kind == AxisFeature::FaceB ? AxisFeature::FaceB : AxisFeature::FaceA;
     require(here.expect_equal("feature", name_of(answer.feature), name_of(expected)));
     require(here.expect_near("separation", answer.separation, -0.1, 1e-6, "m"));
     require(here.expect_near("axis", answer.axis, Vec3::UnitZ(), 1e-6));
   }
 }
 
+/// B's face ties with A's face and with the edges, which do not tie: they are better by 1.5 tolerances.
+void require_no_chain_of_ties(Story story, Real size) {
+  CrossedPair crossed = deep_cubes(size);
+  TestPair& pair = crossed.pair;
+  // The slopes of the separations: A's face gains z/√2, B's face (x + z)/√2 and the edges z.
+  const Real tie = tie_tolerance * pair.smaller_radius();
+  const Real root = std::sqrt(Real(2));
+  pair.b.pose.position.x() = Real(0.75) * root * tie;
+  pair.b.pose.position.z() += Real(1.5) * root / (root - 1) * tie;
+  story.given("two crossed cubes of side", size, "m")
+      .given("B's face is better than A's by 0.75 of the tolerance of a tie, the edges by 1.5");
+  for (const AxisFeature kind :
+       {AxisFeature::None, AxisFeature::FaceA, AxisFeature::FaceB, AxisFeature::Edges}) {
+    const SeparatingAxis answer =
+        find_separating_axis(pair.a, pair.b, hint_of_kind(kind, pair), HUGE_VALF);
+    const AxisFeature expected =
+        kind == AxisFeature::Edges ? AxisFeature::Edges : AxisFeature::FaceB;
+    Story here = about(story, pair);
+    here.given("hint", name_of(kind));
+    require(here.expect_equal("feature", name_of(answer.feature), name_of(expected)));
+  }
+}
+
 GRADED_TEST(Lab4, TiesKeepTheKindOfTheHint, 3, "L4.4") {
   Story story("On a tie last step's kind of feature stays; without one A's face comes first");
   const Story without_edges = story;
-  story.given("two crossed cubes, so deep that a face of A, a face of B and the edges tie");
   story.likely("a tie is a difference below tie_tolerance times the smaller radius: relative")
       .likely("compare every kind with the largest separation, not each with the one before");
+  const Story of_other_poses = story;
+  story.given("two crossed cubes, so deep that a face of A, a face of B and the edges tie");
   for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     const CrossedPair crossed = deep_cubes(size);
     const TestPair& pair = crossed.pair;
@@ -74,6 +103,7 @@ GRADED_TEST(Lab4, TiesKeepTheKindOfTheHint, 3, "L4.4") {
                                2e-4 * double{size}, "m"));
       require(here.expect_equal("feature", name_of(answer.feature), name_of(expected)));
     }
+    require_no_chain_of_ties(of_other_poses, size);
   }
   require_faces_without_edges(without_edges);
 }
@@ -119,8 +149,9 @@ GRADED_TEST(Lab4, AHintDoesNotWinAgainstABetterAxis, 2, "L4.4") {
     const std::vector<ShapePtr> shapes = small_shapes(size);
     int seen[4] = {0, 0, 0, 0};
     for (int i = 0; i < 150; ++i) {
-      TestPair pair = random_pair(random, shapes);
-      pair.b.pose.position *= Real(0.5);  // deep
+      const Vec3 place = size * random.point_in_box({3, 3, 3});
+      TestPair pair = random_pair(random, shapes, place);
+      pair.approach(Real(0.5));  // deep
       const AxisFeature best = clearly_best(pair);
       if (best == AxisFeature::None) continue;
       ++seen[static_cast<int>(best)];
