@@ -47,6 +47,26 @@ void expect_checks_in_order() {
   const MeshIssue infinite = issue_of(unused);
   expect_error(coordinates, infinite, MeshError::NonFiniteVertex);
   coordinates.expect_equal("the vertex", infinite.vertex, 8);
+
+  TriangleSoup duplicate = unit_box();
+  const auto [a, b, c] = duplicate.triangles[1];
+  duplicate.triangles.push_back({b, c, a});
+  story.given("a box of twelve triangles, its vertices 0 to 7")
+      .given("triangle 12 is triangle 1, begun at another corner");
+
+  TriangleSoup flat = duplicate;
+  flat.triangles.push_back({4, 6, 4});
+  Story areas = story;
+  areas.given("triangle 13", "4, 6, 4")
+      .likely("the areas of all triangles are checked before the first duplicate");
+  const MeshIssue degenerate = issue_of(flat);
+  expect_error(areas, degenerate, MeshError::DegenerateTriangle);
+  areas.expect_equal("the triangle", degenerate.triangle, 13);
+
+  duplicate.vertices.push_back(Vec3::Zero());
+  story.given("a vertex 8 that no triangle uses")
+      .likely("all triangles are checked for duplicates before a vertex without a triangle counts");
+  expect_error(story, issue_of(duplicate), MeshError::DuplicateTriangle);
 }
 
 GRADED_TEST(Lab2, MissingAndInfiniteVerticesAreNamed, 2, "L2.1") {
