@@ -1,11 +1,13 @@
 #include "engine/number_range.hpp"
 
+#include "cs550/math.hpp"
+
 namespace cs550 {
 
 Ends ends(Range range) {
   constexpr double largest = 1e6;
-  constexpr double smallest =
-      Real(1e-6);  // a little less, which a number becomes that is stored as Real
+  // What 1e-6 becomes when it is stored: a little less.
+  constexpr double smallest = Real(1e-6);
   switch (range) {
     case Range::Any:
       return {-largest, largest};

@@ -11,8 +11,8 @@ namespace cs550 {
 
 /// The least and the largest value of a setting.
 struct SettingRange {
-  Real least = 0;
-  Real most = 0;
+  Real least = 0;  ///< in the setting's own unit
+  Real most = 0;   ///< at least as large
 };
 
 /// The range of a setting that is a number, or of each component of a vector; empty for others.
