@@ -2,7 +2,6 @@
 /// @file control_json.hpp
 /// Settings as JSON, so that a web page can make its inputs.
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -29,14 +28,14 @@ class ControlJson final : public pages::ControlVisitor {
   }
   void whole(const Control& control, int& value, int least, int most) override {
     if (!why_unavailable(control.name).empty()) return;
-    add_range(add("whole", control, value), std::min(least, value), std::max(most, value));
+    add("whole", control, value).update({{"least", least}, {"most", most}});
   }
   void number(const Control& control, Real& value, Real least, Real most) override {
-    add_range(add("number", control, value), std::min(least, value), std::max(most, value));
+    add("number", control, value).update({{"least", least}, {"most", most}});
   }
   void vector(const Control& control, Vec3& value, Real most) override {
-    const Real reach = std::max(most, value.cwiseAbs().maxCoeff());
-    add_range(add("vector", control, {value.x(), value.y(), value.z()}), -reach, reach);
+    add("vector", control, {value.x(), value.y(), value.z()})
+        .update({{"least", -most}, {"most", most}});
   }
   void toggle(const Control& control, bool& value) override {
     if (why_unavailable(control.name).empty()) add("toggle", control, value);
@@ -54,11 +53,6 @@ class ControlJson final : public pages::ControlVisitor {
   std::string text() const { return all_.dump(); }
 
  private:
-  /// Of the slider. It reaches the present value, which a scene may have set to any that a world accepts.
-  template <class Number>
-  static void add_range(nlohmann::json& control, Number least, Number most) {
-    control.update({{"least", least}, {"most", most}});
-  }
   nlohmann::json& add(const char* kind, const Control& control, const nlohmann::json& value) {
     all_.push_back({{"kind", kind},
                     {"name", control.name},
