@@ -8,6 +8,7 @@
 
 #include "gradebook/course/catalogue.hpp"
 #include "gradebook/course/course_file.hpp"
+#include "gradebook/intake/discovery.hpp"
 #include "gradebook/records/record.hpp"
 #include "helpers/scratch_folder.hpp"
 
@@ -65,5 +66,22 @@ inline Record with_broken_engine(const Record& record, std::size_t milestones) {
 }
 
 using test::ScratchFolder;
+
+/// A submission that tries to write into every report.
+inline Record hostile_record() {
+  Record record = record_of("=<script>alert(1)</script>", lab_record(0, 24, 0));
+  record.labs[0].tests[0].message = "\033[31m<script>alert(1)</script> ]]> ``` **bold** \xFF";
+  record.labs[0].tests[2].message = "the secret: use the twin edge";
+  record.labs[0].compile_errors = "</pre><script>alert(1)</script>";
+  record.ignored = {{"<img src=x onerror=alert(1)>", "not C++", 1}};
+  record.name = "hostile";
+  return record;
+}
+
+/// The only submission at a path.
+inline Submission read(const std::filesystem::path& source) {
+  return read_submission(find_submissions({source}, project_catalogue()).submissions.at(0),
+                         project_catalogue());
+}
 
 }  // namespace cs550::gradebook

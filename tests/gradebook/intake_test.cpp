@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <map>
 
 #include "cli/system/files.hpp"
 #include "files/output_file.hpp"
@@ -115,11 +113,6 @@ class ArchiveWriter {
 
   archive* archive_;
 };
-
-Submission read(const fs::path& source) {
-  return read_submission(find_submissions({source}, project_catalogue()).submissions.at(0),
-                         project_catalogue());
-}
 
 std::string reason_for(const Submission& submission, const std::string& path) {
   for (const IgnoredFile& file : submission.ignored) {
@@ -364,137 +357,6 @@ TEST(Folder, ACheckoutIsReadWithoutFollowingLinks) {
   EXPECT_EQ(reason_for(submission, "labs/lab3_hill_climbing/link.cpp"), "symbolic link");
   EXPECT_EQ(reason_for(submission, "labs/lab3_hill_climbing/folder"), "symbolic link");
   EXPECT_EQ(reason_for(submission, "framework/"), outside_of_labs);
-}
-
-TEST(Discovery, AFolderOfSubmissionsIsAllOfThem) {
-  const ScratchFolder scratch;
-  files::write_file(scratch / "class/ada-lab3.zip", "");
-  files::write_file(scratch / "class/bob/labs/lab3_hill_climbing/a.cpp", "");
-  files::write_file(scratch / "class/eve/lab1.zip", "");
-  files::write_file(scratch / "class/eve/lab2.tar.gz", "");
-  files::write_file(scratch / "class/list.txt", "");
-  fs::create_directory(scratch / "class/empty");
-  const Discovery found = find_submissions({scratch / "class/"}, project_catalogue());
-  std::vector<std::string> names;
-  std::vector<std::string> students;
-  for (const FoundSubmission& submission : found.submissions) {
-    names.push_back(submission.name);
-    students.push_back(submission.student);
-  }
-  EXPECT_EQ(names, (std::vector<std::string>{"ada-lab3", "bob", "empty", "eve-lab1", "eve-lab2"}));
-  EXPECT_EQ(students, (std::vector<std::string>{"ada", "bob", "empty", "eve", "eve"}));
-  ASSERT_EQ(found.skipped.size(), 1U);
-  const Discovery alone = find_submissions({scratch / "class/empty"}, project_catalogue());
-  ASSERT_EQ(alone.submissions.size(), 1U) << "an empty folder that is named gets a record";
-  EXPECT_EQ(alone.submissions[0].student, "empty");
-  EXPECT_THROW(find_submissions({scratch / "absent"}, project_catalogue()), std::runtime_error);
-}
-
-TEST(Discovery, AFolderOfALabMayHoldSubmissionsOfIt) {
-  const ScratchFolder scratch;
-  files::write_file(scratch / "class/ada/lab3/lab3.zip", "");
-  files::write_file(scratch / "class/ada/lab4/support.cpp", "");
-  files::write_file(scratch / "class/bob/lab3/src/a.cpp", "");
-  files::write_file(scratch / "class/eve/lab3/notes.txt", "");
-  const auto students = [&](const char* folder) {
-    std::map<std::string, std::string> found;
-    for (const FoundSubmission& submission :
-         find_submissions({scratch / folder}, project_catalogue()).submissions) {
-      found[submission.name] = submission.student;
-    }
-    return found;
-  };
-  using Students = std::map<std::string, std::string>;
-  EXPECT_EQ(students("class"), (Students{{"ada", "ada"}, {"bob", "bob"}, {"eve", "eve"}}))
-      << "a lab beside the archive";
-  fs::remove_all(scratch / "class/ada/lab4");
-  EXPECT_EQ(students("class"),
-            (Students{{"ada-lab3-lab3", "ada"}, {"bob", "bob"}, {"eve", "eve"}}));
-  for (const char* student : {"ada", "bob"}) {
-    files::write_file(scratch / "week/lab3" / (std::string(student) + ".zip"), "");
-  }
-  EXPECT_EQ(students("week"), (Students{{"lab3-ada", "ada"}, {"lab3-bob", "bob"}}));
-  files::write_file(scratch / "week/lab3/eve/hill_climbing.cpp", "");
-  const Students with_folder{{"lab3-ada", "ada"}, {"lab3-bob", "bob"}, {"lab3-eve", "eve"}};
-  EXPECT_EQ(students("week"), with_folder) << "a folder beside the archives";
-  for (const char* student : {"ada", "bob"}) {
-    const fs::path archive = scratch / "week/lab3" / (std::string(student) + ".zip");
-    fs::create_directory(scratch / "week/lab3" / student);
-    fs::rename(archive, scratch / "week/lab3" / student / "lab3.zip");
-  }
-  EXPECT_EQ(students("week"),
-            (Students{{"lab3-ada-lab3", "ada"}, {"lab3-bob-lab3", "bob"}, {"lab3-eve", "eve"}}))
-      << "a folder per student";
-}
-
-TEST(Discovery, AnArchiveNamedLikeALabIsThatOfItsFolder) {
-  const ScratchFolder scratch;
-  files::write_file(scratch / "class/eve/lab1.zip", "");
-  files::write_file(scratch / "class/max/labs.zip", "");
-  files::write_file(scratch / "class/s0101/lab3/lab3.zip", "");
-  files::write_file(scratch / "class/zoe/lab3/hill_climbing.cpp", "");
-  const auto students = [](const std::vector<fs::path>& sources) {
-    std::map<std::string, std::string> found;
-    for (const FoundSubmission& submission :
-         find_submissions(sources, project_catalogue()).submissions) {
-      found[submission.name] = submission.student;
-    }
-    return found;
-  };
-  const fs::path folder = scratch / "class";
-  const std::map<std::string, std::string> expected{
-      {"eve-lab1", "eve"}, {"max-labs", "max"}, {"s0101-lab3-lab3", "s0101"}, {"zoe", "zoe"}};
-  EXPECT_EQ(students({folder}), expected);
-  EXPECT_EQ(students({folder / "eve", folder / "max", folder / "s0101", folder / "zoe"}), expected)
-      << "folders that are named one by one";
-  EXPECT_EQ(students({folder / "eve/lab1.zip", folder / "zoe/lab3"}),
-            (std::map<std::string, std::string>{{"eve-lab1", "eve"}, {"zoe-lab3", "zoe"}}));
-}
-
-TEST(Discovery, LinksAmongSubmissionsAreListed) {
-  const ScratchFolder scratch;
-  files::write_file(scratch / "elsewhere/bob.zip", "");
-  files::write_file(scratch / "class/ada.zip", "");
-  fs::create_symlink(scratch / "elsewhere/bob.zip", scratch / "class/bob.zip");
-  fs::create_directory_symlink(scratch / "elsewhere", scratch / "class/eve");
-  const Discovery found = find_submissions({scratch / "class"}, project_catalogue());
-  EXPECT_EQ(found.submissions.size(), 1U);
-  ASSERT_EQ(found.skipped.size(), 2U);
-  EXPECT_NE(found.skipped[0].path.find("class/bob.zip"), std::string::npos);
-  EXPECT_NE(found.skipped[1].reason.find("symbolic link"), std::string::npos);
-}
-
-TEST(Discovery, WhatCannotBeReadGetsARecord) {
-  const ScratchFolder scratch;
-  files::write_file(scratch / "class/ada/lab3.rar", "Rar!");
-  files::write_file(scratch / "class/bob/report.pdf", "");
-  files::write_file(scratch / "class/EVE.ZIP", "");
-  const Discovery found = find_submissions({scratch / "class"}, project_catalogue());
-  ASSERT_EQ(found.submissions.size(), 3U);
-  EXPECT_EQ(found.submissions[0].student, "EVE");
-  EXPECT_EQ(found.submissions[1].student, "ada");
-  EXPECT_EQ(found.submissions[2].student, "bob");
-  for (const FoundSubmission& submission : found.submissions) {
-    EXPECT_NE(read_submission(submission, project_catalogue()).trouble, "") << submission.name;
-  }
-}
-
-TEST(Discovery, OnlyAnArchiveHasATimeOfSubmission) {
-  const ScratchFolder scratch;
-  files::write_file(scratch / "class/ada.zip", "");
-  files::write_file(scratch / "class/bob/labs/lab3_hill_climbing/a.cpp", "");
-  const Discovery found = find_submissions({scratch / "class/"}, project_catalogue());
-  ASSERT_EQ(found.submissions.size(), 2U);
-  EXPECT_TRUE(found.submissions[0].time);
-  EXPECT_FALSE(found.submissions[1].time) << "that of a folder is when it was cloned or unpacked";
-  EXPECT_FALSE(read(scratch / "class/bob").file_time);
-}
-
-TEST(Discovery, NamesOfRecordsAreSafe) {
-  EXPECT_EQ(safe_name("ada"), "ada");
-  EXPECT_EQ(safe_name("../a b"), "_.._a_b");
-  EXPECT_EQ(safe_name("-rf"), "_-rf");
-  EXPECT_EQ(safe_name(""), "_");
 }
 
 TEST(Hash, DependsOnTheFilesOfTheLab) {

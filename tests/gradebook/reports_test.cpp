@@ -4,20 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "cli/system/files.hpp"
-#include "gradebook/command/compare.hpp"
 #include "gradebook/course/course_file.hpp"
-#include "gradebook/marks/pseudonyms.hpp"
 #include "gradebook/marks/time_text.hpp"
-#include "gradebook/records/merge.hpp"
 #include "gradebook/records/record_json.hpp"
 #include "gradebook/reports/class_page.hpp"
 #include "gradebook/reports/classroom.hpp"
 #include "gradebook/reports/feedback.hpp"
+#include "gradebook/reports/grades_csv.hpp"
 #include "gradebook/reports/gradescope.hpp"
 #include "gradebook/reports/junit.hpp"
 #include "gradebook/reports/numbers.hpp"
@@ -33,17 +29,6 @@ using Json = nlohmann::json;
 
 StudentMark mark_of(const Record& record, const Course& course) {
   return mark_student({"ada", "Ada", "", "", {}, true, {&record}}, {3}, course);
-}
-
-/// A submission that tries to write into every report.
-Record hostile_record() {
-  Record record = record_of("=<script>alert(1)</script>", lab_record(0, 24, 0));
-  record.labs[0].tests[0].message = "\033[31m<script>alert(1)</script> ]]> ``` **bold** \xFF";
-  record.labs[0].tests[2].message = "the secret: use the twin edge";
-  record.labs[0].compile_errors = "</pre><script>alert(1)</script>";
-  record.ignored = {{"<img src=x onerror=alert(1)>", "not C++", 1}};
-  record.name = "hostile";
-  return record;
 }
 
 TEST(Gradescope, HasTheFieldsOfItsFormat) {
@@ -267,68 +252,6 @@ TEST(Statistics, OfNumbers) {
   EXPECT_DOUBLE_EQ(mean_of({}), 0);
 }
 
-TEST(Compare, PrintsWhatChanged) {
-  const std::vector<Record> before{record_of("ada", lab_record(24, 0, 0)),
-                                   record_of("bob", lab_record(0, 0, 0)),
-                                   record_of("eve", lab_record(0, 0, 0))};
-  const std::vector<Record> after{record_of("ada", lab_record(24, 24, 0)),
-                                  record_of("bob", lab_record(0, 0, 0))};
-  EXPECT_EQ(comparison(before, after),
-            "ada, lab 3: 24 of 60 -> 48 of 60\n"
-            "    Lab3.ClimbEndsOnAPlateau: failed -> passed (+24 points)\n"
-            "eve: removed\n"
-            "1 of 2 submissions changed.\n");
-}
-
-TEST(Compare, NamesALabThatOnlyOneFolderHasOnce) {
-  Record lab4 = record_of("ada", lab_record(24, 0, 0));
-  lab4.labs[0].lab = 4;
-  Record both = record_of("bob", lab_record(24, 0, 0));
-  both.labs.push_back(lab4.labs[0]);
-  EXPECT_EQ(comparison({record_of("ada", lab_record(24, 0, 0)), both}, {lab4, both}),
-            "ada, lab 3: 24 of 60 -> no record\nada, lab 4: no record -> 24 of 60\n"
-            "1 of 2 submissions changed.\n");
-  EXPECT_EQ(comparison({record_of("ada", lab_record(24, 0, 0))}, {lab4}),
-            "lab 3: only in the first folder, not compared\n"
-            "lab 4: only in the second folder, not compared\n"
-            "0 of 1 submissions changed.\n");
-}
-
-TEST(Compare, PrintsMilestonesThatChanged) {
-  const Record ada = record_of("ada", lab_record(24, 0, 0));
-  const Record before = with_engine(ada, {"passed", "failed", "not_submitted"});
-  const Record after = with_engine(ada, {"failed", "passed", "passed"});
-  EXPECT_EQ(comparison({before}, {after}),
-            "ada, milestones: 1 of 3 reached -> 2 of 3 reached\n"
-            "    Milestone.1: reached -> not reached\n"
-            "    Milestone.2: not reached -> reached\n"
-            "    Milestone.3: not submitted -> reached\n"
-            "1 of 1 submissions changed.\n");
-  EXPECT_EQ(comparison({before}, {before}), "0 of 1 submissions changed.\n");
-  EXPECT_EQ(comparison({ada}, {after}),
-            "ada, milestones: not run -> 2 of 3 reached\n1 of 1 submissions changed.\n");
-}
-
-TEST(Compare, PrintsABonusThatChanged) {
-  const auto with_tests = [](const OwnTests& own) {
-    Record record = record_of("ada", lab_record(24, 0, 0));
-    record.labs[0].own_tests = own;
-    return record;
-  };
-  const Record before = with_tests({true, 20, 20, false, "", ""});
-  const auto changes = [&](const Record& after) { return comparison({before}, {after}); };
-  const auto line = [](const std::string& after) {
-    return "ada, lab 3: 24 of 60 -> 24 of 60\n    my_tests.cpp: 20 of 20 known mistakes -> " +
-           after + "\n1 of 1 submissions changed.\n";
-  };
-  EXPECT_EQ(changes(with_tests({true, 21, 10, false, "", ""})), line("10 of 21 known mistakes"));
-  EXPECT_EQ(changes(with_tests({true, 20, 0, true, "", ""})), line("fails on the reference"));
-  EXPECT_EQ(changes(with_tests({false, 20, 0, false, "", ""})), line("does not compile"));
-  EXPECT_EQ(changes(with_tests({true, 0, 0, false, "", "it broke"})), line("not graded"));
-  EXPECT_EQ(changes(record_of("ada", lab_record(24, 0, 0))), line("not run"));
-  EXPECT_EQ(changes(before), "0 of 1 submissions changed.\n");
-}
-
 TEST(Reports, ClassPageShowsHowManyReachEachMilestone) {
   const std::vector<Record> records{
       with_engine(record_of("ada", lab_record(24, 0, 0)), {"passed", "passed"}),
@@ -391,130 +314,41 @@ TEST(Reports, ClassPageCountsTheStudentsOfTheRoster) {
   EXPECT_NE(text.find("2 submitted, 2 missing"), std::string::npos);
 }
 
-TEST(Merge, LabsOfOneSubmissionComeTogether) {
-  const Record lab3 = record_of("ada", lab_record(24, 0, 0));
-  Record lab4 = lab3;
-  lab4.labs[0].lab = 4;
-  Record other = lab3;
-  other.hash = "other content";
-  const std::vector<Record> records = merged({{lab3}, {lab4, other}, {lab3}});
-  ASSERT_EQ(records.size(), 2U);
-  EXPECT_EQ(records[0].labs.size(), 2U);
-  EXPECT_EQ(records[1].name, "ada-2");
+TEST(GradesCsv, ListsMissingStudentsAndEscapesNames) {
+  std::vector<Record> records{record_of("=cmd", lab_record(24, 0, 0))};
+  const std::vector<Student> students = assign(parse_roster("id\nada\n", "r"), records);
+  const std::string text = grades_csv(mark_class(students, {3}, course_of("")), {3});
+  EXPECT_EQ(text,
+            "id,name,email,section,status,percent,lab3,notes\n"
+            "ada,,,,missing,0.00,,\n"
+            "'=cmd,,,,not on the roster,40.00,24,\n");
 }
 
-TEST(Merge, EqualFilesOfTwoStudentsStayTwoSubmissions) {
-  Record ada = record_of("lab3", lab_record(24, 0, 0));
-  ada.claimed_student = "ada";
-  Record bob = ada;
-  bob.claimed_student = "bob";
-  EXPECT_EQ(merged({{ada}, {bob}}).size(), 2U) << "of two claims";
-  Record again = ada;
-  again.source = "lab3-again.zip";
-  EXPECT_EQ(merged({{ada}, {again}}).size(), 2U) << "of two names";
-  EXPECT_EQ(merged({{ada}, {ada}}).size(), 1U);
+TEST(GradesCsv, NamesAStudentWithoutALabThatIsGraded) {
+  LabRecord none;
+  none.lab = 3;
+  std::vector<Record> records{record_of("ada", none), record_of("bob", none)};
+  records[1].trouble = "the archive is damaged";
+  const std::vector<Student> students = assign(parse_roster("id\nada\nbob\n", "r"), records);
+  const std::string text = grades_csv(mark_class(students, {3}, course_of("")), {3});
+  EXPECT_NE(text.find("\nada,,,,no graded lab,0.00,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nbob,,,,unreadable,0.00,"), std::string::npos) << text;
 }
 
-TEST(Merge, MilestonesThatWereNotGradedStay) {
-  const Record without = record_of("ada", lab_record(24, 0, 0));
-  const Record failed = with_broken_engine(without, 2);
-  const Record graded = with_engine(without, {"passed", "failed"});
-  const auto engine_of = [](const Record& first, const Record& second) {
-    return merged({{first}, {second}}).at(0).engine;
-  };
-  ASSERT_TRUE(engine_of(failed, without)) << "no milestones replace those that were not graded";
-  EXPECT_EQ(engine_of(failed, without)->not_graded, "the judge broke");
-  EXPECT_EQ(engine_of(without, failed)->not_graded, "the judge broke");
-  for (const Record& other : {without, failed}) {
-    EXPECT_EQ(engine_of(other, graded)->not_graded, "");
-    EXPECT_EQ(engine_of(graded, other)->not_graded, "");
+TEST(GradesCsv, NotesWhatAnInstructorMayWantToLookAt) {
+  LabRecord broken = lab_record(0, 0, 0);
+  broken.compiled = false;
+  LabRecord slow = lab_record(24, 0, 0);
+  for (const char* status : {"timeout", "crashed", "timeout", "failed"}) {
+    slow.tests.emplace_back().status = status;
   }
-}
-
-TEST(Pseudonyms, LeaveNoOrderAndNoTime) {
-  constexpr long due = 1791842340;  // 2026-10-12T23:59:00+02:00
-  const std::string late =
-      "secret = 'x'\nattempt = 'last'\n[lab.3]\ndue = 2026-10-12T23:59:00+02:00\n"
-      "[late]\npercent_per_day = 10\ngrace_minutes = 15\nclock = ";
-  for (const char* clock : {"'file'", "'manifest'"}) {
-    const Course course = course_of(late + clock);
-    std::vector<Student> roster;
-    std::vector<Record> records;
-    for (int i = 0; i < 9; ++i) {
-      roster.push_back({"s" + std::to_string(i), "", "", "", {}, true, {}});
-      for (const int points : {24, 12}) {  // the second attempt is the last, and worse
-        records.push_back(record_of(roster.back().id, lab_record(points, 0, 0)));
-        records.back().file_time = due - 30000 + 20000 * i + points % 24;
-        records.back().claimed_date =
-            to_text(Time(std::chrono::seconds(*records.back().file_time)));
-        records.back().starter = "a commit";
-      }
-    }
-    const PseudonymousClass hidden = with_pseudonyms(records, roster, course);
-    EXPECT_TRUE(std::is_sorted(hidden.roster.begin(), hidden.roster.end(),
-                               [](const Student& a, const Student& b) { return a.id < b.id; }));
-    std::set<std::string> times;
-    for (const Record& record : hidden.records) {
-      EXPECT_EQ(record.starter, "");
-      times.insert(std::to_string(record.file_time.value_or(0)) + record.claimed_date);
-    }
-    EXPECT_EQ(times.size(), 6U) << "in time and 1 and 2 days late, two attempts each";
-    std::map<std::string, double> marks;
-    for (const StudentMark& mark : mark_class(assign(roster, records), {3}, course)) {
-      marks[mark.student.id] = mark.percent;
-    }
-    for (const StudentMark& mark :
-         mark_class(assign(hidden.roster, hidden.records), {3}, hidden.course)) {
-      EXPECT_DOUBLE_EQ(mark.percent, marks.at(hidden.key.at(mark.student.id)));
-    }
-  }
-}
-
-TEST(Pseudonyms, KeepTheOrderOfAttempts) {
-  const Course course = course_of(
-      "secret = 'x'\nattempt = 'last'\n[lab.1]\ndue = 2026-10-05T23:59:00Z\n"
-      "[lab.2]\ndue = 2026-10-08T23:59:00Z\n[late]\nclock = 'file'\npercent_per_day = 10\n"
-      "[[extension]]\nstudent = 'ada'\nlab = 1\ndue = 2026-10-19T23:59:00Z\nreason = 'r'\n");
-  const auto handed_in_on = [](const char* date, int first) {
-    Record record = record_of("ada", lab_record(first, 0, 0));
-    record.labs[0].lab = 1;
-    record.file_time = parse_time(std::string(date) + "T12:00:00Z")->time_since_epoch().count();
-    return record;
-  };
-  std::vector<Record> records{handed_in_on("2026-10-05", 24), handed_in_on("2026-10-07", 0)};
-  records[1].labs.push_back(records[1].labs[0]);
-  records[1].labs[1].lab = 2;
-  const PseudonymousClass hidden = with_pseudonyms(records, {}, course);
-  EXPECT_LT(hidden.records[0].file_time, hidden.records[1].file_time);
-  const StudentMark mark = mark_class(assign({}, hidden.records), {1, 2}, hidden.course).front();
-  EXPECT_DOUBLE_EQ(mark.labs[0].mark, 0) << "the last attempt counts";
-}
-
-TEST(Pseudonyms, LeaveNoName) {
-  Record record = hostile_record();
-  record.student = record.source = record.claimed_student = "Lovelace";
-  record.ignored = {{"Lovelace/notes.txt", "Lovelace", 1}};
-  record.labs[0].files = {"lovelace.cpp"};
-  record.labs[0].tests[0].message = "Lovelace was here";
-  const Course course = course_of(
-      "secret = 'x'\n[[adjustment]]\nstudent = 'Lovelace'\nlab = 3\npoints = 2\n"
-      "reason = 'Lovelace explained it'\n");
-  Record failed = record;
-  failed.name = "failed";
-  failed.trouble = "cannot read Lovelace/notes.txt";
-  failed.labs[0].not_graded = "no room for lovelace.cpp";
-  const std::vector<Record> records{record, failed};
-  const PseudonymousClass hidden = with_pseudonyms(records, {}, course);
-  const ScratchFolder scratch;
-  write_reports(scratch / "out", hidden.records, hidden.roster, hidden.course);
-  for (const auto& file : cli::files_below(scratch / "out")) {
-    EXPECT_EQ(cli::read_text(file).find("ovelace"), std::string::npos) << file;
-  }
-  EXPECT_EQ(hidden.key.begin()->second, "Lovelace");
-  const std::vector<StudentMark> marks = mark_class(assign({}, hidden.records), {3}, hidden.course);
-  EXPECT_DOUBLE_EQ(marks[0].labs[0].mark, 26) << "adjustments follow the pseudonym";
-  const Course other = course_of("secret = 'y'");
-  EXPECT_NE(with_pseudonyms(records, {}, other).key.begin()->first, hidden.key.begin()->first);
+  std::vector<Record> records{record_of("ada", broken), record_of("bob", slow)};
+  const std::vector<Student> students = assign(parse_roster("id\nada\nbob\n", "r"), records);
+  const std::string text = grades_csv(mark_class(students, {3}, course_of("")), {3});
+  EXPECT_NE(text.find("lab 3: does not compile"), std::string::npos) << text;
+  EXPECT_NE(text.find("lab 3: 1 test crashed; lab 3: 2 tests ended at the limit of time"),
+            std::string::npos)
+      << text;
 }
 
 }  // namespace

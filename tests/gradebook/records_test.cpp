@@ -1,0 +1,64 @@
+/// Records: as JSON, and those of several runs together.
+#include <gtest/gtest.h>
+
+#include "gradebook/records/merge.hpp"
+#include "gradebook/records/record_json.hpp"
+#include "gradebook_test.hpp"
+
+namespace cs550::gradebook {
+namespace {
+
+TEST(Records, SurviveARoundTrip) {
+  Record record = record_of("ada", lab_record(24, 0, 12));
+  record.ignored = {{"framework/", "not in a lab's folder", 312}};
+  record.labs[0].supplied = {"merging.cpp"};
+  record.labs[0].seed = "abc";
+  record.file_time = 1791842340;
+  const std::string text = to_json(record);
+  EXPECT_EQ(to_json(record_from_json(text, "ada.json")), text);
+  EXPECT_THROW(record_from_json("{}", "ada.json"), std::runtime_error);
+  EXPECT_THROW(record_from_json(text.substr(0, text.size() / 2), "ada.json"), std::runtime_error);
+}
+
+TEST(Merge, LabsOfOneSubmissionComeTogether) {
+  const Record lab3 = record_of("ada", lab_record(24, 0, 0));
+  Record lab4 = lab3;
+  lab4.labs[0].lab = 4;
+  Record other = lab3;
+  other.hash = "other content";
+  const std::vector<Record> records = merged({{lab3}, {lab4, other}, {lab3}});
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records[0].labs.size(), 2U);
+  EXPECT_EQ(records[1].name, "ada-2");
+}
+
+TEST(Merge, EqualFilesOfTwoStudentsStayTwoSubmissions) {
+  Record ada = record_of("lab3", lab_record(24, 0, 0));
+  ada.claimed_student = "ada";
+  Record bob = ada;
+  bob.claimed_student = "bob";
+  EXPECT_EQ(merged({{ada}, {bob}}).size(), 2U) << "of two claims";
+  Record again = ada;
+  again.source = "lab3-again.zip";
+  EXPECT_EQ(merged({{ada}, {again}}).size(), 2U) << "of two names";
+  EXPECT_EQ(merged({{ada}, {ada}}).size(), 1U);
+}
+
+TEST(Merge, MilestonesThatWereNotGradedStay) {
+  const Record without = record_of("ada", lab_record(24, 0, 0));
+  const Record failed = with_broken_engine(without, 2);
+  const Record graded = with_engine(without, {"passed", "failed"});
+  const auto engine_of = [](const Record& first, const Record& second) {
+    return merged({{first}, {second}}).at(0).engine;
+  };
+  ASSERT_TRUE(engine_of(failed, without)) << "no milestones replace those that were not graded";
+  EXPECT_EQ(engine_of(failed, without)->not_graded, "the judge broke");
+  EXPECT_EQ(engine_of(without, failed)->not_graded, "the judge broke");
+  for (const Record& other : {without, failed}) {
+    EXPECT_EQ(engine_of(other, graded)->not_graded, "");
+    EXPECT_EQ(engine_of(graded, other)->not_graded, "");
+  }
+}
+
+}  // namespace
+}  // namespace cs550::gradebook
