@@ -188,7 +188,8 @@ class CoplanarMerger {
     const auto is_kept = [&](Index v) {
       return std::find(removed.begin(), removed.end(), v) == removed.end();
     };
-    Index first = in, last = mesh_.edge(in).next;
+    Index first = in;
+    Index last = mesh_.edge(in).next;
     while (!is_kept(mesh_.origin(first))) first = mesh_.edge(first).prev;
     while (!is_kept(mesh_.edge(last).vertex)) last = mesh_.edge(last).next;
     const Vec3& start = mesh_.vertex(mesh_.origin(first));

@@ -93,7 +93,8 @@ void add_row(Copies& copies, int row, int columns, Real shift, Real gap) {
   }
 }
 
-/// Rows along x in running bond; the body's position is the middle of the rows, each of which is shifted.
+/// Rows along x in running bond: shifted by a quarter of a body, the lowest one along +x, the next along −x. The
+/// body's position is the middle of the lowest row before the shift.
 std::vector<NamedBody> wall(SceneReader& generator, const Context& context) {
   Copies copies = copies_of_body(generator, context);
   int columns = 15;
