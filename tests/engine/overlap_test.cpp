@@ -144,6 +144,26 @@ TEST(Overlap, ATowerStandsAfterABoxWasPutIntoIt) {
   EXPECT_NEAR(world.body(boxes.back()).pose.position.z(), 4.5, 0.01);
 }
 
+// The passes of a step with a push go through all contacts, but only those of bodies that part are treated otherwise.
+TEST(Overlap, OtherBodiesMoveAsWithoutIt) {
+  World alone;
+  alone.add_body(floor_body());
+  std::vector<BodyId> tower;
+  for (int i = 0; i < 3; ++i) {
+    tower.push_back(alone.add_body(body_at(unit_box(), {0, 0, Real(0.51) + Real(i)})));
+  }
+  run(alone, 60);
+  World beside = alone;
+  beside.add_body(body_at(unit_box(), {50, 0, 20}));
+  beside.add_body(body_at(unit_box(), {50, 0, Real(20.7)}));
+  run(alone, 10);
+  run(beside, 10);
+  for (const BodyId box : tower) {
+    EXPECT_EQ(alone.body(box).linear_momentum, beside.body(box).linear_momentum);
+    EXPECT_EQ(alone.body(box).pose.position, beside.body(box).pose.position);
+  }
+}
+
 /// The impulse of the last substep on the floor below two boxes that overlap (N·s). The only pass of a substep relaxes,
 /// so that nothing moves them apart.
 Real impulse_on_floor(int steps, int substeps) {

@@ -109,7 +109,7 @@ void begin_push(WorldState& world) {
   if (!world.recovery.any) return;
   world.recovery.bodies = world.bodies;
   world.recovery.constraints = world.constraints;
-  world.mirrors.set_stale();
+  world.mirrors.set_stale_numbers();
   for (ContactConstraint& constraint : world.constraints) {
     if (!recovers(world, constraint)) continue;
     constraint.friction = 0;
@@ -119,7 +119,7 @@ void begin_push(WorldState& world) {
 
 void end_push(WorldState& world) {
   if (!world.recovery.any || world.constraints.empty()) return;
-  world.mirrors.set_stale();
+  world.mirrors.set_stale_numbers();
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.recovery.recovers[i]) return_momenta(world.bodies[i], world.recovery.bodies[i]);
   }
@@ -135,7 +135,7 @@ void end_push(WorldState& world) {
 
 void return_friction(WorldState& world) {
   if (!world.recovery.any) return;
-  world.mirrors.set_stale();
+  world.mirrors.set_stale_numbers();
   for (std::size_t i = 0; i < world.constraints.size(); ++i) {
     world.constraints[i].friction = world.recovery.constraints[i].friction;
   }
@@ -143,7 +143,7 @@ void return_friction(WorldState& world) {
 
 void restart_after_push(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step) {
   if (!world.recovery.any) return;
-  world.mirrors.set_stale();
+  world.mirrors.set_stale_numbers();
   for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
     if (!recovers(world, world.constraints[places[0]])) return;
     const double before = impulse_energy(world, places);
