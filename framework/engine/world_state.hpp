@@ -129,8 +129,9 @@ struct LeftBody {
 struct Sleeping {
   std::vector<BodyRest> bodies;
   std::vector<LeftBody> left;  ///< of settled bodies that are awake
-  PairList pairs;          ///< of sleeping bodies, among themselves and with immovable ones at rest
-  WorldSettings settings;  ///< with which they fell asleep
+  PairList pairs;  ///< of sleeping bodies, among themselves and with immovable ones at rest
+  Real substep_length = 0;        ///< for which the impulses of these pairs are (s)
+  WorldSettings settings;         ///< with which they fell asleep
   std::vector<char> wakes;        ///< of each island, by its smallest index
   std::vector<char> moved_pairs;  ///< of one list to the other
   std::vector<Index> island_of;   ///< see find_resting_islands()

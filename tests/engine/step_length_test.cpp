@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "cs550/diagnostics.hpp"
 #include "engine/test_bodies.hpp"
@@ -66,6 +67,51 @@ TEST(StepLength, ALongStepInBetweenLeavesSleepersAsTheyWere) {
   for (const Real factor : {1, 1, 1}) world.step(factor * step_length);
   for (const Real factor : {1, 2, 1}) other.step(factor * step_length);
   EXPECT_EQ(world.state_hash(), other.state_hash());
+}
+
+/// A tower of three cubes that fell asleep in steps of 1/60 s.
+World sleeping_tower() {
+  World world;
+  world.settings().sleeping = true;
+  world.add_body(floor_body());
+  for (int i = 0; i < 3; ++i) world.add_body(body_at(unit_box(), {0, 0, Real(0.5) + Real(i)}));
+  run(world, 180);
+  EXPECT_EQ(world.stats().asleep, 3);
+  return world;
+}
+
+// A step visits no contact of theirs. It would also leave a rounding error each time.
+TEST(StepLength, LeavesTheImpulsesOfSleepersAlone) {
+  World world = sleeping_tower();
+  const std::vector<Contact> before(world.sleeping_contacts().begin(),
+                                    world.sleeping_contacts().end());
+  for (const Real factor : {0.9, 1.3, 0.7}) world.step(factor * step_length);
+  ASSERT_EQ(world.sleeping_contacts().size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Manifold& now = world.sleeping_contacts()[i].manifold;
+    for (int k = 0; k < now.points.size(); ++k) {
+      EXPECT_EQ(now.points[k].normal_impulse, before[i].manifold.points[k].normal_impulse);
+    }
+  }
+}
+
+// Without passes, a step leaves the impulses with which it begins.
+TEST(StepLength, SleepersThatWakeInALongerStepHaveTheirWholeLoad) {
+  World world = sleeping_tower();
+  const std::vector<Contact> before(world.sleeping_contacts().begin(),
+                                    world.sleeping_contacts().end());
+  for (int i = 0; i < 3; ++i) world.step(2 * step_length);
+  world.settings().iterations = 0;
+  world.settings().relax_iterations = 0;
+  world.step(2 * step_length);
+  ASSERT_EQ(world.contacts().size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Manifold& now = world.contacts()[i].manifold;
+    ASSERT_EQ(now.points.size(), before[i].manifold.points.size());
+    for (int k = 0; k < now.points.size(); ++k) {
+      EXPECT_EQ(now.points[k].normal_impulse, 2 * before[i].manifold.points[k].normal_impulse);
+    }
+  }
 }
 
 TEST(StepLength, StaysFiniteAfterTheShortestStep) {

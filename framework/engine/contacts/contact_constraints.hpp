@@ -56,10 +56,13 @@ void note_if_cold(WorldState& world, Index contact, Real h);
 /// @param h substep (s)
 void guess_cold_impulses(WorldState& world, Real h);
 
-/// Makes the impulses of all contact points those of substeps of another length: a load is a force, so its
-/// impulse grows with the time.
+/// Makes the impulses of the world's contact points those of substeps of another length: a load is a force, so its
+/// impulse grows with the time. Pairs of sleeping bodies keep theirs.
 /// @param h substep (s)
 void fit_impulses(WorldState& world, Real h);
+/// The same for chosen pairs of bodies at rest, whose impulses carry nothing but weight.
+/// @param before, now substeps (s)
+void fit_loads(PairList& pairs, const std::vector<char>& chosen, Real before, Real now);
 
 /// Copies the accumulated impulses to the contact points, for the next step's warm start, and notes which
 /// contacts touch.

@@ -58,15 +58,21 @@ Matches match_points(const Manifold& before, const Manifold& now) {
 Vec3 second_tangent(const Manifold& manifold) { return manifold.normal.cross(manifold.tangent); }
 
 /// @param worth factor of what the impulses' energy may be from now on
-void scale_impulses(PairList& pairs, Real factor, double worth) {
-  for (Contact& contact : pairs.contacts) {
-    for (ContactPoint& point : contact.manifold.points) {
-      point.normal_impulse *= factor;
-      point.tangent_impulse *= factor;
-    }
+void scale_impulses(PairList& pairs, std::size_t pair, Real factor, double worth) {
+  for (ContactPoint& point : pairs.contacts[pair].manifold.points) {
+    point.normal_impulse *= factor;
+    point.tangent_impulse *= factor;
   }
-  for (double& energy : pairs.impulse_energy) energy *= worth;
+  pairs.impulse_energy[pair] *= worth;
 }
+
+/// What a load's impulse grows by. Beyond the range of Real the next step begins without impulses, like the first one.
+Real growth(Real before, Real now) {
+  const Real factor = now / before;
+  return std::isfinite(factor) ? factor : 0;
+}
+
+double squared(Real factor) { return static_cast<double>(factor) * static_cast<double>(factor); }
 
 }  // namespace
 
@@ -89,14 +95,20 @@ void carry_impulses(const Manifold& before, Manifold& now) {
 void fit_impulses(WorldState& world, Real h) {
   const Real before = std::exchange(world.substep_length, h);
   if (before == h || before == 0) return;
-  const Real factor = h / before;
-  // Without impulses this step begins like the first one.
-  const Real in_range = std::isfinite(factor) ? factor : 0;
+  const Real factor = growth(before, h);
   // Impulses that carry weight grow with the substep, but those of a blow do not: their energy may not grow.
-  // Those of sleeping bodies carry nothing but weight.
-  const double squared = static_cast<double>(in_range) * static_cast<double>(in_range);
-  scale_impulses(world.pairs, in_range, std::min(1.0, squared));
-  scale_impulses(world.sleeping.pairs, in_range, squared);
+  const double worth = std::min(1.0, squared(factor));
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    scale_impulses(world.pairs, i, factor, worth);
+  }
+}
+
+void fit_loads(PairList& pairs, const std::vector<char>& chosen, Real before, Real now) {
+  if (before == now) return;
+  const Real factor = growth(before, now);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (chosen[i]) scale_impulses(pairs, i, factor, squared(factor));
+  }
 }
 
 void store_impulses(WorldState& world) {

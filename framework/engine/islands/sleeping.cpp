@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/contacts/contact_constraints.hpp"
 #include "engine/islands/islands.hpp"
 #include "engine/pairs/pair_list.hpp"
 
@@ -67,6 +68,7 @@ void return_pairs(WorldState& world) {
     moved.push_back(!is_at_rest(world, pair.body_a) || !is_at_rest(world, pair.body_b));
   }
   if (std::find(moved.begin(), moved.end(), char{1}) == moved.end()) return;
+  fit_loads(pairs, moved, world.sleeping.substep_length, world.substep_length);
   move_pairs(pairs, world.pairs, world.next_pairs, moved);
 }
 
@@ -190,6 +192,8 @@ void put_islands_to_sleep(WorldState& world) {
   for (const PairSummary& pair : world.pairs.summaries) {
     moved.push_back(is_at_rest(world, pair.body_a) && is_at_rest(world, pair.body_b));
   }
+  if (world.sleeping.pairs.size() == 0) world.sleeping.substep_length = world.substep_length;
+  fit_loads(world.pairs, moved, world.substep_length, world.sleeping.substep_length);
   move_pairs(world.pairs, world.sleeping.pairs, world.next_pairs, moved);
 }
 

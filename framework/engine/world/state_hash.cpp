@@ -103,6 +103,7 @@ void add_rest(Fnv1a& hash, const BodyRest& rest) {
 
 void add_sleeping(Fnv1a& hash, const WorldState& world) {
   add_pairs(hash, world.sleeping.pairs);
+  if (world.sleeping.pairs.size() > 0) hash.add(world.sleeping.substep_length);
   if (!world.settings.sleeping) return;  // the next step wakes all sleepers
   // If the settings differ, the next step wakes all sleepers, too.
   hash.add(move_alike(world.sleeping.settings, world.settings));
