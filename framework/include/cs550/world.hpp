@@ -267,6 +267,8 @@ class World {
   /// is constant.
   /// @throws std::invalid_argument if h is not positive and finite, or a setting is outside its
   ///         range; nothing has changed then
+  /// @throws whatever a lab function throws, other than NotImplemented. The step is then incomplete:
+  ///         go on from a copy that was made before.
   void step(Real h);
   std::int64_t step_count() const;  ///< steps since construction
   double time() const;              ///< simulated time (s)
