@@ -65,6 +65,11 @@ for arguments in "--camera=bad" "--camera 1,2,3,4" "--snapshot x.jpg" "--gif x.p
   ! grep -q "Building" "$scratch/printed" || wrong "'view $arguments' built first"
 done
 prints 'there is no scene "wlal"'
+# The ending counts, however long the name is.
+for option in "--snapshot $(printf 'a%.0s' $(seq 70)).png" "--gif $(printf 'a%.0s' $(seq 70)).gif"; do
+  refuses view $option wlal
+  prints 'there is no scene "wlal"'
+done
 
 # A link to itself, and a folder in a device.
 ln -s loop "$scratch/loop"

@@ -74,7 +74,7 @@ std::string fault_of_camera(const std::string& text) {
 
 std::string fault_of_ending(const std::string& option, const std::string& file,
                             const std::string& ending) {
-  const std::string fault = files::fault_of_ending(excerpt(file), ending);
+  const std::string fault = files::fault_of_ending(file, ending);
   return fault.empty() ? "" : option + ": " + fault;
 }
 
