@@ -112,6 +112,12 @@ prints "yours 42"
 remembers 3 '"count": 42'
 runs 0 lab 3
 remembers 3 '"count": 42'
+for backup in "$lab3~" "${lab3%/*}/#hill_climbing.cpp#"; do
+  echo "// what an editor keeps" >"$backup"
+  runs 0 lab 3
+  remembers 3 '"count": 42'
+  rm "$backup"
+done
 echo "// mended again" >"$lab3"
 runs 0 lab 3
 remembers 3 '"challenge": []'

@@ -108,8 +108,14 @@ std::optional<std::vector<fs::path>> replace_lab_files(const std::string& lab_na
 }
 
 bool is_given(const fs::path& file) {
-  return file.filename() == "README.md" || file.extension() == ".svg" ||
-         file.extension().native().starts_with(".bak-");
+  return file.filename() == "README.md" || file.extension() == ".svg";
+}
+
+/// Of --reset or of an editor: a.cpp.bak-1, a.cpp~, #a.cpp#.
+bool is_backup(const fs::path& file) {
+  const std::string& name = file.native();
+  return file.extension().native().starts_with(".bak-") || name.ends_with('~') ||
+         name.ends_with('#');
 }
 
 /// Those that a student may have written. Hidden ones are left out: a name in their path begins with a dot.
@@ -121,7 +127,7 @@ std::vector<fs::path> students_files(const std::string& lab_name) {
     const bool is_hidden = std::any_of(name.begin(), name.end(), [](const fs::path& part) {
       return part.native().starts_with('.');
     });
-    return is_hidden || is_given(file);
+    return is_hidden || is_given(file) || is_backup(file);
   });
   return files;
 }

@@ -45,8 +45,10 @@ std::string fingerprint_of(const std::vector<fs::path>& files) {
     }
   };
   for (const fs::path& file : files) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) continue;  // an editor has removed it meanwhile
     add(file.native());
-    add(read_text(file));
+    add(std::string(std::istreambuf_iterator<char>(stream), {}));
   }
   return fmt::format("{:016x}", hash);
 }

@@ -18,7 +18,7 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
 std::string sha256(const std::filesystem::path& file);
 
 /// Changes when the name or the content of one of the files changes (FNV-1a, 16 hexadecimal
-/// digits).
+/// digits). A file that cannot be opened counts as absent.
 std::string fingerprint_of(const std::vector<std::filesystem::path>& files);
 
 }  // namespace cs550::cli
