@@ -9,7 +9,8 @@ them compile nothing. It is called by several names:
                               CRASH the program crashes. They are blocked if the earlier lab has NO_CODE in it.
   labN_student --challenge    a count of 42, and a line before it if the lab has PRINTS in it
   milestones_... --lab N      the student's engine: fails if a file of labs 1 to N has WRONG in it, crashes for CRASH,
-                              makes no step for ENDLESS, and a step in 0.2 s for 4 s for SLOW.
+                              makes no step for ENDLESS, and a step in 0.2 s for 4 s for SLOW. Prints more than the
+                              64 MB that it may for FLOOD.
   gdb ...                     prints GDB and the name of the program that it is to run.
 """
 
@@ -101,6 +102,8 @@ def main():
             os.abort()
         if any(has("ENDLESS", lab) for lab in labs):
             time.sleep(600)
+        if any(has("FLOOD", lab) for lab in labs):
+            print("x" * (65 << 20), flush=True)
         for _ in range(20 if any(has("SLOW", lab) for lab in labs) else 0):
             Path(arguments[arguments.index("--pulse") + 1]).write_text(".")
             time.sleep(0.2)

@@ -186,6 +186,15 @@ prints "GDB lab3_debugged"
 echo "// mended" >"$lab3"
 runs 0 lab 3
 
+echo "progress limits the output of the engine, too:"
+runs 0 progress
+points "Your engine, assembled" "4/7"
+echo "// FLOOD" >"$lab3"
+runs 0 progress
+points "Your engine, assembled" "2/7"
+echo "// mended" >"$lab3"
+runs 0 lab 3
+
 echo "--run has the exit code of the engine:"
 for option in "" --asan --debug; do
   runs 0 lab 3 --run $option
