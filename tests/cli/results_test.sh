@@ -106,6 +106,18 @@ runs 0 lab 3
 remembers 3 '"compile_error": ""'
 remembers 3 '"earned": 48'
 
+echo "A lab without a .cpp file has 0 points, too:"
+mv "$lab3" "$copy/kept"
+for verb in "progress" "lab 3" "lab 3 --asan"; do
+  code=1
+  [ "$verb" = "progress" ] && code=0
+  runs $code $verb
+  prints "labs/lab3_hill_climbing has no .cpp file. ./cs550 lab 3 --reset"
+  remembers 3 "has no .cpp file"
+done
+mv "$copy/kept" "$lab3"
+runs 0 lab 3
+
 echo "The counts of a challenge are kept as long as they are of the same code:"
 runs 0 lab 3 --challenge
 prints "yours 42"

@@ -81,6 +81,17 @@ submit --out tests.zip
 "$program" submit --out all.zip >printed 2>&1 || wrong "a lab with tests of one's own is not packed"
 prints "my_tests.cpp"
 
+# A zip file without code would only look like a submission.
+rm "$lab"/*.cpp
+for arguments in "submit 3 --out empty.zip" "submit --force --out empty.zip"; do
+  code=0
+  "$program" $arguments >printed 2>&1 || code=$?
+  [ $code = 1 ] || wrong "'$arguments' without code exited with code $code, expected 1"
+  prints "labs/lab3_hill_climbing has no file to hand in. ./cs550 lab 3 --reset"
+  [ ! -e empty.zip ] || wrong "a lab without code was packed"
+done
+echo "int mine;" >"$lab/hill_climbing.cpp"
+
 code=0
 "$program" submit 3 --out "$lab/hill_climbing.cpp" >printed 2>&1 || code=$?
 [ $code = 2 ] || wrong "a zip replaced the code, with exit code $code"

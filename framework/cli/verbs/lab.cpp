@@ -131,6 +131,11 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   const Grading grading = options.asan ? Grading::Sanitized : Grading::Plain;
   const bool is_whole_lab = options.step.empty();
   const bool is_remembered = is_whole_lab && !options.asan;
+  if (const std::string fault = fault_of_absent_code(options.name); !fault.empty()) {
+    print_error(fault);
+    if (is_remembered) remember(result_of_compile_error(options.name, fault));
+    return Failed;
+  }
   if (!build("student", graded_target(options.lab, grading))) {
     const std::string error = first_build_error();
     if (is_remembered && is_students_error(error)) {

@@ -162,8 +162,13 @@ int run_submit(const SubmitOptions& options) {
     return Failed;
   }
   for (const std::string& name : labs) {
-    warn_unless_it_compiles(lab_number(name));
     print_files_left_out(name);
+    if (files_to_submit(name).empty()) {
+      print_error("labs/" + name + " has no file to hand in. ./cs550 lab " +
+                  std::to_string(lab_number(name)) + " --reset\nputs the starter there again.");
+      return Failed;
+    }
+    warn_unless_it_compiles(lab_number(name));
   }
   const std::string student = student_name(options.student);
   if (student.empty()) {
