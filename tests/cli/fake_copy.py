@@ -3,7 +3,8 @@
 them compile nothing. It is called by several names:
 
   cs550 build PRESET TARGET   "builds" TARGET: a link to this file. Fails if a file of its lab has NO_CODE in it.
-                              Takes 3 s for LONG_CODE, with five warnings of the compiler.
+                              Takes 3 s for LONG_CODE, with five warnings of the compiler. Fails if the project has a
+                              file disk_is_full.
   labN_student ...            the graded tests of lab N. All fail if a file of the lab, or of an earlier lab that
                               the test calls, has WRONG in it, with a picture, or if the lab is a starter. With
                               CRASH the program crashes. They are blocked if the earlier lab has NO_CODE in it.
@@ -42,6 +43,9 @@ def build(target):
     lab = re.match(r"lab(\d)_", target)
     if lab and has("NO_CODE", lab[1]):
         log("[1/2] Building\n../../labs/lab.cpp:7:1: error: expected ';'\n")
+        return 1
+    if (ROOT / "disk_is_full").exists():
+        log("[1/2] Building\nFAILED: a.o\nc++: fatal error: error writing to a.s: No space left on device\n")
         return 1
     log("ninja: no work to do.\n")
     if lab and has("LONG_CODE", lab[1]):

@@ -198,6 +198,14 @@ prints "GDB lab3_debugged"
 echo "// mended" >"$lab3"
 runs 0 lab 3
 
+echo "A full disk is no fault of the engine:"
+: >"$copy/disk_is_full"
+runs 0 progress
+points "Your engine, assembled" "0/7"
+rm "$copy/disk_is_full"
+runs 0 progress
+points "Your engine, assembled" "4/7"
+
 echo "progress limits the output of the engine, too:"
 runs 0 progress
 points "Your engine, assembled" "4/7"

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/grading/lab_files.hpp"
+#include "cli/system/build_log.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
@@ -64,7 +65,8 @@ std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
   if (const std::optional<std::set<int>> known = remembered_milestones(labs)) return *known;
   show_status("Running your engine ...");
   std::set<int> reached;
-  if (!labs.empty() && build_quietly(program).empty()) {
+  const std::string error = labs.empty() ? "" : build_quietly(program);
+  if (error.empty()) {
     StatusLine status;
     for (const LabResult& lab : labs) {
       const int number = lab_number(lab.lab_name);
@@ -77,8 +79,10 @@ std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
       if (has_milestone(number) && reaches(number, show_lab)) reached.insert(number);
     }
   }
-  files::write_file(milestone_file(),
-                    Json{{"lab_files", fingerprints(labs)}, {"reached", reached}}.dump(2) + '\n');
+  if (error.empty() || is_students_error(error)) {
+    files::write_file(milestone_file(),
+                      Json{{"lab_files", fingerprints(labs)}, {"reached", reached}}.dump(2) + '\n');
+  }
   return reached;
 }
 
