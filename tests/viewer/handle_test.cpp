@@ -129,6 +129,18 @@ TEST(Handles, TheArrowOfAClimbIsTakenAtItsTipWhichIsInTheFocus) {
   }
 }
 
+/// Otherwise the shape would run away from the pointer, and the tip would stay behind it.
+TEST(Handles, TheArrowOfAClimbDoesNotMoveTheFrame) {
+  const std::unique_ptr<Page> page = page_of(3);
+  const Focus first = page->content().focus;
+  for (const Vec3& tip : {Vec3(3, 0, 0), Vec3(-3, 0, 0), Vec3(0, 0, 3), Vec3(0, 0, -3)}) {
+    page->move_handle(0, tip);
+    page->refresh();
+    EXPECT_EQ(page->content().focus.center, first.center) << tip.transpose();
+    EXPECT_EQ(page->content().focus.radius, first.radius) << tip.transpose();
+  }
+}
+
 TEST(Handles, AbsentWhereThereIsNothingToDrag) { EXPECT_TRUE(page_of(1)->handles().empty()); }
 
 }  // namespace

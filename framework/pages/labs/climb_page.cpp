@@ -26,13 +26,10 @@ void describe(ClimbSettings& settings, ControlVisitor& visit) {
   visit.step({"step", "shown step", ""}, settings.step, 60);
 }
 
-/// The ball around the shape and the arrow. A margin leaves room for the texts beside them.
+/// The ball around the shape and the arrow in any direction, so that the shape stays in place while the arrow is
+/// dragged. A margin leaves room for the texts beside them.
 Focus focus_on_shape_and(const drawing::ClimbArrow& arrow) {
-  constexpr Real around_shape = Real(1.1);  // m; all shapes have a radius of 1 m
-  const Vec3 to_tip = arrow.tip - arrow.middle;
-  const Real reach = Real(1.05) * to_tip.norm();
-  const Vec3 shift = Real(0.5) * (reach - around_shape) * to_tip.normalized();
-  return {arrow.middle + shift, Real(0.5) * (reach + around_shape)};
+  return {arrow.middle, Real(1.05) * (arrow.tip - arrow.middle).norm()};
 }
 
 Content show(const ClimbSettings& settings) {
