@@ -54,6 +54,16 @@ TEST(ConvexHull, OfPlatesAndRodsHasAllCornersOrIsRefused) {
   expect_refused(box_soup({0.5F, 0.5F, 4e-6F}).vertices, "lie in one plane");
 }
 
+/// Without the point the plate is shorter by 1/50 of its thickness, as thicker ones are.
+TEST(ConvexHull, OfAPlateDropsAPointThatMakesSliversBesideAnEdge) {
+  const std::vector<Vec3> corners = box_soup({0.5F, 0.5F, 0.0025F}).vertices;
+  std::vector<Vec3> points = corners;
+  points.emplace_back(0, 0.50009F, 0.0025F);
+  const SoupResult result = convex_hull(points);
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(result.soup.vertices, corners);
+}
+
 TEST(ConvexHull, OfACubeDropsWhatIsInsideAndKeepsTheOrder) {
   std::vector<Vec3> points = {Vec3::Zero(), {0.2F, 0.1F, 0}};
   const std::vector<Vec3> corners = box_soup(Vec3::Ones()).vertices;

@@ -218,11 +218,15 @@ double distance_outside(const Vec3& point, const TriangleSoup& hull) {
   return distance;
 }
 
-/// Whether the slivers were the sides of a thin hull: their corners are missing.
-bool lacks_corners(const TriangleSoup& hull, std::span<const Vec3> slivers, double thickness) {
+/// Whether the slivers were the sides of a thin hull: their corners are missing. The sides of thicker ones
+/// are no slivers.
+bool lacks_corners(const TriangleSoup& hull, std::span<const Vec3> slivers,
+                   const Extents& extents) {
+  constexpr double thin = 1.0 / 5000;
   constexpr double allowed = 1e-2;
+  if (extents.thickness >= thin * extents.length) return false;
   return std::any_of(slivers.begin(), slivers.end(), [&](const Vec3& point) {
-    return distance_outside(point, hull) > allowed * thickness;
+    return distance_outside(point, hull) > allowed * extents.thickness;
   });
 }
 
@@ -264,7 +268,7 @@ SoupResult convex_hull(std::span<const Vec3> points) {
     soup = without_unused_points(soup.vertices, run.triangles());
     if (!drop_slivers(soup, slivers)) break;
   }
-  if (lacks_corners(soup, slivers, extents_of(points).thickness)) return too_thin(points);
+  if (lacks_corners(soup, slivers, extents_of(points))) return too_thin(points);
   return {std::move(soup), {}};
 }
 
