@@ -698,6 +698,36 @@ def test_a_report_leaves_no_records_of_an_earlier_one(folder):
     assert grades(folder / "both").keys() == {"ada", "bob"}
 
 
+def test_a_report_replaces_no_record_of_another_submission(folder):
+    pack(folder / "week3/s0101.zip", {HILL: "// lab 3"})
+    pack(folder / "week4/s0101.zip", {CLIP: "// another lab"})
+    grade(folder / "week3", "--out", folder / "graded", "--labs", "3")
+    before = (folder / "graded/records/s0101.json").read_text()
+
+    def refused(out):
+        printed = grade("--report", folder / out, "--out", folder / "graded", code=2)
+        assert "records of an earlier report" in printed and "another --out" in printed, printed
+        assert (folder / "graded/records/s0101.json").read_text() == before
+
+    grade(folder / "week4", "--out", folder / "other", "--labs", "5")
+    refused("other")
+    grade(folder / "week4", "--out", folder / "both_labs", "--labs", "3,5")
+    refused("both_labs")
+    grade(folder / "week3", "--out", folder / "same", "--labs", "5")
+    refused("same")
+    shutil.copytree(folder / "week3", folder / "moved")
+    grade(folder / "moved", "--out", folder / "again", "--labs", "3,5")
+    grade("--report", folder / "again", "--out", folder / "graded")
+    assert [lab[:2] for lab in marks(folder / "graded")["s0101.json"]] == [(3, 60), (5, 0)]
+
+
+def test_pseudonyms_need_a_secret(folder):
+    pack(folder / "ada.zip", {HILL: "// right"})
+    grade(folder / "ada.zip", "--out", folder / "out", "--labs", "3")
+    assert "needs a secret" in grade("--report", folder / "out", "--out", folder / "shared", "--pseudonyms", code=2)
+    assert not (folder / "shared").exists()
+
+
 def test_a_regrade_is_compared(folder):
     pack(folder / "ada.zip", {HILL: "// fake: fails FirstOfEqualVerticesWins"})
     grade(folder / "ada.zip", "--out", folder / "old", "--labs", "3")

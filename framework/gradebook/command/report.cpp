@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <iostream>
-#include <set>
 #include <stdexcept>
 
-#include "cli/system/files.hpp"
 #include "files/output_file.hpp"
 #include "gradebook/command/settings.hpp"
 #include "gradebook/marks/pseudonyms.hpp"
@@ -48,13 +46,22 @@ void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
   std::cout << "Who is who is in " << file.string() << '\n';
 }
 
+/// Whether a record is that of the same submission as an earlier one of its name, with all that was graded then.
+bool replaces(const Record& record, const Record& earlier) {
+  if (record.name != earlier.name) return false;
+  const bool is_equal = record.source == earlier.source && record.student == earlier.student &&
+                        record.hash == earlier.hash;
+  return (record.path == earlier.path || is_equal) && (record.engine || !earlier.engine) &&
+         std::all_of(earlier.labs.begin(), earlier.labs.end(),
+                     [&record](const LabRecord& lab) { return record.lab(lab.lab) != nullptr; });
+}
+
 /// Whether a folder has records that a report does not replace.
 bool has_other_records(const fs::path& out, const std::vector<Record>& records) {
-  std::set<fs::path> replaced;
-  for (const Record& record : records) replaced.insert(record.name + ".json");
-  const std::vector<fs::path> files = cli::files_below(out / "records");
-  return std::any_of(files.begin(), files.end(), [&replaced](const fs::path& file) {
-    return !replaced.contains(file.filename());
+  const std::vector<Record> present = RecordFolder(out).records();
+  return std::any_of(present.begin(), present.end(), [&records](const Record& earlier) {
+    return std::none_of(records.begin(), records.end(),
+                        [&](const Record& record) { return replaces(record, earlier); });
   });
 }
 
@@ -98,12 +105,12 @@ void report(const ReportRequest& request) {
   Settings settings =
       read_settings(request.root, request.course, request.roster, request.folders.front());
   std::vector<Record> records = merged_records(request.folders);
+  if (request.pseudonyms && settings.course.secret.empty()) {
+    throw std::invalid_argument(
+        "--pseudonyms needs a secret in the course file, or they could be guessed");
+  }
   const FolderLock lock(request.out);
   if (request.pseudonyms) {
-    if (settings.course.secret.empty()) {
-      throw std::invalid_argument(
-          "--pseudonyms needs a secret in the course file, or they could be guessed");
-    }
     PseudonymousClass pseudonymous = with_pseudonyms(records, settings.roster, settings.course);
     check_has_no_names(request.out, pseudonymous);
     write_key(pseudonymous, request.folders.front());
