@@ -222,7 +222,7 @@ def test_gradescope_names_the_student(folder):
                         ' "users": [{"email": "ada@example.org", "id": 7, "name": "Ada Lovelace"}]}')
     (folder / "roster.csv").write_text("id,email\ns0101,Ada@example.org\n")
 
-    def score(student, *more):
+    def score(student, *more, upload="submission"):
         (folder / "course.toml").write_text(
             "[lab.3]\ndue = 2026-10-12T23:59:00+02:00\n[late]\nclock = 'file'\npercent_per_day = 10\n"
             f"[[extension]]\nstudent = '{student}'\nlab = 3\ndue = 2026-10-19T23:59:00+02:00\nreason = 'illness'\n"
@@ -230,7 +230,7 @@ def test_gradescope_names_the_student(folder):
             f"[[regrade]]\nstudent = '{student}'\nlab = 3\ntest = 'Lab3.FirstOfEqualVerticesWins'\n"
             "status = 'granted'\n")
         shutil.rmtree(folder / "out", ignore_errors=True)
-        grade(folder / "submission", "--out", folder / "out", "--labs", "3", "--course", folder / "course.toml",
+        grade(folder / upload, "--out", folder / "out", "--labs", "3", "--course", folder / "course.toml",
               "--gradescope-metadata", metadata, *more)
         result, = (folder / "out/gradescope").glob("*.json")
         return json.loads(result.read_text())["score"]
@@ -238,6 +238,13 @@ def test_gradescope_names_the_student(folder):
     assert score("ada@example.org") == 55, "of 60, with the regrade and the adjustment, and not late"
     assert score("s0101", "--roster", folder / "roster.csv") == 55
     assert score("s0101") == 46.4, "of 58, two days late"
+    files = {HILL: "// fake: fails FirstOfEqualVerticesWins"}
+    pack(folder / "by_name/s0101-lab3.zip", files)
+    pack(folder / "by_claim/lab3.zip", {**files, "manifest.json": '{"student": "s0101"}'})
+    metadata.write_text(metadata.read_text().replace("ada@example.org", "eve@example.org"))
+    for upload in ("by_name", "by_claim"):
+        assert score("s0101", "--roster", folder / "roster.csv", upload=upload) == 46.4, upload
+    assert score("eve@example.org", "--roster", folder / "roster.csv", upload="by_name") == 55
 
 
 def test_an_upload_to_gradescope_is_one_submission(folder):

@@ -14,6 +14,7 @@ TEST(Records, SurviveARoundTrip) {
   record.labs[0].supplied = {"merging.cpp"};
   record.labs[0].seed = "abc";
   record.file_time = 1791842340;
+  record.is_identified = true;
   const std::string text = to_json(record);
   EXPECT_EQ(to_json(record_from_json(text, "ada.json")), text);
   EXPECT_THROW(record_from_json("{}", "ada.json"), std::runtime_error);

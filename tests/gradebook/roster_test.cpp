@@ -89,6 +89,23 @@ TEST(Roster, InAFolderThatIsNobodysTheNameOfTheFileCounts) {
   EXPECT_EQ(rivals(roster, both), (std::vector<std::string>{"s0101", "s3"}));
 }
 
+TEST(Roster, AnIdentityFromAPlatformIsFinal) {
+  const std::vector<Student> roster =
+      parse_roster("id,name,email\ns1,Ada Lovelace,ada@x.org\n", "roster.csv");
+  const auto owner = [&](const std::string& student) {
+    Record record = record_of(student, {});
+    record.is_identified = true;
+    record.source = "s1-lab3.zip";
+    record.claimed_student = "s1";
+    return owner_of(record, roster);
+  };
+  EXPECT_EQ(owner("ADA@x.org"), "s1");
+  EXPECT_EQ(owner("Ada Lovelace"), "s1");
+  for (const char* other : {"eve@x.org", "s1@y.org", "ada.lovelace@y.org"}) {
+    EXPECT_EQ(owner(other), other);
+  }
+}
+
 TEST(Roster, ANameThatFitsSeveralStudentsIsNobodys) {
   const std::string text = "id,name\ns1,Mallory Mal\ns2,Ada Lovelace\ns3,Ada Byron\n";
   const std::vector<Student> roster = parse_roster(text, "roster.csv");

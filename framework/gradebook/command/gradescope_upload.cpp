@@ -65,7 +65,10 @@ FoundSubmission gradescope_upload(const std::vector<FoundSubmission>& found,
   const long time = submission_time(json, metadata);
   FoundSubmission submission = only_one(found, catalogue);
   submission.time = time;
-  if (const std::string student = student_in(json); !student.empty()) submission.student = student;
+  if (const std::string student = student_in(json); !student.empty()) {
+    submission.student = student;
+    submission.is_identified = true;
+  }
   return submission;
 }
 

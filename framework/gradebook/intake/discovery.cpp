@@ -200,6 +200,7 @@ Submission read_submission(const FoundSubmission& found, const Catalogue& catalo
   submission.source = plain_line(found.source.filename().string());
   submission.path = recorded_path(found);
   submission.student = found.student;
+  submission.is_identified = found.is_identified;
   submission.file_time = found.time;
   submission.trouble = found.trouble;
   if (!submission.trouble.empty()) return submission;

@@ -20,7 +20,8 @@ struct FoundSubmission {
   /// Seconds since 1970: modification time of an archive. That of a folder changes when it is copied or
   /// unpacked, so it is unknown when the folder was handed in.
   std::optional<long> time;
-  std::string trouble;  ///< why it must not be read; empty if it may
+  std::string trouble;         ///< why it must not be read; empty if it may
+  bool is_identified = false;  ///< whether a platform named the student instead
 };
 
 struct Discovery {

@@ -120,15 +120,19 @@ Places fitting(const std::vector<Student>& roster, const std::string& name) {
   return places(roster, [&](const Student& s) { return has_id(s) || has_name(words, s); });
 }
 
-/// Those whom the name of a record's folder fits, else that of its file: a folder may be that of a section.
+/// Those whom a platform has named. Else those whom the name of a record's folder fits, else that of its file: a folder
+/// may be that of a section.
 Places owners(const std::vector<Student>& roster, const Record& record) {
+  if (record.is_identified) {
+    return places(roster, [&](const Student& s) { return is_called(s, record.student); });
+  }
   Places found = fitting(roster, record.student);
   return found.empty() ? fitting(roster, without_ending(record.source)) : found;
 }
 
 Student* student_of(std::vector<Student>& roster, const Record& record) {
   Places found = owners(roster, record);
-  if (found.empty()) {
+  if (found.empty() && !record.is_identified) {
     found = places(roster, [&](const Student& s) { return is_called(s, record.claimed_student); });
   }
   return found.size() == 1 ? &roster[found.front()] : nullptr;

@@ -27,9 +27,10 @@ bool is_about(const std::string& entry, const Student& student);
 /// that is not closed.
 std::vector<Student> parse_roster(const std::string& text, const std::string& file);
 
-/// Gives every record to its student. A record belongs to the student whose id, email or name is
-/// that of its file or folder. If there is none, it belongs to the only student whose id is in that
-/// name, with no letter or digit beside it, or all words of whose name are. If a folder is
+/// Gives every record to its student. If a platform has named the student, the record belongs to the
+/// one with that email, name or id, or to nobody. Otherwise it belongs to the student whose id, email
+/// or name is that of its file or folder. If there is none, it belongs to the only student whose id
+/// is in that name, with no letter or digit beside it, or all words of whose name are. If a folder is
 /// nobody's, the same holds for the name of the file in it. Only if no student matches does the
 /// name count that the submission itself claims. Records of nobody get a student of their own.
 /// @param roster may be empty: then every name is a student

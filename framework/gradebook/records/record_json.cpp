@@ -150,6 +150,7 @@ std::string to_json(const Record& record) {
             {"source", record.source},
             {"path", record.path},
             {"student", record.student},
+            {"identified", record.is_identified},
             {"claimed", {{"student", record.claimed_student}, {"date", record.claimed_date}}},
             {"starter", record.starter},
             {"file_time", record.file_time ? Json(*record.file_time) : Json()},
@@ -176,6 +177,7 @@ Record record_from_json(const std::string& text, const std::string& file) {
     record.source = json.at("source");
     record.path = json.value("path", "");
     record.student = json.at("student");
+    record.is_identified = json.value("identified", false);
     record.claimed_student = json.at("claimed").at("student");
     record.claimed_date = json.at("claimed").at("date");
     record.starter = json.at("starter");

@@ -42,6 +42,7 @@ Record begin_record(const Submission& submission, const std::string& project) {
   record.source = submission.source;
   record.path = submission.path;
   record.student = submission.student;
+  record.is_identified = submission.is_identified;
   record.claimed_student = submission.claimed_student;
   record.claimed_date = submission.claimed_date;
   record.starter = submission.starter;
