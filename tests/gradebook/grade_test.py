@@ -467,6 +467,40 @@ def test_a_project_behind_links_has_its_version(folder):
     assert version("changed") == commit + "+changes"
 
 
+def test_a_changed_starter_is_refused(folder):
+    if not (ROOT / ".git").exists():
+        print("  (no history: skipped)")
+        return
+    pack(folder / "ada.zip", {"hill_climbing.cpp": "// a"})
+    project, zip_file = folder / "project", folder / "lab3.zip"
+    subprocess.run(["git", "clone", "--quiet", ROOT, project], check=True)
+    lab3 = project / "labs/lab3_hill_climbing"
+
+    def graded(code):
+        shutil.rmtree(folder / "out", ignore_errors=True)
+        zip_file.unlink(missing_ok=True)
+        printed = grade(folder / "ada.zip", "--out", folder / "out", "--labs", "3", root=project, code=code)
+        also = grade("--gradescope-zip", zip_file, "--labs", "3", root=project, code=code)
+        assert zip_file.exists() == (folder / "out").exists() == (code == 0)
+        return printed if printed == also else printed + also
+
+    starter = (lab3 / "hill_climbing.cpp").read_text()
+    (project / "labs/lab5_clipping/clipping.cpp").write_text("// of a lab that is not graded")
+    for name in ("my_tests.cpp", "hill_climbing.cpp.bak-1", "README.md"):
+        (lab3 / name).write_text("// no code of the lab")
+    graded(0)
+    assert lab(folder / "out", "ada", 3)["supplied"] == []
+    for name in ("hill_climbing.cpp", "mine.cpp"):
+        (lab3 / name).write_text("// my own")
+        assert "labs/lab3_hill_climbing differs from the starter; ./cs550 lab 3 --reset restores it" in graded(1)
+        (lab3 / "hill_climbing.cpp").write_text(starter)
+    (lab3 / "mine.cpp").unlink()
+    graded(0)
+    shutil.rmtree(project / ".git")
+    (lab3 / "hill_climbing.cpp").write_text("// Git cannot tell")
+    grade(folder / "ada.zip", "--out", folder / "out", "--labs", "3", "--resume", root=project)
+
+
 def test_the_judge_learns_how_many_run_at_a_time(folder):
     small_class(folder / "class")
     judge = folder / "judge.sh"

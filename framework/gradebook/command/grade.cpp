@@ -231,6 +231,7 @@ bool grade(const GradeRequest& request) {
 
   const RecordFolder folder(request.out);
   check_records(folder, labs, request);
+  check_starters(request.root, labs, settings.catalogue);
   const fs::path program = judge_of(request);
   const std::string isolation = isolation_in_force(program, request.isolation);
   const FolderLock lock(request.out);

@@ -49,7 +49,9 @@ void make_gradescope_zip(const GradescopeRequest& request) {
   for (const auto& [number, lab] : settings.catalogue) known.push_back(number);
   std::string numbers;
   std::string targets = "grade_lab cs550_grade";
-  for (const int number : parse_labs(request.labs, known)) {
+  const std::vector<int> labs = parse_labs(request.labs, known);
+  check_starters(request.root, labs, settings.catalogue);
+  for (const int number : labs) {
     numbers += fmt::format("{}{}", numbers.empty() ? "" : ",", number);
     targets += fmt::format(" lab{0}_judge lab{0}_stub_code", number);
     if (settings.course.lab(number).own_tests > 0) {

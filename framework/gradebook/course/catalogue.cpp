@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "cli/system/files.hpp"
+#include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
+#include "gradebook/intake/submission.hpp"
 
 namespace cs550::gradebook {
 namespace {
@@ -33,6 +35,7 @@ std::vector<CatalogueTest> tests_of(const fs::path& manifest, int lab) {
 std::vector<std::string> code_below(const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::path& file : cli::files_below(folder)) {
+    if (file.filename() == own_tests_file) continue;
     if (file.extension() == ".cpp" || file.extension() == ".hpp") {
       names.push_back(file.lexically_relative(folder).string());
     }
@@ -47,6 +50,20 @@ std::vector<std::string> milestones_of(const fs::path& records, int lab) {
     if (name.starts_with(fmt::format("lab{}_", lab))) names.push_back("Milestone." + name);
   }
   return names;
+}
+
+/// Whether the code in a folder differs from Git's last commit. Not if Git cannot tell.
+bool has_changes(const fs::path& folder) {
+  const std::string but_own_tests = std::string(":!") + own_tests_file;
+  try {
+    // With CS550_BUILD_DIR the root is a folder of links.
+    return !cli::output_of({"git", "status", "--porcelain", "--untracked-files=all", "--",
+                            ":(glob)*.cpp", ":(glob)*.hpp", but_own_tests},
+                           fs::canonical(folder))
+                .empty();
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -69,6 +86,18 @@ Catalogue read_catalogue(const fs::path& root) {
                          milestones_of(root / "framework/assets/trajectories", number)};
   }
   return catalogue;
+}
+
+void check_starters(const fs::path& root, const std::vector<int>& labs,
+                    const Catalogue& catalogue) {
+  for (const int number : labs) {
+    const std::string& name = catalogue.at(number).name;
+    if (!has_changes(root / "labs" / name)) continue;
+    throw std::runtime_error(
+        fmt::format("labs/{} differs from the starter; ./cs550 lab {} --reset restores it.\n"
+                    "  Submissions would get its functions in place of those that they lack.",
+                    name, number));
+  }
 }
 
 CatalogueLab engine_of(const Catalogue& catalogue, int last) {
