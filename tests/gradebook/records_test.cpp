@@ -45,6 +45,37 @@ TEST(Merge, EqualFilesOfTwoStudentsStayTwoSubmissions) {
   EXPECT_EQ(merged({{ada}, {ada}}).size(), 1U);
 }
 
+TEST(Merge, EqualFilesOfTwoTimesStayTwoSubmissions) {
+  const Record in_time = record_of("ada", lab_record(24, 0, 0));
+  Record late = in_time;
+  late.file_time = 1791842340;
+  EXPECT_EQ(merged({{in_time}, {late}}).size(), 2U) << "of two times of the file";
+  late = in_time;
+  late.claimed_date = "2026-10-12T23:59:00+02:00";
+  EXPECT_EQ(merged({{in_time}, {late}}).size(), 2U) << "of two dates of the manifest";
+}
+
+TEST(Merge, OwnTestsThatWereGradedCount) {
+  const auto with_tests = [](const std::string& not_graded) {
+    Record record = record_of("ada", lab_record(24, 0, 0));
+    record.labs[0].own_tests = OwnTests{true, 20, 8, false, "", not_graded};
+    return record;
+  };
+  const Record failed = with_tests("the judge broke");
+  const Record graded = with_tests("");
+  Record without_lab = failed;
+  without_lab.labs[0].not_graded = "the judge broke";
+  const auto lab_of = [](const Record& first, const Record& second) {
+    return merged({{first}, {second}}).at(0).labs.at(0);
+  };
+  EXPECT_TRUE(lab_of(failed, graded).is_graded());
+  EXPECT_TRUE(lab_of(graded, failed).is_graded());
+  EXPECT_EQ(lab_of(failed, without_lab).not_graded, "") << "the mark of the lab stays";
+  EXPECT_EQ(lab_of(without_lab, failed).not_graded, "");
+  const Record without_tests = record_of("ada", lab_record(24, 0, 0));
+  EXPECT_TRUE(lab_of(failed, without_tests).own_tests) << "the note on them stays";
+}
+
 TEST(Merge, MilestonesThatWereNotGradedStay) {
   const Record without = record_of("ada", lab_record(24, 0, 0));
   const Record failed = with_broken_engine(without, 2);

@@ -8,7 +8,8 @@ namespace {
 
 bool same_submission(const Record& a, const Record& b) {
   return a.hash == b.hash && a.project == b.project && a.student == b.student &&
-         a.claimed_student == b.claimed_student && a.source == b.source;
+         a.claimed_student == b.claimed_student && a.source == b.source &&
+         a.file_time == b.file_time && a.claimed_date == b.claimed_date;
 }
 
 void add_labs(Record& record, const Record& other) {
@@ -17,9 +18,10 @@ void add_labs(Record& record, const Record& other) {
   for (const LabRecord& lab : other.labs) {
     const auto known = std::find_if(record.labs.begin(), record.labs.end(),
                                     [&lab](const LabRecord& l) { return l.lab == lab.lab; });
+    const bool has_own_tests = lab.own_tests && lab.is_graded();
     if (known == record.labs.end()) {
       record.labs.push_back(lab);
-    } else if (!known->not_graded.empty()) {
+    } else if (!known->not_graded.empty() || (!known->is_graded() && has_own_tests)) {
       *known = lab;
     }
   }
