@@ -77,6 +77,26 @@ TEST(Discovery, AFolderOfALabMayHoldSubmissionsOfIt) {
       << "a folder per student";
 }
 
+TEST(Discovery, InTheDeepestFoldersEverythingIsFoundOrListed) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "class/week3/lab3/s0101.zip", "");
+  files::write_file(scratch / "class/week3/lab3/s0102/hill_climbing.cpp", "");
+  files::write_file(scratch / "class/week3/lab3/s0103/lab3.zip", "");
+  files::write_file(scratch / "class/week3/lab3/notes.txt", "");
+  fs::create_symlink(scratch / "class", scratch / "class/week3/lab3/link");
+  const Discovery found = find_submissions({scratch / "class"}, project_catalogue());
+  std::vector<std::string> names;
+  for (const FoundSubmission& submission : found.submissions) names.push_back(submission.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"week3-lab3-s0101", "week3-lab3-s0102"}));
+  std::vector<std::string> skipped;
+  for (const IgnoredFile& file : found.skipped) {
+    skipped.push_back(fs::path(file.path).filename().string() + ": " + file.reason);
+  }
+  EXPECT_EQ(skipped, (std::vector<std::string>{"link: a symbolic link, which is not followed",
+                                               "notes.txt: not an archive",
+                                               "s0103: no files of a lab, three folders deep"}));
+}
+
 TEST(Discovery, AnArchiveNamedLikeALabIsThatOfItsFolder) {
   const ScratchFolder scratch;
   files::write_file(scratch / "class/eve/lab1.zip", "");

@@ -93,31 +93,26 @@ class Finder {
       if (is_some_archive(path)) {
         add(path, folders);
       } else {
-        found_.skipped.push_back({plain_line(path.string()), "not an archive", 1});
+        skip(path, "not an archive");
       }
     } else if (has_lab_files(path, catalogue_)) {
       add(path, folders);
-    } else {
+    } else if (folders.size() <= deepest) {
       open(path, folders);
+    } else {
+      skip(path, "no files of a lab, three folders deep");
     }
   }
 
   void open(const fs::path& folder, const std::vector<std::string>& folders) {
     const std::size_t before = found_.submissions.size();
-    if (folders.size() < deepest) {
-      for (const fs::path& link : links(folder)) {
-        found_.skipped.push_back(
-            {plain_line(link.string()), "a symbolic link, which is not followed", 1});
-      }
-      for (const fs::path& child : children(folder)) {
-        std::vector<std::string> names = folders;
-        if (fs::is_directory(child)) names.push_back(child.filename());
-        look_at(child, names);
-      }
-    } else {
-      for (const fs::path& child : children(folder)) {
-        if (!fs::is_directory(child) && is_some_archive(child)) add(child, folders);
-      }
+    for (const fs::path& link : links(folder)) {
+      skip(link, "a symbolic link, which is not followed");
+    }
+    for (const fs::path& child : children(folder)) {
+      std::vector<std::string> names = folders;
+      if (fs::is_directory(child)) names.push_back(child.filename());
+      look_at(child, names);
     }
     if (found_.submissions.size() > before) return;
     // A folder without a submission is what a student handed in, and gets a record.
@@ -129,6 +124,10 @@ class Finder {
 
  private:
   static constexpr std::size_t deepest = 2;  ///< a folder per student, and one per lab in it
+
+  void skip(const fs::path& path, const char* reason) {
+    found_.skipped.push_back({plain_line(path.string()), reason, 1});
+  }
 
   /// Whether a name is that of a lab, or of all: ./cs550 submit writes lab3.zip and labs.zip.
   bool is_no_student(const std::string& name) const {
