@@ -281,6 +281,42 @@ TEST(Feedback, SaysWhichOfSeveralSubmissionsCounts) {
   EXPECT_EQ(of_second.find("not what counts"), std::string::npos);
 }
 
+TEST(Feedback, ShowsNoMarkIfAnotherSubmissionWasNotGraded) {
+  const Record first = record_of("ada", lab_record(24, 0, 0));
+  Record second = record_of("ada", lab_record(0, 0, 0));
+  second.name = "ada-2";
+  second.source = "ada-again.zip";
+  second.labs[0].not_graded = "the judge broke";
+  const ScratchFolder scratch;
+  write_reports(scratch / "out", {first, second}, {}, course_of(""));
+  for (const char* file : {"out/feedback/ada.md", "out/feedback/ada.html"}) {
+    const std::string text = cli::read_text(scratch / file);
+    EXPECT_NE(text.find("Lab 3: not graded"), std::string::npos) << text;
+    EXPECT_NE(text.find("the grader failed on ada"), std::string::npos) << text;
+  }
+}
+
+TEST(Reports, ShowNoNumberOfMilestonesThatWereNotGraded) {
+  const Record ada = record_of("ada", lab_record(24, 0, 0));
+  const std::vector<Record> records{
+      with_broken_engine(ada, 2),
+      with_engine(record_of("bob", lab_record(24, 0, 0)), {"passed", "failed"})};
+  for (const char* weight : {"", "[milestones]\nweight = 1\n"}) {
+    const Course course = course_of(weight);
+    const std::vector<StudentMark> marks = mark_class(assign({}, records), {3}, course);
+    EXPECT_EQ(marks[0].is_graded(), course.milestones_weight == 0);
+    const std::string page = class_page(marks, {3}, course);
+    EXPECT_NE(page.find("feedback/ada.html\">–</a>"), std::string::npos) << page;
+    EXPECT_NE(page.find("Milestone.1</td><td class=\"number\">1 of 1</td>"), std::string::npos);
+    for (const std::string& text :
+         {feedback_markdown(marks[0], course), feedback_html(marks[0], course)}) {
+      EXPECT_NE(text.find("Engine: not graded"), std::string::npos) << text;
+    }
+    const std::string csv = grades_csv(marks, {3});
+    EXPECT_NE(csv.find(",24,,milestones NOT GRADED"), std::string::npos) << csv;
+  }
+}
+
 TEST(Feedback, ListsTestsInTheOrderOfTheSteps) {
   Record record = record_of("ada", lab_record(24, 24, 12));
   record.labs[0].tests[0].step = "L3.10";

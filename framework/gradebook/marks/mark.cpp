@@ -248,7 +248,8 @@ EngineMark best_engine(const Student& student, int milestones, const Course& cou
     }
     if (best.record == nullptr || mark.reached > best.reached) best = mark;
   }
-  best.is_graded = course.milestones_weight == 0 || best.reached == best.of ||
+  best.has_weight = course.milestones_weight > 0;
+  best.is_graded = best.reached == best.of ||
                    std::none_of(student.records.begin(), student.records.end(), has_broken_engine);
   return best;
 }
@@ -296,7 +297,7 @@ void count_missing_milestones(std::vector<StudentMark>& marks, const Course& cou
 }  // namespace
 
 bool StudentMark::is_graded() const {
-  return engine.is_graded &&
+  return (engine.is_graded || !engine.has_weight) &&
          std::all_of(labs.begin(), labs.end(), [](const LabMark& mark) { return mark.is_graded; });
 }
 

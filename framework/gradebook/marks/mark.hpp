@@ -31,10 +31,11 @@ struct LabMark {
 struct EngineMark {
   const Record* record = nullptr;  ///< null if no engine was graded
   int reached = 0;
-  int too_late = 0;       ///< reached, but only after the solution of their lab was released
-  int of = 0;             ///< milestones of all labs that were graded for anybody
-  bool is_graded = true;  ///< false if the grader failed and the milestones have a weight
-  bool was_run = true;    ///< false if they have a weight, and only other students' were run
+  int too_late = 0;         ///< reached, but only after the solution of their lab was released
+  int of = 0;               ///< milestones of all labs that were graded for anybody
+  bool is_graded = true;    ///< false if the grader failed
+  bool was_run = true;      ///< false if they have a weight, and only other students' were run
+  bool has_weight = false;  ///< whether milestones count in the course
 
   /// Milestones that no run has run for the student, but for others.
   int not_run() const {

@@ -129,11 +129,11 @@ std::string mark_cell(const LabMark& lab) {
 
 /// The milestones that a student's engine reaches, linked to the feedback on that submission.
 std::string engine_cell(const EngineMark& engine) {
+  if (engine.record == nullptr) return "<td class=\"number\">–</td>";
   const std::string reached =
-      engine.record == nullptr ? "–"
-                               : fmt::format("<a href=\"feedback/{}.html\">{} of {}</a>",
-                                             html(engine.record->name), engine.reached, engine.of);
-  return "<td class=\"number\">" + reached + "</td>";
+      engine.is_graded ? fmt::format("{} of {}", engine.reached, engine.of) : "–";
+  return fmt::format("<td class=\"number\"><a href=\"feedback/{}.html\">{}</a></td>",
+                     html(engine.record->name), reached);
 }
 
 std::string student_table(const std::vector<StudentMark>& marks, const std::vector<int>& labs,

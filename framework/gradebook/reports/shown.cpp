@@ -38,6 +38,7 @@ std::string lab_heading(const LabMark& mark) {
 std::string engine_heading(const StudentMark& mark) {
   const EngineMark& engine = mark.engine;
   if (engine.record == nullptr || !engine.record->engine->submitted) return {};
+  if (!engine.is_graded) return "Engine: not graded";
   const std::string late =
       engine.too_late == 0
           ? ""

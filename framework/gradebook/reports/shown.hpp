@@ -48,7 +48,8 @@ inline std::string compile_verdict(const LabRecord& lab) {
 /// "Lab 3: 48 of 60 points", or "Lab 3: not graded" if the grader failed.
 std::string lab_heading(const LabMark& mark);
 
-/// "Engine: 7 of 9 milestones reached", and how many too late; empty if the submission has no engine.
+/// "Engine: 7 of 9 milestones reached", and how many too late, or "Engine: not graded" if the grader failed; empty if
+/// the submission has no engine.
 std::string engine_heading(const StudentMark& mark);
 
 /// "reached", "not reached", or its status_text().

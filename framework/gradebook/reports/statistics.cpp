@@ -78,11 +78,11 @@ std::vector<TestStatistics> test_statistics(const std::vector<const LabMark*>& m
   return tests;
 }
 
-/// Over the engines that count. Every one lists the milestones of all labs that were graded.
+/// Over the engines that count and were graded. Every one lists the milestones of all labs that were graded.
 std::vector<MilestoneStatistics> milestone_statistics(const std::vector<StudentMark>& marks) {
   std::vector<MilestoneStatistics> milestones;
   for (const StudentMark& mark : marks) {
-    if (mark.engine.record == nullptr) continue;
+    if (mark.engine.record == nullptr || !mark.engine.record->engine->is_graded()) continue;
     for (const TestResult& test : mark.engine.record->engine->tests) {
       auto found = std::find_if(milestones.begin(), milestones.end(),
                                 [&test](const auto& known) { return known.name == test.name; });

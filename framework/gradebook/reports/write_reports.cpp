@@ -26,8 +26,11 @@ StudentMark mark_of(const StudentMark& whole, const Record& record, const Course
   if (whole.engine.record == &record) mark.engine = whole.engine;
   for (LabMark& lab : mark.labs) {
     const LabMark* counted = whole.lab(lab.lab);
-    const bool counts = counted->record == nullptr || counted->record == &record;
-    if (!counts) lab.notes.push_back("not what counts: that is " + counted->record->source);
+    if (counted->record == &record) {
+      lab = *counted;  // it has no mark if the grader failed on another one
+    } else if (counted->record != nullptr) {
+      lab.notes.push_back("not what counts: that is " + counted->record->source);
+    }
   }
   return mark;
 }
