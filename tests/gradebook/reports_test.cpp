@@ -243,6 +243,23 @@ TEST(Statistics, EqualFilesAreListed) {
   EXPECT_EQ(equal[0].students[1]->student.id, "s2");
 }
 
+TEST(Statistics, OutliersAreAmongStudentsWithAMark) {
+  std::vector<Record> records = class_of(std::vector<std::pair<int, int>>(9, {24, 24}));
+  for (Record& record : records) {
+    record.labs.resize(3, record.labs[0]);
+    for (int i = 0; i < 3; ++i) record.labs[static_cast<std::size_t>(i)].lab = 3 + i;
+  }
+  for (TestResult& test : records[8].labs[0].tests) test.earned = 0;
+  const auto outliers = [&] {
+    const std::vector<StudentMark> marks =
+        mark_class(assign({}, records), {3, 4, 5}, course_of(""));
+    return statistics_of(marks, {3, 4, 5}).outliers.size();
+  };
+  EXPECT_EQ(outliers(), 2U) << "in all, and in lab 3";
+  records[8].labs[0].not_graded = "the judge broke";
+  EXPECT_EQ(outliers(), 0U);
+}
+
 TEST(Statistics, OfNumbers) {
   EXPECT_DOUBLE_EQ(median_of({3, 1, 2}), 2);
   EXPECT_DOUBLE_EQ(median_of({4, 1, 2, 3}), 2.5);

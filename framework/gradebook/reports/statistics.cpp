@@ -157,20 +157,23 @@ std::vector<EqualFiles> equal_files(const std::vector<StudentMark>& marks, int l
   return equal;
 }
 
-/// Students far from the class, and labs far from the same student's other labs.
+/// Students far from the class, and labs far from the same student's other labs. Of students with a mark.
 std::vector<Outlier> outliers_of(const std::vector<StudentMark>& marks) {
   constexpr double far = 2;       // standard deviations
   constexpr double jump = 50;     // percentage points
   constexpr std::size_t few = 8;  // below, a deviation means nothing
   std::vector<Outlier> outliers;
+  const auto has_mark = [](const StudentMark& mark) {
+    return !mark.is_missing() && mark.is_graded();
+  };
   Numbers totals;
   for (const StudentMark& mark : marks) {
-    if (!mark.is_missing()) totals.push_back(mark.percent);
+    if (has_mark(mark)) totals.push_back(mark.percent);
   }
   const double mean = mean_of(totals);
   const double deviation = deviation_of(totals);
   for (const StudentMark& mark : marks) {
-    if (mark.is_missing()) continue;
+    if (!has_mark(mark)) continue;
     if (totals.size() >= few && std::abs(mark.percent - mean) > far * deviation) {
       outliers.push_back(
           {&mark, fmt::format("{:.0f}% in all, the class {:.0f}%", mark.percent, mean)});
