@@ -377,7 +377,7 @@ TEST(GradesCsv, ListsMissingStudentsAndEscapesNames) {
             "'=cmd,,,,not on the roster,40.00,24,\n");
 }
 
-TEST(GradesCsv, NamesAStudentWithoutALabThatIsGraded) {
+TEST(Reports, NameAStudentWithoutALabThatIsGraded) {
   LabRecord none;
   none.lab = 3;
   std::vector<Record> records{record_of("ada", none), record_of("bob", none)};
@@ -386,6 +386,9 @@ TEST(GradesCsv, NamesAStudentWithoutALabThatIsGraded) {
   const std::string text = grades_csv(mark_class(students, {3}, course_of("")), {3});
   EXPECT_NE(text.find("\nada,,,,no graded lab,0.00,"), std::string::npos) << text;
   EXPECT_NE(text.find("\nbob,,,,unreadable,0.00,"), std::string::npos) << text;
+  const std::string page = class_page(mark_class(students, {3}, course_of("")), {3}, course_of(""));
+  EXPECT_NE(page.find("no graded lab"), std::string::npos) << page;
+  EXPECT_NE(page.find("the archive is damaged"), std::string::npos) << page;
 }
 
 TEST(GradesCsv, NotesWhatAnInstructorMayWantToLookAt) {

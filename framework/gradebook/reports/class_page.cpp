@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "gradebook/reports/grades_csv.hpp"
 #include "gradebook/reports/page.hpp"
 #include "gradebook/reports/statistics.hpp"
 #include "gradebook/text/escape.hpp"
@@ -106,14 +107,11 @@ std::string failure_table(const std::vector<AlikeFailures>& failures) {
   return table({"Students", "Test and message", "Who"}, rows);
 }
 
+/// What is wrong with a student's submissions.
 std::string status(const StudentMark& mark) {
-  if (mark.is_missing()) return "<span class=\"bad\">nothing submitted</span>";
-  if (!mark.is_graded()) return "<span class=\"bad\">NOT GRADED</span>";
-  if (!mark.student.on_roster) return "<span class=\"bad\">not on the roster</span>";
-  if (!mark.student.records.front()->trouble.empty()) {
-    return "<span class=\"bad\">" + html(mark.student.records.front()->trouble) + "</span>";
-  }
-  return {};
+  const std::string trouble = trouble_of(mark.student);
+  const std::string text = trouble.empty() ? status_of(mark) : trouble;
+  return text == "graded" ? "" : "<span class=\"bad\">" + html(text) + "</span>";
 }
 
 /// A mark, linked to the feedback on the submission that counts.

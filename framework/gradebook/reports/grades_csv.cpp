@@ -11,24 +11,6 @@
 namespace cs550::gradebook {
 namespace {
 
-/// Why the submission of a student could not be read; empty if one could.
-std::string trouble_of(const Student& student) {
-  std::string trouble;
-  for (const Record* record : student.records) {
-    if (record->trouble.empty()) return {};
-    trouble = record->trouble;
-  }
-  return trouble;
-}
-
-std::string status_of(const StudentMark& mark) {
-  if (mark.is_missing()) return "missing";
-  if (!mark.is_graded()) return "NOT GRADED";
-  if (!trouble_of(mark.student).empty()) return "unreadable";
-  if (!mark.student.on_roster) return "not on the roster";
-  return mark.has_no_lab() ? "no graded lab" : "graded";
-}
-
 /// Submissions that could not be read, of a student with another one that could.
 std::string damaged_ones(const Student& student) {
   std::string notes;
@@ -95,6 +77,23 @@ std::string notes_of(const StudentMark& mark) {
 }
 
 }  // namespace
+
+std::string trouble_of(const Student& student) {
+  std::string trouble;
+  for (const Record* record : student.records) {
+    if (record->trouble.empty()) return {};
+    trouble = record->trouble;
+  }
+  return trouble;
+}
+
+std::string status_of(const StudentMark& mark) {
+  if (mark.is_missing()) return "missing";
+  if (!mark.is_graded()) return "NOT GRADED";
+  if (!trouble_of(mark.student).empty()) return "unreadable";
+  if (!mark.student.on_roster) return "not on the roster";
+  return mark.has_no_lab() ? "no graded lab" : "graded";
+}
 
 std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<int>& labs) {
   std::string text = "id,name,email,section,status,percent";

@@ -9,6 +9,12 @@
 
 namespace cs550::gradebook {
 
+/// Why no submission of a student could be read; empty if one could.
+std::string trouble_of(const Student& student);
+
+/// "graded", or why there may be no mark: "missing", "NOT GRADED", "no graded lab" and others.
+std::string status_of(const StudentMark& mark);
+
 /// One line per student: id, name, email, section, status, percent, a column per lab, notes.
 /// Students without a submission are listed with status `missing`. The percent of one without a
 /// mark is empty.
