@@ -70,6 +70,19 @@ TEST(Pseudonyms, KeepTheOrderOfAttempts) {
   EXPECT_DOUBLE_EQ(mark.labs[0].mark, 0) << "the last attempt counts";
 }
 
+TEST(Pseudonyms, LeaveAStudentWithoutAMarkWithoutOne) {
+  Record best = record_of("ada", lab_record(24, 24, 12));
+  Record failed = record_of("ada", lab_record(0, 0, 0));
+  failed.labs[0].not_graded = "the judge broke";
+  failed.labs[0].files = {"ada.cpp", "my_tests.cpp"};
+  const std::vector<Record> records{best, failed};
+  const Course course = course_of("secret = 'x'\n[lab.3]\nown_tests = 5\n");
+  const PseudonymousClass hidden = with_pseudonyms(records, {}, course);
+  EXPECT_EQ(hidden.records[1].labs[0].files, std::vector<std::string>{"my_tests.cpp"});
+  EXPECT_FALSE(mark_class(assign({}, records), {3}, course)[0].is_graded());
+  EXPECT_FALSE(mark_class(assign({}, hidden.records), {3}, hidden.course)[0].is_graded());
+}
+
 TEST(Pseudonyms, LeaveNoName) {
   Record record = hostile_record();
   record.student = record.source = record.claimed_student = "Lovelace";
