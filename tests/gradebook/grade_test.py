@@ -276,6 +276,8 @@ def test_entries_without_effect_on_gradescope_are_printed(folder):
     printed = grade(*zip_file)
     assert "[[adjustment]] of lab 3 for s0101 has no effect" in printed and "ada@" not in printed, printed
     assert "no effect" not in grade(*zip_file, "--roster", folder / "roster.csv")
+    (folder / "no_address.csv").write_text("id,email\ns0101,\n")
+    assert "for s0101 has no effect" in grade(*zip_file, "--roster", folder / "no_address.csv")
     names = zipfile.ZipFile(folder / "lab3.zip").namelist()
     assert any(name.endswith("roster.csv") for name in names), "the autograder has the roster"
 

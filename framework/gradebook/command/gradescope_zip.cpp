@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
@@ -19,14 +20,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Gradescope names a student by address. An entry with an id needs the roster, which has both.
-void print_entries_without_effect(const Course& course) {
-  const auto check = [](const char* table, const auto& entries) {
+/// Whether Gradescope, which names a student by address, names the one of an entry.
+bool has_address(const std::string& entry, const std::vector<Student>& roster) {
+  return entry.find('@') != std::string::npos ||
+         std::any_of(roster.begin(), roster.end(), [&entry](const Student& student) {
+           return is_about(entry, student) && !student.email.empty();
+         });
+}
+
+void print_entries_without_effect(const Course& course, const std::vector<Student>& roster) {
+  const auto check = [&roster](const char* table, const auto& entries) {
     for (const auto& entry : entries) {
-      if (entry.student.find('@') != std::string::npos) continue;
+      if (has_address(entry.student, roster)) continue;
       std::cout << cli::indented(
           fmt::format("[[{}]] of lab {} for {} has no effect: Gradescope knows addresses. Add "
-                      "--roster",
+                      "--roster with the address",
                       table, entry.lab, entry.student),
           0);
     }
@@ -78,7 +86,7 @@ void make_gradescope_zip(const GradescopeRequest& request) {
       "image.\n"
       "It has the solutions: give it to nobody else.\n",
       out.string(), numbers);
-  if (settings.roster.empty()) print_entries_without_effect(settings.course);
+  print_entries_without_effect(settings.course, settings.roster);
 }
 
 }  // namespace cs550::gradebook
