@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from run_attacks import ROOT, become_subreaper, children
+from run_attacks import HERE, ROOT, become_subreaper, children
 
 START = '#include <gtest/gtest.h>\n#include "cs550/hill_climbing.hpp"\n#include "cs550/primitives.hpp"\n'
 BOX = """using namespace cs550;
@@ -36,6 +36,7 @@ TEST(Mine, FindsTheFarthest) {
     "leaves with a failure": ("#include <unistd.h>\nconst bool gone = (_exit(1), true);", "refused"),
     "never ends on the reference": ("TEST(Mine, Loops) { for (volatile int i = 0;; i = i + 1) {} }", "refused"),
     "does not compile": ("this is no C++", "none"),
+    "keeps the compiler busy": ((HERE / "sources/constexpr_bombs.cpp").read_text(), "none"),
     "includes the reference": (f'#include "{ROOT}/solutions/lab3_hill_climbing/hill_climbing.cpp"\n', "none"),
     "loads the reference": ("""#include <dlfcn.h>
 TEST(Mine, Compares) {
