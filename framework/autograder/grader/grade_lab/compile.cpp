@@ -180,12 +180,21 @@ class Compiler {
   }
 
  private:
-  /// Whether it was killed, or a program that it ran: GCC is a driver, and reports that of a part.
+  /// Whether it was killed, or a program that it ran: GCC and Clang are drivers, and report that of a part on a line
+  /// that begins with the driver's name. Text of a submission follows the name of its file.
   static bool was_killed(const Process& process) {
-    const std::string output = process.output();
-    return process.signal() == SIGKILL ||
-           output.find("Killed signal terminated program") != std::string::npos ||
-           output.find("terminated with signal 9 [Killed]") != std::string::npos;
+    if (process.signal() == SIGKILL) return true;
+    const std::string driver = fs::path(CS550_COMPILER).filename();
+    const std::string reports[] = {driver + ": fatal error: Killed signal terminated program",
+                                   driver + ": error: unable to execute command: Killed",
+                                   "collect2: fatal error: ld terminated with signal 9 [Killed]"};
+    std::istringstream lines(process.output());
+    for (std::string line; std::getline(lines, line);) {
+      for (const std::string& report : reports) {
+        if (line.starts_with(report)) return true;
+      }
+    }
+    return false;
   }
 
   /// @return what it printed; nothing if it succeeded @throws Stopped
