@@ -128,7 +128,7 @@ struct LeftBody {
 /// What is kept of sleeping bodies, and the working storage that finds them.
 struct Sleeping {
   std::vector<BodyRest> bodies;
-  std::vector<LeftBody> left;  ///< of settled bodies that are awake
+  std::vector<LeftBody> left;  ///< of dynamic bodies that are awake
   PairList pairs;  ///< of sleeping bodies, among themselves and with immovable ones at rest
   Real substep_length = 0;        ///< for which the impulses of these pairs are (s)
   WorldSettings settings;         ///< with which they fell asleep

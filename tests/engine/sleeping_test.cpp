@@ -218,6 +218,7 @@ TEST(Sleeping, TheCriterionFollowsTheLengthUnit) {
       state.definitions.push_back(body_at(box_shape(Vec3::Constant(unit)), {0, 0, 0}));
       state.slots.push_back({0, true, no_index, {}});
       state.sleeping.bodies.resize(1);
+      state.sleeping.left.resize(1);
       restart_window(state.bodies[0], state.sleeping.bodies[0]);
       const Real speed = part * quiet_distance * unit / quiet_time;
       for (int i = 0; i < 60; ++i) {

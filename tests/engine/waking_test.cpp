@@ -70,6 +70,23 @@ TEST(Waking, ABodyThatWasHeldInTheAirFallsWhenItIsLetGo) {
   EXPECT_LT(world.body(held).pose.position.z(), Real(0.2)) << "a second of free fall";
 }
 
+// It falls by less than 2 mm in each step, to the same pose. The wall beside it has contact points, but is no support.
+TEST(Waking, ABodyThatWasHeldAtAPoseFallsWhenItIsLetGo) {
+  const ShapePtr box = box_shape(Vec3::Constant(Real(0.5)));
+  for (int held_steps = 1; held_steps <= 70; ++held_steps) {
+    World world(sleeping_settings());
+    world.add_body(body_at(box, {Real(1.001), 0, 5}, BodyKind::Static));
+    const BodyId held = world.add_body(body_at(box, {0, 0, 5}));
+    for (int i = 0; i < held_steps; ++i) {
+      world.body(held).pose = world.definition(held).pose;
+      set_velocity(world.body(held), Vec3::Zero(), Vec3::Zero());
+      world.step(step_length);
+    }
+    run(world, 60);
+    EXPECT_LT(world.body(held).pose.position.z(), Real(0.2)) << "held for " << held_steps;
+  }
+}
+
 /// A drowsy cube on a floor, and a wall 1 mm beside it: near enough for contact points, but no support.
 struct CubeBesideAWall {
   World world{sleeping_settings()};

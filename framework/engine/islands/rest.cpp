@@ -40,7 +40,6 @@ void restart_window(const RigidBody& body, BodyRest& rest) {
 void watch_rest(WorldState& world, Real h) {
   if (!world.settings.sleeping) return;
   const Real unit = world.settings.length_unit;
-  world.sleeping.left.resize(world.slot_count());
   for (std::size_t i = 0; i < world.slot_count(); ++i) {
     const RigidBody& body = world.bodies[i];
     if (!world.slots[i].alive || body.kind != BodyKind::Dynamic || body.asleep) continue;
@@ -50,9 +49,7 @@ void watch_rest(WorldState& world, Real h) {
     } else {
       watch(body, rest, world.definitions[i].shape->radius, unit, h);
     }
-    if (rest.settled) {
-      world.sleeping.left[i] = {body.pose, body.linear_momentum, body.angular_momentum};
-    }
+    world.sleeping.left[i] = {body.pose, body.linear_momentum, body.angular_momentum};
   }
 }
 

@@ -57,6 +57,12 @@ void mark_both(WorldState& world, const PairSummary& pair) {
   mark(world, pair.body_b);
 }
 
+/// The window of a new body begins with its pose: no step has left it so.
+void watch_new_bodies(WorldState& world) {
+  world.sleeping.bodies.resize(world.slot_count());
+  world.sleeping.left.resize(world.slot_count());
+}
+
 void begin_marking(WorldState& world) { world.sleeping.wakes.assign(world.slot_count(), 0); }
 
 /// Returns the sleeping pairs to the world that have a body which is no longer at rest.
@@ -112,7 +118,7 @@ bool find_disturbances(WorldState& world) {
       if (!is_disturbed(body, rest)) continue;
       mark(world, static_cast<Index>(i));
       any = true;
-    } else if (is_pushed(body) || (rest.settled && is_changed(body, world.sleeping.left[i]))) {
+    } else if (is_pushed(body) || is_changed(body, world.sleeping.left[i])) {
       restart_window(body, rest);
     }
   }
@@ -209,7 +215,7 @@ bool move_alike(const WorldSettings& one, WorldSettings other) {
 
 void wake_disturbed_bodies(WorldState& world) {
   Sleeping& sleeping = world.sleeping;
-  sleeping.bodies.resize(world.slot_count());
+  watch_new_bodies(world);
   if (!move_alike(sleeping.settings, world.settings)) {
     sleeping.settings = world.settings;
     wake_all(world);
@@ -231,7 +237,7 @@ void update_sleep(WorldState& world) {
 }
 
 void wake_around(WorldState& world, Index body) {
-  world.sleeping.bodies.resize(world.slot_count());
+  watch_new_bodies(world);
   begin_marking(world);
   mark(world, body);
   for (const PairSummary& pair : world.sleeping.pairs.summaries) {
@@ -246,6 +252,7 @@ void wake_around(WorldState& world, Index body) {
   world.sleeping.bodies[body].settled = false;  // so that its pairs return to the world
   wake_marked(world);
   world.sleeping.bodies[body] = {};
+  world.sleeping.left[body] = {};
 }
 
 }  // namespace cs550

@@ -110,7 +110,7 @@ void add_sleeping(Fnv1a& hash, const WorldState& world) {
   for (std::size_t i = 0; i < world.sleeping.bodies.size(); ++i) {
     const BodyRest& rest = world.sleeping.bodies[i];
     add_rest(hash, rest);
-    if (!rest.settled || i >= world.sleeping.left.size()) continue;
+    if (world.bodies[i].kind != BodyKind::Dynamic || rest.island != no_index) continue;
     const LeftBody& left = world.sleeping.left[i];
     hash.add_all(left.pose, left.linear_momentum, left.angular_momentum);
   }
