@@ -46,9 +46,8 @@ void find_restless_bodies(WorldState& world) {
     const RigidBody& body = world.bodies[i];
     if (!is_awake(body)) continue;
     const Index root = root_of(sleeping.parent, i);
-    const bool pushed = !body.force.isZero(0) || !body.torque.isZero(0);
     const bool drifts = !sleeping.supported[root] && !is_still(body);
-    if (!sleeping.bodies[i].settled || pushed || drifts) sleeping.stays_awake[root] = 1;
+    if (!sleeping.bodies[i].settled || drifts) sleeping.stays_awake[root] = 1;
   }
 }
 

@@ -7,9 +7,9 @@
 
 namespace cs550 {
 
-/// Finds the islands that may be put to sleep: all bodies are settled (see rest.hpp), no force acts on
-/// them but gravity, no immovable body that they touch moves, and they are supported. What floats
-/// freely is at rest only without any momentum.
+/// Finds the islands that may be put to sleep: all bodies are settled (see rest.hpp), no immovable body
+/// that they touch moves, and they are supported. What floats freely is at rest only without any
+/// momentum. Bodies that the program pushes are not settled.
 ///
 /// The result is sleeping.island_of: for each body of such an island its smallest index, for all other
 /// bodies no_index.
