@@ -21,7 +21,7 @@ std::size_t living(const World& world, BodyId id) {
   throw std::invalid_argument(
       "no body of this world has the index " + std::to_string(id.index) + " and the generation " +
       std::to_string(id.generation) +
-      ": it has been removed, or the id is of another world; is_alive() tells");
+      ": it has been removed, or the id is of another world; check is_alive() first");
 }
 
 /// The lowest free index, so that the same calls give the same order of bodies.
