@@ -8,7 +8,8 @@
 /// 2. Along the arc of an edge of A from n_f to n_g, taken as the chord n(t), s is concave, so the
 ///    same witness bounds it by its distances from both faces. This test rules out most arcs.
 /// 3. The crossings of an arc with B's Gauss map are the breakpoints of s along the chord: walking
-///    from one to the next finds them without looking at the other edges of B (arc_walk.hpp).
+///    from one to the next finds them without looking at the other edges of B (arc_walk.hpp). Arcs
+///    of nearly half a circle are tested against all edges of B: rounding decides such a walk.
 ///
 /// Candidates that cannot beat the best face are not computed, and `edges` is then empty. That includes
 /// edges which only tie with it, unless the hint names them: the teaching form prefers these after a
