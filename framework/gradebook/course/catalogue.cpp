@@ -54,11 +54,11 @@ std::vector<std::string> milestones_of(const fs::path& records, int lab) {
 
 /// Whether the code in a folder differs from Git's last commit. Not if Git cannot tell.
 bool has_changes(const fs::path& folder) {
-  const std::string but_own_tests = std::string(":!") + own_tests_file;
+  const std::string but_own_tests = std::string(":(exclude,glob)**/") + own_tests_file;
   try {
     // With CS550_BUILD_DIR the root is a folder of links.
     return !cli::output_of({"git", "status", "--porcelain", "--untracked-files=all", "--",
-                            ":(glob)*.cpp", ":(glob)*.hpp", but_own_tests},
+                            ":(glob)**/*.cpp", ":(glob)**/*.hpp", but_own_tests},
                            fs::canonical(folder))
                 .empty();
   } catch (const std::exception&) {
