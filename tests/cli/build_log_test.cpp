@@ -58,6 +58,34 @@ TEST_F(BuildLog, AnErrorThatStoppedTheBuildComesBeforeThoseOfLabsThatCountAsEmpt
   EXPECT_EQ(first_build_error(), "labs/lab3.cpp:1:1: error: fatal");
 }
 
+/// A template's error is in its header, and the linker's in no file.
+TEST_F(BuildLog, AnErrorOutsideOfTheLabsFilesMayBeTheStudents) {
+  const std::string failed = "[1/3] Building\nFAILED: lab3_hill_climbing.cpp.o\nc++ -c\n";
+  for (const char* report :
+       {"../../labs/lab3_hill_climbing/hill_climbing.cpp:7:3: error: expected ';'\n",
+        "/usr/include/eigen3/Eigen/src/Core/Product.h:7:3: error: static assertion failed\n"
+        "../../labs/lab3_hill_climbing/hill_climbing.cpp:7:3:   required from here\n",
+        "ld: lab3_test.cpp:7: undefined reference to `cs550::hill_climb'\n"
+        "collect2: error: ld returned 1 exit status\n"}) {
+    write(failed + report);
+    EXPECT_TRUE(is_students_error(first_build_error())) << report;
+  }
+}
+
+TEST_F(BuildLog, AnErrorOfTheMachineIsNotTheStudents) {
+  for (const char* report : {"c++: fatal error: Killed signal terminated program cc1plus\n",
+                             "collect2: fatal error: ld terminated with signal 9 [Killed]\n",
+                             "ld: final link failed: No space left on device\n"
+                             "collect2: error: ld returned 1 exit status\n",
+                             "framework/include/cs550/math.hpp:5:10: fatal error: Eigen/Core: No "
+                             "such file or directory\n",
+                             "cc1plus: out of memory allocating 65536 bytes\n",
+                             "ninja: error: 'a.cpp', needed by 'a.o'\n"}) {
+    write(std::string("[1/3] Building\nFAILED: lab3.o\nc++ -c\n") + report);
+    EXPECT_FALSE(is_students_error(first_build_error())) << report;
+  }
+}
+
 TEST_F(BuildLog, TheLastCounterIsTheProgress) {
   EXPECT_EQ(build_progress(), "");
   write("[0/2] Re-checking globbed directories...\n");

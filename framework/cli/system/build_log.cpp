@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "cli/system/project.hpp"
 
@@ -18,6 +19,16 @@ std::string from_the_root(const std::string& line) {
   if (line.rfind(root, 0) == 0) return line.substr(root.size());
   const std::size_t start = line.find_first_not_of("./");
   return line[0] == '.' && start != std::string::npos ? line.substr(start) : line;
+}
+
+/// Whether a line is about the disk, the memory, a missing package, or a tool's own trouble.
+bool is_of_the_machine(const std::string& line) {
+  const auto is_in_line = [&](const char* words) { return line.find(words) != std::string::npos; };
+  constexpr const char* words[] = {"No space left on device", "No such file or directory",
+                                   "Cannot allocate memory",  "memory exhausted",
+                                   "out of memory",           "Killed",
+                                   "internal compiler error", "ninja: error"};
+  return std::any_of(std::begin(words), std::end(words), is_in_line);
 }
 
 }  // namespace
@@ -38,7 +49,15 @@ std::string first_build_error() {
   return tolerated.empty() ? last : tolerated;
 }
 
-bool is_students_error(const std::string& error) { return error.rfind("labs/", 0) == 0; }
+bool is_students_error(const std::string& error) {
+  if (error.starts_with("labs/")) return true;
+  if (error.find("error: ") == std::string::npos) return false;  // of CMake
+  std::ifstream lines = open_log();
+  for (std::string line; std::getline(lines, line);) {
+    if (is_of_the_machine(line)) return false;
+  }
+  return true;
+}
 
 std::vector<std::string> own_warnings() {
   std::ifstream lines = open_log();

@@ -10,8 +10,8 @@ namespace cs550::cli {
 /// The first error, or the last line if there is none.
 std::string first_build_error();
 
-/// Whether an error is in a lab's file, so that the next build has it too. A full disk and a compiler that was
-/// killed are not.
+/// Whether the first error of the last build is the student's, so that the next build has it too. It may also be in a
+/// template of a header, or the linker's. A full disk, a missing package and a compiler that was killed are not.
 bool is_students_error(const std::string& error);
 
 /// The warnings of the student's own files, each once. None if nothing was compiled.
