@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <tuple>
 
 namespace cs550::autograder {
@@ -64,6 +65,9 @@ void GradedTest::TestBody() {
     report_unfinished(info_, unfinished);
   } catch (const testing::AssertionException&) {
     // The expectation that ended the test has been reported.
+  } catch (const std::bad_alloc&) {
+    report_exception(info_,
+                     "it allocated too much memory (a loop that adds elements without end?)");
   } catch (const std::exception& error) {
     report_exception(info_, error.what());
   } catch (...) {

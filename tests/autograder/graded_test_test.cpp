@@ -106,6 +106,12 @@ TEST_F(GradedTestVerdict, ExceptionIsNamedWithItsStep) {
   EXPECT_EQ(run.exit_code, 1);
 }
 
+TEST_F(GradedTestVerdict, EndlessAllocationIsNamed) {
+  EXPECT_EQ(verdict("AllocatesTooMuch")["message"],
+            "uncaught exception in L5.3: it allocated too much memory (a loop that adds elements "
+            "without end?)");
+}
+
 TEST_F(GradedTestVerdict, ThrownNumberIsAFailureToo) {
   const nlohmann::json test = verdict("ThrowsANumber");
   EXPECT_EQ(test["status"], "failed");
@@ -142,8 +148,8 @@ TEST(GradedTestProgram, PointsAndStepReachTheXmlReport) {
 TEST(GradedTestProgram, ManifestListsEveryTestInOrder) {
   const nlohmann::json manifest = nlohmann::json::parse(run_fake_lab("--manifest").output);
   EXPECT_EQ(manifest["lab"], 5);
-  EXPECT_EQ(manifest["points"]["visible"], 26);
-  ASSERT_EQ(manifest["tests"].size(), 10U);
+  EXPECT_EQ(manifest["points"]["visible"], 27);
+  ASSERT_EQ(manifest["tests"].size(), 11U);
   EXPECT_EQ(manifest["tests"].at(0)["name"], "Passes");
   EXPECT_EQ(manifest["tests"].at(0)["long"], false);
   EXPECT_EQ(manifest["tests"].at(5)["name"], "Throws");

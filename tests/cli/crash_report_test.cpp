@@ -30,6 +30,13 @@ SUMMARY: AddressSanitizer: heap-buffer-overflow /usr/include/eigen3/Eigen/src/Co
 Shadow bytes around the buggy address:
 )";
 
+TEST(CrashReport, NamesEndlessAllocation) {
+  EXPECT_EQ(crash_report("==7==AddressSanitizer: hard rss limit exhausted (4096Mb vs 4101Mb)\n"
+                         "==7==Process memory map follows:\n"
+                         "\t0x00007fff7000-0x00008fff7000\t\n"),
+            "it allocated too much memory (a loop that adds elements without end?)\n");
+}
+
 TEST(CrashReport, NamesTheStudentsLineAmongTheLibraries) {
   EXPECT_EQ(crash_report(out_of_bounds),
             "memory error: heap-buffer-overflow\n"

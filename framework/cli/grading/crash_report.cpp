@@ -61,6 +61,9 @@ std::string headline(std::string_view line) {
   if (const auto what = after(line, "runtime error: "); !what.empty()) {
     return "undefined behaviour: " + std::string(what);
   }
+  if (contains(line, "hard rss limit exhausted")) {
+    return "it allocated too much memory (a loop that adds elements without end?)";
+  }
   const std::string_view assertion = after(line, "Assertion ");
   return assertion.empty() ? "" : "assertion " + std::string(assertion) + given_place(line);
 }
@@ -112,10 +115,10 @@ std::string crash_report(const std::string& output) {
   return report;
 }
 
-void ask_sanitizers_for_places() {
+void configure_sanitizers() {
   constexpr int keep_the_users = 0;
   setenv("UBSAN_OPTIONS", "print_stacktrace=1", keep_the_users);
-  setenv("ASAN_OPTIONS", "handle_abort=1", keep_the_users);
+  setenv("ASAN_OPTIONS", "handle_abort=1:hard_rss_limit_mb=4096", keep_the_users);
 }
 
 }  // namespace cs550::cli

@@ -11,7 +11,7 @@ namespace cs550::cli {
 std::string crash_report(const std::string& output);
 
 /// Makes programs that are started from now on print the calls that led to undefined behaviour or to a
-/// failed assertion. Settings in the user's environment are kept.
-void ask_sanitizers_for_places();
+/// failed assertion, and stop before they fill the memory. Settings in the user's environment are kept.
+void configure_sanitizers();
 
 }  // namespace cs550::cli

@@ -59,7 +59,7 @@ struct EngineEnding {
 /// sanitizers report.
 EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
   const fs::path output = draft_result("engine_run");
-  if (sanitized) ask_sanitizers_for_places();
+  if (sanitized) configure_sanitizers();
   const fs::path pulse = draft_result("engine_pulse");
   command.insert(command.end(), {"--pulse", pulse});
   Watch steps(pulse, patience_of_a_step(sanitized));

@@ -151,7 +151,7 @@ std::string graded_target(int lab, Grading grading) {
 std::vector<Verdict> grade(int lab, Grading grading, const std::vector<GradedTest>& tests,
                            const Arrived& arrived, bool everything) {
   const bool sanitized = grading == Grading::Sanitized;
-  if (sanitized) ask_sanitizers_for_places();
+  if (sanitized) configure_sanitizers();
   const int slowdown = sanitized ? 5 : 1;
   const Limits limits = students_limits(sanitized);
   const fs::path program = built_program("student", graded_target(lab, grading));

@@ -3,6 +3,7 @@
 #include <cs550/not_implemented.hpp>
 #include <cs550/test_report.hpp>
 #include <cstdlib>
+#include <new>
 #include <stdexcept>
 
 using cs550::NotImplemented;
@@ -20,6 +21,8 @@ GRADED_TEST(Lab5, ReachesALaterStep, 1, "L5.2") { throw NotImplemented("L5.4", "
 GRADED_TEST(Lab5, Throws, 2, "L5.3", Long) { throw std::out_of_range("index 9 of 4"); }
 
 GRADED_TEST(Lab5, ThrowsANumber, 2, "L5.3") { throw 7; }
+
+GRADED_TEST(Lab5, AllocatesTooMuch, 1, "L5.3") { throw std::bad_alloc(); }
 
 GRADED_TEST(Lab5, Crashes, 1, "L5.3") {
   cs550::autograder::note_case({"A polygon is clipped", {"3 corners"}, {}, {"an empty polygon"}});
