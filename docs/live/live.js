@@ -142,11 +142,15 @@ class LiveFigure {
   async endDrag() {
     if (this.drags.value === 'orbit') return;
     const before = this.vectors;
-    await this.list();
-    for (const [name, value] of this.vectors) {
-      if (before.get(name) !== value) this.changed.set(name, value);
+    try {
+      await this.list();
+      for (const [name, value] of this.vectors) {
+        if (before.get(name) !== value) this.remember(name, value);
+      }
+      this.drawSoon();
+    } catch (reason) {
+      this.fail(reason);
     }
-    this.drawSoon();
   }
 
   /** A figure that has been stopped gets a new worker. */
@@ -173,7 +177,7 @@ class LiveFigure {
   /** The step to which the engine has gone belongs to the link, as far as a setting can name it. */
   async readStep() {
     this.step = stepOf(JSON.parse(await this.engine.ask('describe')));
-    this.changed.set('step', String(Math.min(this.step.value, this.step.most)));
+    this.remember('step', String(Math.min(this.step.value, this.step.most)));
   }
 
   /** Through a point of the canvas; the middle if none is given. A world that stands still gets a step. */
@@ -241,18 +245,27 @@ class LiveFigure {
     if (name === 'step' && this.step) this.step.value = value === 'last' ? LAST_STEP : Number(value);
     try {
       await this.engine.ask('set', `${name}=${value}`);
-      if (name === 'scene') this.changed.clear();  // a scene brings its own settings
-      this.changed.delete(name);  // the link sets the settings in this order
-      this.changed.set(name, value);
+      this.remember(name, value);
+      await (name === 'scene' || name === 'quality' ? this.list() : this.showQuality());
+      this.drawSoon();
     } catch (reason) {
       this.fail(reason);
-      if (this.engine.stopped) {
-        this.changed.set(name, value);  // for the next worker
-        return;
-      }
+      if (this.engine.stopped) this.remember(name, value);  // for the next worker
     }
-    if (name === 'scene' || name === 'quality') await this.list();  // they change other settings
-    this.drawSoon();
+  }
+
+  /** The link and the next worker set the settings in this order: a scene and a quality change earlier ones. */
+  remember(name, value) {
+    this.changed.delete(name);
+    this.changed.set(name, value);
+  }
+
+  /** After one of its settings was changed, a quality may have become another or none. */
+  async showQuality() {
+    const {quality} = this.controls.elements;
+    if (!quality) return;
+    const described = JSON.parse(await this.engine.ask('describe'));
+    quality.value = described.find(({name}) => name === 'quality').value;
   }
 
   /** Makes the inputs from what the page describes. */
@@ -294,16 +307,17 @@ class LiveFigure {
                                                 onclick: () => change(moves.push(name) && moves.join(','))});
       label.append(...control.names.map(button));
     } else {
-      const values = control.kind === 'vector' ? control.value : [control.value];
+      const values = control.kind === 'vector' ? [...control.value] : [control.value];
       const ranges = values.map(value => this.range(control, value));
       const shown = each => (control.name === 'step' && Number(each) === LAST_STEP ? 'last' : short(each));
       const output = element('output', {textContent: values.map(shown).join(', ')});
-      for (const range of ranges) {
+      ranges.forEach((range, i) => {
         range.oninput = () => {
-          output.textContent = ranges.map(each => shown(each.value)).join(', ');
-          change(ranges.map(each => each.value).join(','));
+          values[i] = range.value;  // the others may be beyond the ends of their sliders
+          output.textContent = values.map(shown).join(', ');
+          change(values.join(','));
         };
-      }
+      });
       label.append(output, ...ranges);
     }
     return label;

@@ -18,7 +18,8 @@ from live_actions import KEYS, POINTERS, drag, open_first, run, wait_for
 from live_figures import BEGIN, CHANGE, STATE, figure_count, is_built, pages_with_figures
 from live_play import check_begin_again, check_play
 from live_walk import PAGES_WITH_WALKS, check_long_walk, check_space, check_walk
-from live_world import check_acts, check_quality, check_scenes, check_settings, check_speed, check_width, check_world
+from live_world import (check_acts, check_other_scene, check_quality, check_scenes, check_settings, check_speed,
+                        check_vector, check_width, check_world)
 
 WITHOUT_EFFECT = {("live_naive", "push")}  # nothing pushes back sideways where there is no friction
 # Sines of another C library differ in the last bit, which decides here and there which piece of a curve is painted
@@ -161,6 +162,7 @@ def main():
     tasks += [partial(check_first, folder / "separating_axis.html", check_space)]
     tasks += [partial(check_first, world, check_settings), partial(check_first, world, check_acts)]
     tasks += [partial(check_first, world, check_quality), partial(check_first, world, check_width)]
+    tasks += [partial(check_first, world, check_other_scene), partial(check_first, world, check_vector)]
     faults = sum(in_browsers(tasks), [])
     # Alone, since it counts pictures per second.
     faults += sum(in_browsers([partial(check_first, world, check_speed)]), [])

@@ -3,7 +3,7 @@ import re
 import subprocess
 import time
 
-from live_actions import POINTERS, drag, run
+from live_actions import POINTERS, drag, run, wait_for
 from live_figures import BEGIN, CHANGE, STATE
 
 STEPS_OF_A_WORLD = 20
@@ -75,7 +75,8 @@ await live.engine.ask('facts');
 return [live.stage.clientWidth, live.canvas.width / devicePixelRatio];
 """
 
-# Chooses a quality, changes one of its settings, and chooses another quality.
+# Chooses a quality, changes one of its settings, and chooses another quality. Then the worker ends, and the setting is
+# changed again.
 QUALITIES = """
 const live = figure.live;
 live.changed.clear();
@@ -84,9 +85,34 @@ for (const [name, value] of [['quality', 'game'], ['substeps', '8'], ['quality',
   const input = live.controls.elements[name];
   input.value = value;
   await live.set(name, value);
-  shown.push(live.controls.elements.substeps.value);
+  const {quality, substeps} = live.controls.elements;
+  shown.push(`${quality.value} ${substeps.value}`);
 }
-return [shown, [...live.changed.keys()]];
+const order = [...live.changed.keys()];
+live.engine.stop('Stopped by the test');
+await live.set('substeps', '9');
+const last = [...live.changed.keys()];
+await live.restart();
+return [shown, order, last];
+"""
+
+# Overlays, a camera that follows and a setting of the scene, then another scene.
+OTHER_SCENE = """
+for (const [name, value] of [['impulses', 'on'], ['follow', 'on'], ['substeps', '9'], ['scene', 'stack10']]) {
+  await live.set(name, value);
+}
+"""
+DESCRIBED = "return await figure.live.engine.ask('describe');"
+
+# A component of a vector moves, another one is beyond the end of its slider. Returns what the engine gets.
+PART_OF_A_VECTOR = BEGIN + """
+await live.set('gravity', '0,0,-80');
+await live.list();
+const [x] = live.controls.elements.gravity;
+x.value = 1;
+x.dispatchEvent(new Event('input'));
+await live.engine.ask('facts');
+return live.changed.get('gravity');
 """
 
 MARKS = """
@@ -140,11 +166,35 @@ def check_settings(browser, figure):
 def check_quality(browser, figure):
     """A quality changes other settings: the inputs show them, and the link sets them in the reader's order."""
     run(browser, BEGIN_WORLD, figure, f"0 {TOWER}")
-    shown, order = run(browser, QUALITIES, figure)
-    if len(set(shown)) < 3:
-        yield f"the inputs show {shown} substeps for game, a number of the reader's own, and accurate"
-    if order != ["substeps", "quality"]:
-        yield f"the link sets {order}"
+    shown, order, last = run(browser, QUALITIES, figure)
+    if [each.split()[0] for each in shown] != ["game", "custom", "accurate"] or len(set(shown)) < 3:
+        yield f"the inputs show {shown} for game, 8 substeps, and accurate"
+    if order != ["substeps", "quality"] or last != ["quality", "substeps"]:
+        yield f"the link sets {order}, and {last} after a change while the engine was stopped"
+
+
+def check_other_scene(browser, figure):
+    """A scene begins with its own settings, also the present one. The link keeps what the page has kept."""
+    run(browser, BEGIN_WORLD, figure, f"0 {TOWER}")
+    own = run(browser, DESCRIBED, figure)
+    run(browser, BEGIN_WORLD, figure, f"0 {TOWER} contact_hertz=25")
+    run(browser, "await figure.live.set('scene', 'stack10')", figure)
+    if run(browser, DESCRIBED, figure) != own:
+        yield "the present scene, chosen again, keeps changed settings"
+    run(browser, BEGIN + OTHER_SCENE + "await live.drawSoon();", figure)
+    expected = run(browser, DESCRIBED, figure)
+    link = browser.execute_script("return arguments[0].live.link.getAttribute('href')", figure)
+    name = figure.get_attribute("id")
+    browser.get(browser.current_url.partition("?")[0].partition("#")[0] + link)
+    figure = browser.find_element("id", name)
+    if not wait_for(browser, figure) or run(browser, DESCRIBED, figure) != expected:
+        yield f"{link} does not restore the settings"
+
+
+def check_vector(browser, figure):
+    """A slider of a vector changes only its own component."""
+    if not (gravity := run(browser, PART_OF_A_VECTOR, figure)).endswith(",0,-80"):
+        yield f"after a change of x, gravity is {gravity}"
 
 
 def check_acts(browser, figure):

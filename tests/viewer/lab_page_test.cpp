@@ -147,6 +147,18 @@ TEST(WorldPageOf, ASceneThatFailsHasNothingOfTheOneBefore) {
   EXPECT_NE(page.story(), "");
 }
 
+TEST(WorldPageOf, ASceneBeginsWithItsOwnSettingsAndKeepsThemWhenItRestarts) {
+  WorldPage page("stack10", Isolation::Here);
+  page.refresh();
+  const int substeps = page.settings().substeps;
+  ControlSetter setter("substeps=9");
+  page.describe(setter);
+  page.reset();
+  EXPECT_EQ(page.settings().substeps, 9);
+  page.load("stack10");
+  EXPECT_EQ(page.settings().substeps, substeps);
+}
+
 TEST(WorldPageOf, CountsTheContactsThatAreAwakeOnceBodiesSleep) {
   WorldPage page("bounce", Isolation::Here);
   page.take_steps(1);

@@ -46,12 +46,10 @@ void WorldPage::describe(ControlVisitor& visit) {
 }
 
 void WorldPage::load(const std::string& scene) {
-  if (scene != scene_) {
-    is_loaded_ = false;
-    info_ = {};
-    settings_ = {};
-  }
   scene_ = scene;
+  is_loaded_ = false;
+  info_ = {};
+  settings_ = {};
   reset();
 }
 

@@ -24,9 +24,9 @@ class WorldPage final : public Page {
   const Content& content() const override { return content_; }
   void advance() override { take_steps(1); }
 
-  /// Begins a scene. If it is the present one, changed settings are kept.
+  /// Begins a scene with its own settings.
   void load(const std::string& scene);
-  /// Restarts the scene, with a student's code in a new process.
+  /// Restarts the scene with the present settings, and a student's code in a new process.
   void reset();
   /// Advances by steps of the scene's own length.
   void take_steps(int count);
