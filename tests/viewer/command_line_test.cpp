@@ -199,6 +199,15 @@ TEST_F(CommandLine, ASceneThatCannotBeReadHasNoSettings) {
   EXPECT_EQ(outcome.output.find("substeps="), std::string::npos) << outcome.output;
 }
 
+/// Its shapes are made by the student's code, so the command may be right.
+TEST_F(CommandLine, ASceneThatAStudentsCodeCannotReadHasNoSettings) {
+  std::ofstream(file("damaged.json")) << "{";
+  const Outcome outcome = view({file("damaged.json"), "--student", "--list"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.output.find("damaged.json"), std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.output.find("substeps="), std::string::npos) << outcome.output;
+}
+
 TEST_F(CommandLine, HelpFitsEightyColumns) {
   std::istringstream lines(view({"--help"}).output);
   int count = 0;
@@ -227,6 +236,12 @@ TEST_F(CommandLine, AnUnwrittenStageShowsItsMessageInsteadOfAPicture) {
         << outcome.output;
     EXPECT_TRUE(fs::exists(file("stub.png")));
   }
+}
+
+TEST_F(CommandLine, AnUnfinishedEngineListsTheSettingsOfAScene) {
+  const Outcome outcome = run_program({CS550_VIEWER_ON_STARTERS, "wall", "--student", "--list"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("substeps="), std::string::npos) << outcome.output;
 }
 
 TEST_F(CommandLine, AnUnfinishedEngineStillShowsItsBodies) {
