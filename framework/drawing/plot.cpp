@@ -1,5 +1,6 @@
 #include "drawing/plot.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +11,20 @@ Series& add_series(Plot& plot, const std::string& name, std::vector<Vec2> values
   const Role role = series_role(static_cast<int>(plot.series.size()));
   plot.series.push_back({name, std::move(values), style, role, false});
   return plot.series.back();
+}
+
+std::vector<std::string> notes_of(const Plot& plot) {
+  std::ptrdiff_t gaps = 0;
+  for (const Series& series : plot.series) {
+    gaps += std::count_if(series.values.begin(), series.values.end(),
+                          [](const Vec2& value) { return !value.allFinite(); });
+  }
+  std::vector<std::string> notes = plot.notes;
+  if (gaps > 0) {
+    notes.push_back(std::to_string(gaps) + (gaps == 1 ? " value is" : " values are") +
+                    " not finite: left out.");
+  }
+  return notes;
 }
 
 double tick_step(double span, int most) {

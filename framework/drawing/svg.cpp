@@ -45,7 +45,7 @@ Layout layout_of(const Panel& panel, double width) {
     add_wrapped(layout.notes, scene->drawing.notes, width);
   } else {
     layout.legend = legend_of(std::get<Plot>(panel));
-    add_wrapped(layout.notes, std::get<Plot>(panel).notes, width);
+    add_wrapped(layout.notes, notes_of(std::get<Plot>(panel)), width);
   }
   return layout;
 }
@@ -108,26 +108,10 @@ std::vector<Vec3> positions_in_view(const Page& page, const Scene& scene) {
   return outline_positions(framed.drawing, framed.view);
 }
 
-/// Curves are interrupted where a value is not finite.
-void note_gaps(Plot& plot) {
-  std::ptrdiff_t gaps = 0;
-  for (const Series& series : plot.series) {
-    gaps += std::count_if(series.values.begin(), series.values.end(),
-                          [](const Vec2& value) { return !value.allFinite(); });
-  }
-  if (gaps == 0) return;
-  plot.notes.push_back(std::to_string(gaps) + (gaps == 1 ? " value is" : " values are") +
-                       " not finite: left out.");
-}
-
 /// The page without elements that are not finite.
 Page finite_part(Page page) {
   for (Panel& panel : page.panels) {
-    if (auto* scene = std::get_if<Scene>(&panel)) {
-      scene->drawing = finite_part(scene->drawing);
-    } else {
-      note_gaps(std::get<Plot>(panel));
-    }
+    if (auto* scene = std::get_if<Scene>(&panel)) scene->drawing = finite_part(scene->drawing);
   }
   return page;
 }

@@ -1,5 +1,6 @@
 // Memory and time over many frames.
 #include <gtest/gtest.h>
+#include <imgui/imgui.h>
 #include <malloc.h>
 #include <unistd.h>
 
@@ -17,6 +18,7 @@
 #include "viewer/app.hpp"
 #include "viewer/gl/headless_context.hpp"
 #include "viewer/ui/captions.hpp"
+#include "viewer/ui/plot_widget.hpp"
 
 namespace cs550::test {
 namespace {
@@ -174,6 +176,28 @@ TEST_F(Frames, TheWorldKeepsPaceWithTheClock) {
     EXPECT_EQ(app.world()->frame().step, steps) << h;
   }
   std::filesystem::remove(scene);
+}
+
+/// As in pictures: a value without finite neighbours is a dot, and a note counts those that are left out.
+TEST_F(Frames, APlotShowsWhatIsNotFiniteAsPicturesDo) {
+  Canvas canvas({400, 300});
+  const auto shown = [&](const std::vector<Vec2>& values, drawing::SeriesStyle style) {
+    drawing::Plot plot;
+    drawing::add_series(plot, "energy", values, style);
+    ui.begin_frame(canvas.size(), true);
+    ImGui::SetNextWindowSize({300, 280});
+    ImGui::Begin("plot");
+    show_plot(plot, 200, ui.fonts());
+    const std::pair result{ImGui::GetWindowDrawList()->VtxBuffer.Size, ImGui::GetCursorPosY()};
+    ImGui::End();
+    ui.end_frame();
+    return result;
+  };
+  const std::vector<Vec2> with_a_gap{{0, 1}, {1, NAN}, {2, 3}};
+  const auto [dots, bottom_of_dots] = shown(with_a_gap, drawing::SeriesStyle::Dots);
+  const auto [curve, bottom] = shown(with_a_gap, drawing::SeriesStyle::Curve);
+  EXPECT_EQ(curve, dots);
+  EXPECT_GT(bottom, shown({{0, 1}, {2, 3}}, drawing::SeriesStyle::Curve).second);
 }
 
 /// Many labels at one point: there is room for a few of them.

@@ -38,6 +38,7 @@ void draw_grid(ImDrawList* list, const Axis& x, const Axis& y, const Fonts& font
 }
 
 constexpr float curve_width = 1.8F;  ///< pixels at scale 1
+constexpr float dot_radius = 2.6F;   ///< pixels at scale 1
 
 /// A dashed line. `travelled` is the distance from the start of the curve (pixels).
 void draw_dashes(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, float scale,
@@ -64,6 +65,7 @@ void draw_curve(ImDrawList* list, const Series& series, const Axis& x, const Axi
   std::vector<ImVec2> run;
   float travelled = 0;
   const auto finish = [&] {
+    if (run.size() == 1) list->AddCircleFilled(run[0], dot_radius * scale, colour);
     if (!series.dashed && run.size() > 1) {
       add_polyline(list, run, colour, curve_width * scale);
     }
@@ -93,7 +95,7 @@ void draw_series(ImDrawList* list, const Series& series, const Axis& x, const Ax
     if (!y.can_show(static_cast<double>(value.y()))) continue;
     const ImVec2 at(x.pixel(static_cast<double>(value.x())),
                     y.pixel(static_cast<double>(value.y())));
-    list->AddCircleFilled(at, 2.6F * scale, packed(drawing::colour(series.role)));
+    list->AddCircleFilled(at, dot_radius * scale, packed(drawing::colour(series.role)));
   }
 }
 
@@ -187,7 +189,7 @@ void show_plot(const Plot& plot, float height, const Fonts& fonts) {
                   plot.x_label.c_str());
   }
   ImGui::Dummy({width, height});
-  for (const std::string& note : plot.notes) {
+  for (const std::string& note : notes_of(plot)) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 room = fonts.small.font->CalcTextSizeA(size, FLT_MAX, width, note.c_str());
     list->AddText(fonts.small.font, size, at, quiet_ink, note.c_str(), nullptr, width);
