@@ -47,6 +47,16 @@ TEST(LabPage, TheStepAfterOneBeyondTheEndIsTheFirst) {
   }
 }
 
+/// A mesh with a hole has no walk.
+TEST(LabPage, WhereThereAreNoStepsTheLastOneStaysTheLastOne) {
+  const std::unique_ptr<Page> page = lab_page(2, {"fault=hole"});
+  ASSERT_LT(page->content().step_count, 2);
+  page->advance();
+  ControlLister lister;
+  page->describe(lister);
+  EXPECT_NE(lister.text().find("step=last"), std::string::npos) << lister.text();
+}
+
 TEST(LabPage, ARunEndsWithItsDuration) {
   for (const char* seconds : {"seconds=5", "seconds=0.5", "seconds=7", "seconds=20"}) {
     const std::unique_ptr<Page> page = lab_page(1, {seconds});

@@ -68,7 +68,8 @@ class LabPage final : public Page {
 
   void advance() override {
     if (!shown_) refresh();
-    const int count = std::max(content_.step_count, 1);
+    const int count = content_.step_count;
+    if (count < 2) return;  // "last" remains the last step of the next walk
     settings_.step = (shown_step(settings_.step, count) + 1) % count;
   }
 
