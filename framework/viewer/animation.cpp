@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int not_found = 127;
+constexpr double most_per_second = 30;  ///< pictures; their delays are whole hundredths
 
 /// Runs a program in a folder and discards its output. @return its exit code; not_found if it is not installed
 int run(const fs::path& folder, const std::vector<std::string>& command) {
@@ -71,6 +72,17 @@ TemporaryFolder::~TemporaryFolder() {
 
 std::string frame_name(int number) { return fmt::format("{:04}.png", number); }
 
+std::vector<Still> stills(int count, double rate) {
+  constexpr double rounding = 1e-3;  // of a rate that is a multiple of the largest one
+  const int stride = std::max(1, static_cast<int>(std::ceil(rate / most_per_second - rounding)));
+  const auto time_of = [rate](int picture) {
+    return static_cast<int>(std::lround(100 * picture / rate));
+  };
+  std::vector<Still> result;
+  for (int i = 0; i < count; i += stride) result.push_back({i, time_of(i + stride) - time_of(i)});
+  return result;
+}
+
 // The programs run in a folder that has links to these pictures and no others. They would give a meaning to a %
 // or a * in the path of the user's folder.
 void write_animation(const fs::path& frames, int count, const fs::path& file, double rate) {
@@ -79,12 +91,10 @@ void write_animation(const fs::path& frames, int count, const fs::path& file, do
     fs::create_symlink(fs::absolute(frames / frame_name(i)), folder.path() / frame_name(i));
   }
   const std::string draft = "animation.gif";
-  // At most 30 frames a second, because a GIF's delays are whole hundredths of a second.
-  constexpr double most = 30;
   const int by_ffmpeg =
       run(folder.path(),
           {"ffmpeg", "-y", "-xerror", "-framerate", std::to_string(rate), "-i", "%04d.png", "-vf",
-           "fps=" + std::to_string(std::min(rate, most)) +
+           "fps=" + std::to_string(std::min(rate, most_per_second)) +
                ",split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse="
                "dither=bayer",
            draft});
@@ -94,10 +104,14 @@ void write_animation(const fs::path& frames, int count, const fs::path& file, do
       throw std::runtime_error(
           "--gif needs ffmpeg or ImageMagick; install the package ffmpeg or imagemagick");
     }
-    const int by_convert =
-        run(folder.path(), {"convert", "-delay", std::to_string(std::lround(100 / rate)), "-loop",
-                            "0", "*.png", "-layers", "Optimize", draft});
-    if (by_convert != 0) throw std::runtime_error("ImageMagick could not make " + file.string());
+    std::vector<std::string> command{"convert", "-loop", "0"};
+    for (const auto& [picture, delay] : stills(count, rate)) {
+      command.insert(command.end(), {"-delay", std::to_string(delay), frame_name(picture)});
+    }
+    command.insert(command.end(), {"-layers", "Optimize", draft});
+    if (run(folder.path(), command) != 0) {
+      throw std::runtime_error("ImageMagick could not make " + file.string());
+    }
   } else if (by_ffmpeg != 0) {
     throw std::runtime_error("ffmpeg could not make " + file.string());
   }

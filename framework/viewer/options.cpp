@@ -102,8 +102,8 @@ void declare(CLI::App& app, Options& options) {
       ->excludes(list)
       ->excludes(snapshot);
   app.add_option("--gif", options.gif,
-                 "write an animation, one frame per step (needs ffmpeg\n"
-                 "or ImageMagick)")
+                 "write an animation, at most 30 frames a second (needs\n"
+                 "ffmpeg or ImageMagick)")
       ->option_text("FILE")
       ->check(ends_in(".gif"))
       ->check(files::fault_of_path)
