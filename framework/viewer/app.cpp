@@ -13,6 +13,7 @@ constexpr double seconds_per_lab_step = 0.4;  ///< of a lab's walk: slow enough 
 constexpr int steps_at_once = 4;              ///< of a world, before the clock is read
 constexpr double most_time_of_steps = 0.04;   ///< s, in a frame: a slower world falls behind
 constexpr double rounding_of_time = 1e-3;     ///< steps: a frame may be as long as a step
+constexpr double most_due = 1e6;              ///< steps, more than a frame has time for
 
 Size display_size() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -122,7 +123,7 @@ bool App::is_still() const {
 }
 
 /// The world keeps pace with the clock, whatever the rate of the display and the length of a step.
-/// If drawing or the steps take too long, it falls behind. A picture takes a sixtieth of a second.
+/// If the steps take too long, it falls behind. A picture takes a sixtieth of a second.
 void App::pass_time() {
   plays_ = plays_ && can_step();
   if (!plays_) {
@@ -132,6 +133,7 @@ void App::pass_time() {
   const double step = world_ != nullptr ? static_cast<double>(world_->step_length()) * slowness_
                                         : seconds_per_lab_step;
   waiting_time_ += static_cast<double>(ImGui::GetIO().DeltaTime) / step;
+  waiting_time_ = std::min(waiting_time_, most_due);
   int due = static_cast<int>(waiting_time_ + rounding_of_time);
   if (due == 0) return;
   waiting_time_ -= due;
