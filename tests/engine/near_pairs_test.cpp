@@ -159,7 +159,7 @@ TEST(NearPairs, TheBoxOfAFastBodyStaysForTwoSteps) {
       fly(crowd.world);
       changes += static_cast<int>(stored().lower != before.lower);
     }
-    EXPECT_LE(changes, 31) << speed << " m/s";
+    EXPECT_LE(changes, 21) << speed << " m/s";
   }
 }
 
