@@ -339,6 +339,29 @@ TEST(TemporalCoherence, AKeptContactCarriesTheWeight) {
   EXPECT_NEAR(impulse, 1000 * Real(9.81) * substep, Real(0.2));
 }
 
+// A retest stores the pose as a full query does.
+TEST(TemporalCoherence, AContactIsKeptAfterARetest) {
+  const ShapePtr prism = shape_of(prism_soup(6, Real(0.5), Real(0.5)));
+  World world;
+  world.add_body(body_at(prism, {0, 0, Real(-0.5)}, BodyKind::Static));
+  const BodyId id = world.add_body(body_at(prism, {0, 0, Real(0.5)}));
+  Pose place = world.body(id).pose;
+  const auto step_at_place = [&] {
+    world.body(id).pose = place;
+    set_velocity(world.body(id), Vec3::Zero(), Vec3::Zero());
+    world.step(step_length);
+  };
+  step_at_place();
+  for (int i = 0; i < 10; ++i) {
+    place.position.x() += 2 * kept_motion * prism->radius;
+    step_at_place();
+    EXPECT_EQ(world.stats().retested, 1);
+    EXPECT_EQ(world.stats().kept, 0);
+    step_at_place();
+    EXPECT_EQ(world.stats().kept, 1);
+  }
+}
+
 TEST(TemporalCoherence, ABodyThatIsMovedAwayLosesItsContact) {
   World world = resting_box();
   world.body(world.id_at(1)).pose.position.z() += Real(0.05);

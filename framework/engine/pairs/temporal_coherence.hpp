@@ -8,13 +8,13 @@
 
 namespace cs550 {
 
-/// How far a body of a touching pair may have moved relative to the other since their last full
-/// query, relative to the smaller radius of the two shapes. The separation of the bodies and that of
+/// How far a body of a touching pair may have moved relative to the other since their last query or
+/// retest, relative to the smaller radius of the two shapes. The separation of the bodies and that of
 /// each kept point change by no more than this. Kept and fresh answers therefore differ by twice as
 /// much: 1e-3 of the smaller body's diameter.
 inline constexpr Real kept_motion = Real(1e-3);
 
-/// Whether the answer of the pair's last full query holds at the current poses:
+/// Whether the answer of the pair's last query or retest holds at the current poses:
 /// - Without contact points: the surfaces are still farther apart than the margin.
 /// - With contact points: neither body has moved more than kept_motion, and no corner of the
 ///   incident face that the last query left out can be reached in this step. What a full query
@@ -22,7 +22,7 @@ inline constexpr Real kept_motion = Real(1e-3);
 /// @param margin of this step, see contact_margin() (m)
 bool answer_holds(const WorldState& world, std::size_t pair, Real margin);
 
-/// Stores the poses and the margin of a full query. Queries are remembered while the setting is off, too: it may
+/// Stores the poses and the margin of a query or retest. Queries are remembered while the setting is off, too: it may
 /// be switched on.
 void remember_query(WorldState& world, std::size_t pair, Real margin);
 /// Stores the plane of the manifold that followed, if it has points.
