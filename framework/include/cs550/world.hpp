@@ -60,7 +60,7 @@ struct WorldSettings {
   /// threads at once.
   int threads = 1;
   /// Use several threads only while steps are faster with them. The world measures that now and
-  /// then. If false, every step uses them.
+  /// then. If false, every step uses them, at most as many as the machine runs at once.
   bool adaptive_threads = true;
 
   /// Stiffness of soft contacts (1/s). At 80 a body on one of a twentieth of its mass never comes

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/four_threads.hpp"
 #include "engine/test_bodies.hpp"
 
 namespace {
@@ -61,11 +62,13 @@ bool compare(const Case& pile) {
   const std::uint64_t alone = hash_after(pile, 1);
   std::printf("%s: %016llx\n", pile.name.c_str(), static_cast<unsigned long long>(alone));
   bool same = true;
-  for (const int threads : thread_counts) {
-    if (hash_after(pile, threads) == alone) continue;
-    std::printf("%s: another state with %d threads\n", pile.name.c_str(), threads);
-    same = false;
-  }
+  cs550::test::with_four_threads([&] {
+    for (const int threads : thread_counts) {
+      if (hash_after(pile, threads) == alone) continue;
+      std::printf("%s: another state with %d threads\n", pile.name.c_str(), threads);
+      same = false;
+    }
+  });
   return same;
 }
 
