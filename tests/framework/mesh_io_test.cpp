@@ -54,16 +54,26 @@ TEST_F(ObjFile, WithoutFacesIsNamed) {
 TEST_F(ObjFile, ThatNamesMissingVerticesIsRefused) {
   write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   expect_named(load_obj(path).error, "line 4: a face names vertex 9, but the file has 3 vertices");
+  write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\ng more\nf 1 2 3\n");
+  expect_named(load_obj(path).error, "line 4: a face names vertex 9, but the file has 3 vertices");
   write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n");
   expect_named(load_obj(path).error, "found \"-4\"");
 }
 
-/// The parser would skip the first quad when the second group begins.
+/// The parser would skip the first quad when the second group begins, and split a hexagon whose corners it does
+/// not know.
 TEST_F(ObjFile, WithFacesBeforeTheirVerticesLosesNone) {
   write(
       "g top\nf 1 2 3 4\ng rest\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\n"
       "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
-  expect_named(load_obj(path).error, "a face comes before its vertices");
+  expect_named(load_obj(path).error, "line 2: a face comes before its vertices");
+  const std::string vertices = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nv -1 1 0\n";
+  for (const char* begin : {"g rest\n", "o rest\n"}) {
+    write("g top\nf 1 2 3 4 5 6\n" + (begin + vertices) + "f 1 2 3\n");
+    expect_named(load_obj(path).error, "line 2: a face comes before its vertices");
+  }
+  write("g top\nf 1 2 3 4 5 6\n" + vertices + "g rest\nf 1 2 3\n");
+  EXPECT_EQ(load_obj(path).error, "") << "the parser looks at them when the group ends";
 }
 
 TEST_F(ObjFile, WithNumbersThatWouldBeMisreadIsRefused) {

@@ -115,6 +115,7 @@ std::string control_fault(const std::string& content, int line) {
 std::string first_obj_fault(std::istream& text) {
   LargestNumber largest;
   long long vertices = 0;
+  int early_face = 0;  // the parser triangulates a group when the next one begins
   std::string content;
   for (int line = 1; std::getline(text, content); ++line) {
     if (std::string fault = control_fault(content, line); !fault.empty()) return fault;
@@ -126,6 +127,8 @@ std::string first_obj_fault(std::istream& text) {
       ++vertices;
     } else if (words[0] == "f") {
       fault = face_fault(words, line, vertices, largest);
+    } else if ((words[0] == "g" || words[0] == "o") && largest.number > vertices) {
+      early_face = largest.line;
     }
     if (!fault.empty()) return fault;
   }
@@ -133,6 +136,9 @@ std::string first_obj_fault(std::istream& text) {
     return at_line(largest.line, "a face names vertex " + std::to_string(largest.number) +
                                      ", but the file has " + std::to_string(vertices) +
                                      (vertices == 1 ? " vertex" : " vertices"));
+  }
+  if (early_face > 0) {
+    return at_line(early_face, "a face comes before its vertices; move the \"v\" lines to the top");
   }
   return {};
 }
