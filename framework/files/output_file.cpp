@@ -29,10 +29,13 @@ bool is_replaceable(const fs::path& file) {
   return !fs::exists(status) || fs::is_regular_file(status);
 }
 
+bool is_below(const fs::path& file, const char* folder) {
+  return fs::absolute(file).lexically_normal().string().starts_with(folder);
+}
+
 /// The system's own links name what is already open, such as the standard output.
-bool is_of_the_system(const fs::path& file) {
-  const std::string path = fs::absolute(file).lexically_normal().string();
-  return path.starts_with("/dev/") || path.starts_with("/proc/");
+bool is_link_of_the_system(const fs::path& link) {
+  return is_below(link, "/dev/") || is_below(link, "/proc/");
 }
 
 /// The ordinary file behind symbolic links, which keeps its content until the new one is complete and need not
@@ -42,10 +45,10 @@ fs::path target_of(const fs::path& file) {
   std::error_code error;
   fs::path target = file;
   for (int links = 0; fs::is_symlink(target, error); ++links) {
-    if (links == most_links || is_of_the_system(target)) return file;
+    if (links == most_links || is_link_of_the_system(target)) return file;
     target = target.parent_path() / fs::read_symlink(target, error);
   }
-  return is_of_the_system(target) || !is_replaceable(target) ? file : target;
+  return is_below(target, "/proc/") || !is_replaceable(target) ? file : target;
 }
 
 /// Calls a function that creates a draft. A draft that is already there is left from a process of the same

@@ -63,6 +63,21 @@ TEST_F(Output, BehindALinkIsReplacedAsAWhole) {
   EXPECT_EQ(count(), 3);
 }
 
+TEST_F(Output, BehindALinkToSharedMemoryIsReplacedAsAWhole) {
+  const fs::path target = "/dev/shm/cs550_output." + std::to_string(getpid());
+  if (!(std::ofstream(target) << "before").flush()) GTEST_SKIP() << "there is no /dev/shm";
+  fs::create_symlink(target, file("link"));
+  {
+    OutputFile output(file("link"));
+    output.write("half");
+    EXPECT_EQ(cli::read_text(target), "before") << "until it is complete";
+  }
+  write_file(file("link"), "after");
+  EXPECT_EQ(cli::read_text(target), "after");
+  EXPECT_TRUE(fs::is_symlink(file("link")));
+  fs::remove(target);
+}
+
 TEST_F(Output, BehindALinkToNothingIsMade) {
   fs::create_symlink("target", file("link"));
   write_file(file("link"), "new");
