@@ -150,7 +150,7 @@ TEST(ExtremeScenes, ALostEnergyNamesTheBody) {
   World world;
   world.add_body(floor_body());
   const BodyId box = world.add_body(body_at(box_shape({1, 1, 1}), {0, 0, 5}));
-  world.body(box).force.x() = Real(1e25);  // in N: faster than 1e19 m/s after a step
+  world.body(box).force.x() = Real(1e25);  // the square of its momentum is beyond float
   const std::vector<StageProblem> broken = find_broken_stages(world, step_length);
   ASSERT_EQ(broken.size(), 1U);
   EXPECT_EQ(broken[0].body, box.index);

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cs550/diagnostics.hpp"
 #include "engine/test_bodies.hpp"
 
 namespace cs550 {
@@ -43,7 +42,7 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
     def.mass = Real(3e38);
   });
   refused([](BodyDef& def) { def.mass = Real(1e19); });
-  refused([](BodyDef& def) { def.linear_velocity.x() = Real(9e17); });
+  refused([](BodyDef& def) { def.linear_velocity.x() = Real(1e17); });
   refused([](BodyDef& def) { def.angular_velocity.z() = Real(1e20); });
   refused([](BodyDef& def) {
     def.kind = BodyKind::Kinematic;
@@ -58,21 +57,6 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
   refused(
       [](BodyDef& def) { def.friction = Real(1e20); });  // its square is beyond the range of Real
   refused([](BodyDef& def) { def.restitution = Real(1.5); });
-}
-
-// The squares of these momenta are beyond the range of Real, the energies are not.
-TEST(World, AHeavyBodyMayMove) {
-  World world;
-  world.settings().audit_momentum = true;
-  BodyDef def = body_at(unit_box(), Vec3::Zero());
-  def.mass = Real(1e18);
-  def.linear_velocity = {19, 0, 0};
-  const BodyId id = world.add_body(def);
-  run(world, 180);
-  EXPECT_TRUE(is_finite(world));
-  EXPECT_NEAR(world.body(id).linear_velocity.z(), -9.81 * 3, 1e-3);
-  EXPECT_GT(world.momentum_error(), 0) << "rounding is never 0 over three seconds";
-  EXPECT_LT(world.momentum_error(), 1e-5);
 }
 
 // 7 kg over the volume, times the volume, are 7.0000005 kg.

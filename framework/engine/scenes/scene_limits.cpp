@@ -33,7 +33,7 @@ std::string replace_from_environment(const std::string& variable, int& limit) {
 constexpr double largest_inertia_ratio = 1e6;
 /// Of the masses of two dynamic bodies.
 constexpr double largest_mass_ratio = 1e9;
-/// Of one body (kg, kg m/s). Leaves room for its energy.
+/// Of one body (kg, kg m/s): the engine squares it.
 constexpr double largest_momentum = 1e18;
 /// Of one body (kg m²). The engine uses the inverse, too.
 constexpr double smallest_inertia = 1e-30;

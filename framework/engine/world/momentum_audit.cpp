@@ -55,7 +55,7 @@ void end_audit(WorldState& world, Real h) {
   // The scale of the error: the momenta, and for bodies at rest the weight that acts during a step.
   double sum = 0;
   for_dynamic_bodies(world, [&](const RigidBody& body) {
-    sum += body.linear_momentum.cast<double>().norm();
+    sum += static_cast<double>(body.linear_momentum.norm());
     sum += static_cast<double>(body.mass * world.settings.gravity.norm() * h);
   });
   world.audit.largest_sum = std::max(world.audit.largest_sum, sum);

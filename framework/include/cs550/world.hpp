@@ -220,7 +220,8 @@ class World {
   /// what bodies() and contacts() returned, are invalid afterwards.
   /// @throws std::invalid_argument if the shape is missing, or if a number is not finite, has no
   ///         physical meaning or is too large; the message names it. Speeds (m/s and rad/s) and the
-  ///         mass (kg) may be up to 1e18, the friction up to 1e6, and the kinetic energy must be finite
+  ///         mass (kg) may be up to 1e18, the friction up to 1e6. The kinetic energy and the square of
+  ///         the momentum must be finite
   BodyId add_body(const BodyDef& def);
   /// Removes a body and its contacts. May be called between steps. The id of a removed body is
   /// ignored. References to this body, its shape and its definition are invalid afterwards, those of
