@@ -21,4 +21,8 @@ struct PageChoice {
 /// Makes a page; it is empty until its first refresh().
 std::unique_ptr<Page> make_page(const PageChoice& choice);
 
+/// Why the scene of a choice cannot be read; empty if it can. A student's code makes its shapes: what that code cannot do
+/// yet is no fault of the scene.
+std::string fault_of_scene(const PageChoice& choice);
+
 }  // namespace cs550::pages

@@ -5,10 +5,8 @@
 #include <string>
 
 #include "cs550/excerpt.hpp"
-#include "cs550/scene.hpp"
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
-#include "isolation/service.hpp"
 #include "pages/make_page.hpp"
 #include "viewer/options.hpp"
 #include "viewer/snapshot.hpp"
@@ -33,16 +31,6 @@ std::unique_ptr<cs550::viewer::Page> page_of(const Options& options) {
   return page;
 }
 
-/// What is wrong with a scene. Its shapes are made by a student's code: what that cannot do yet is no fault of the scene.
-std::string fault_of_scene(const Options& options) {
-  const auto read = [](const std::string& scene) {
-    const cs550::SceneResult found = cs550::find_scene(scene);
-    return found.missing_step.empty() ? found.error : std::string();
-  };
-  cs550::isolation::Service<std::string, std::string> reader(read, options.page().isolation);
-  return reader.ask(options.scene).value;
-}
-
 /// @throws std::invalid_argument for a page that cannot be shown, except because of a student's code
 /// @throws std::runtime_error for a scene that cannot be read with a student's code
 void list_settings(const Options& options) {
@@ -50,8 +38,8 @@ void list_settings(const Options& options) {
   const std::string& problem = page->content().problem;
   if (!problem.empty() && !options.student) throw std::invalid_argument(problem);
   if (!problem.empty() && page->lab() == 0) {
-    if (const std::string fault = fault_of_scene(options); !fault.empty())
-      throw std::runtime_error(fault);
+    const std::string fault = fault_of_scene(options.page());
+    if (!fault.empty()) throw std::runtime_error(fault);
   }
   cs550::viewer::ControlLister lister;
   page->describe(lister);

@@ -9,7 +9,6 @@
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
-#include "gradebook/intake/submission.hpp"
 
 namespace cs550::gradebook {
 namespace {

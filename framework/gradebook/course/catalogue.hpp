@@ -9,6 +9,9 @@
 
 namespace cs550::gradebook {
 
+/// Students' own tests of a lab, beside its files.
+inline constexpr const char* own_tests_file = "my_tests.cpp";
+
 struct CatalogueTest {
   std::string name;  ///< "Lab3.FirstOfEqualVerticesWins"
   std::string step;  ///< "L3.1"

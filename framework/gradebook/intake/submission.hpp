@@ -11,9 +11,6 @@
 
 namespace cs550::gradebook {
 
-/// Students' own tests of a lab, beside its files.
-inline constexpr const char* own_tests_file = "my_tests.cpp";
-
 struct SourceFile {
   std::string path;  ///< relative to the lab's folder
   std::string text;

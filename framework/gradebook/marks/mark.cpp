@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "gradebook/course/catalogue.hpp"
 #include "gradebook/marks/dates.hpp"
 #include "gradebook/marks/time_text.hpp"
 

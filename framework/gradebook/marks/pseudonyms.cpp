@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "gradebook/course/catalogue.hpp"
 #include "gradebook/marks/dates.hpp"
 #include "gradebook/marks/time_text.hpp"
 #include "gradebook/text/sha256.hpp"
