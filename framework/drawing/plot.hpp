@@ -50,8 +50,8 @@ struct Plot {
 Series& add_series(Plot& plot, const std::string& name, std::vector<Vec2> values,
                    SeriesStyle style = SeriesStyle::Curve);
 
-/// The sentences below a plot: its notes, and how many values are not finite, which interrupt
-/// curves.
+/// The sentences below a plot: its notes, and how many values are not finite, if any are. Curves are
+/// interrupted there.
 std::vector<std::string> notes_of(const Plot& plot);
 
 /// The distance between ticks of an axis: 1, 2 or 5 times a power of ten.

@@ -123,7 +123,7 @@ bool App::is_still() const {
 }
 
 /// The world keeps pace with the clock, whatever the rate of the display and the length of a step.
-/// If the steps take too long, it falls behind. A picture takes a sixtieth of a second.
+/// If the steps take too long, it falls behind. Without a window a picture takes a sixtieth of a second.
 void App::pass_time() {
   plays_ = plays_ && can_step();
   if (!plays_) {

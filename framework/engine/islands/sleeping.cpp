@@ -57,7 +57,7 @@ void mark_both(WorldState& world, const PairSummary& pair) {
   mark(world, pair.body_b);
 }
 
-/// The window of a new body begins with its pose: no step has left it so.
+/// Makes room for new bodies. No step has left them as they are, so their windows begin now.
 void watch_new_bodies(WorldState& world) {
   world.sleeping.bodies.resize(world.slot_count());
   world.sleeping.left.resize(world.slot_count());

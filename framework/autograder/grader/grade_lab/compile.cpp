@@ -181,7 +181,8 @@ class Compiler {
 
  private:
   /// Whether it was killed, or a program that it ran: GCC and Clang are drivers, and report that of a part on a line
-  /// that begins with the driver's name. Text of a submission follows the name of its file.
+  /// that begins with the driver's name. Text of a submission follows the name of its file; text with a line break
+  /// could pass for a report, but earns timeouts only.
   static bool was_killed(const Process& process) {
     if (process.signal() == SIGKILL) return true;
     const std::string driver = fs::path(CS550_COMPILER).filename();
