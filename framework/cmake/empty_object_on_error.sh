@@ -6,6 +6,12 @@ status=$?
 [ -z "$messages" ] || printf '%s\n' "$messages"
 [ "$status" -ne 0 ] || exit 0
 
+# A full disk or too little memory is no mistake of the lab: the build fails, and the next one compiles it again.
+case $messages in
+  *'signal terminated program'* | *'out of memory'* | *'memory exhausted'* | *'error writing to'* | *'No space left'*)
+    exit "$status" ;;
+esac
+
 while [ "$1" != -o ] && [ $# -gt 2 ]; do shift; done
 [ "$1" = -o ] && as /dev/null -o "$2" || exit 1
 # The missing header may be added later. Next to an object older than its source, the build tries again.

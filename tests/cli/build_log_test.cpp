@@ -58,6 +58,14 @@ TEST_F(BuildLog, AnErrorThatStoppedTheBuildComesBeforeThoseOfLabsThatCountAsEmpt
   EXPECT_EQ(first_build_error(), "labs/lab3.cpp:1:1: error: fatal");
 }
 
+TEST_F(BuildLog, AStepThatWasStoppedDoesNotHaveTheErrorOfALabThatCountsAsEmpty) {
+  const std::string report = "cc1plus: out of memory allocating 65536 bytes";
+  write("[1/3] Building\nlabs/lab4.cpp:1:1: error: tolerated\nFAILED: lab3.o\nc++ -c lab3.cpp\n" +
+        report + "\nninja: build stopped: subcommand failed.\n");
+  EXPECT_EQ(first_build_error(), report);
+  EXPECT_FALSE(is_students_error(first_build_error()));
+}
+
 /// A template's error is in its header, and the linker's in no file.
 TEST_F(BuildLog, AnErrorOutsideOfTheLabsFilesMayBeTheStudents) {
   const std::string failed = "[1/3] Building\nFAILED: lab3_hill_climbing.cpp.o\nc++ -c\n";
@@ -80,6 +88,11 @@ TEST_F(BuildLog, AnErrorOfTheMachineIsNotTheStudents) {
                              "framework/include/cs550/math.hpp:5:10: fatal error: Eigen/Core: No "
                              "such file or directory\n",
                              "cc1plus: out of memory allocating 65536 bytes\n",
+                             "c++: fatal error: Terminated signal terminated program cc1plus\n",
+                             "ccache: error: Failed to create temporary file for x: Disk quota "
+                             "exceeded\n",
+                             "../../labs/lab3_hill_climbing/hill_climbing.cpp:60:1: fatal error: "
+                             "error writing to /tmp/ccX.s: No space left on device\n",
                              "ninja: error: 'a.cpp', needed by 'a.o'\n"}) {
     write(std::string("[1/3] Building\nFAILED: lab3.o\nc++ -c\n") + report);
     EXPECT_FALSE(is_students_error(first_build_error())) << report;

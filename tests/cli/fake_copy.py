@@ -45,7 +45,8 @@ def build(target):
         log("[1/2] Building\n../../labs/lab.cpp:7:1: error: expected ';'\n")
         return 1
     if (ROOT / "disk_is_full").exists():
-        log("[1/2] Building\nFAILED: a.o\nc++: fatal error: error writing to a.s: No space left on device\n")
+        log("[1/2] Building\nFAILED: a.o\n../../labs/lab.cpp:60:1: fatal error: error writing to a.s: "
+            "No space left on device\n")
         return 1
     log("ninja: no work to do.\n")
     if lab and has("LONG_CODE", lab[1]):

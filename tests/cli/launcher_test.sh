@@ -12,7 +12,7 @@ cp "$root/framework/cli/verbs.def" "$root/framework/cli/first_errors.awk" "$proj
 : >"$project/framework/cli/packages.txt"  # a test installs nothing
 cat >"$scratch/bin/cmake" <<'FAKE'
 #!/bin/sh
-[ "$1" = --build ] && echo "built in $(pwd -P)" || echo "$*" >>"$CONFIGURED"
+[ "$1" = --build ] && echo "built in $(pwd -P)" && echo "messages in ${LC_ALL-}" || echo "$*" >>"$CONFIGURED"
 [ ! -e broken ] || { echo '-- GLOB mismatch!'; echo "In file included from $(pwd -P)/labs/a.hpp:1,"; cat broken; exit 1; }
 FAKE
 chmod +x "$scratch/bin/cmake"
@@ -26,6 +26,29 @@ builds_in() {
 }
 
 builds_in "$project"
+
+# Messages of the compiler are in the language that the command line reads.
+LC_ALL=de_DE.UTF-8 builds_in "$project"
+grep -qx "messages in C.UTF-8" "$project/build/test.log" || wrong "messages are in the user's language"
+
+# A lab that does not compile counts as empty, but not one whose compiler was stopped: it is compiled again.
+cat >"$scratch/bin/compiler" <<'FAKE'
+#!/bin/sh
+echo "$MESSAGE" >&2
+exit 1
+FAKE
+chmod +x "$scratch/bin/compiler"
+export MESSAGE
+compile() { sh "$root/framework/cmake/empty_object_on_error.sh" compiler -o "$scratch/lab.o" -c lab.cpp >/dev/null 2>&1; }
+MESSAGE="lab.cpp:1:1: error: expected ';'"
+compile || wrong "a lab that does not compile stops the build"
+[ -s "$scratch/lab.o" ] || wrong "no empty object"
+rm "$scratch/lab.o"
+for MESSAGE in "c++: fatal error: Killed signal terminated program cc1plus" "cc1plus: out of memory allocating 9 bytes" \
+  "lab.cpp:60:1: fatal error: error writing to /tmp/a.s: No space left on device"; do
+  if compile; then wrong "it counts as a mistake of the lab: $MESSAGE"; fi
+  [ ! -e "$scratch/lab.o" ] || wrong "an object is left after: $MESSAGE"
+done
 
 # What is built again. The tests run twice: in the project, and in a folder of links to it.
 # build_state FOLDER: where it builds

@@ -108,13 +108,15 @@ remembers 3 '"earned": 48'
 
 echo "A lab without a .cpp file has 0 points, too:"
 mv "$lab3" "$copy/kept"
-for verb in "progress" "lab 3" "lab 3 --asan"; do
+for verb in "progress" "lab 3" "lab 3 --asan" "lab 3 --run"; do
   code=1
   [ "$verb" = "progress" ] && code=0
   runs $code $verb
   prints "labs/lab3_hill_climbing has no .cpp file. ./cs550 lab 3 --reset"
   remembers 3 "has no .cpp file"
 done
+runs 0 progress
+points "Your engine, assembled" "2/7"
 mv "$copy/kept" "$lab3"
 runs 0 lab 3
 
@@ -201,7 +203,8 @@ runs 0 lab 3
 echo "A full disk is no fault of the engine:"
 : >"$copy/disk_is_full"
 runs 0 progress
-points "Your engine, assembled" "0/7"
+prints "Your engine, assembled     not known, because it was not built:"
+prints "No space left on device"
 rm "$copy/disk_is_full"
 runs 0 progress
 points "Your engine, assembled" "4/7"

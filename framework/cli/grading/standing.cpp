@@ -59,13 +59,20 @@ bool reaches(int lab, const std::function<void()>& waiting) {
   return ending.good();
 }
 
-/// The milestones of these labs that the student's engine reaches: run again when a lab or the
-/// framework has changed, else remembered.
-std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
-  if (const std::optional<std::set<int>> known = remembered_milestones(labs)) return *known;
+/// Of these labs: milestones that the student's engine reaches. It runs again when a lab or the framework has changed,
+/// else they are remembered. What the machine could not build is not.
+void find_milestones(const std::vector<LabResult>& labs, Standing& standing) {
+  if (const std::optional<std::set<int>> known = remembered_milestones(labs)) {
+    standing.milestones = *known;
+    return;
+  }
   show_status("Running your engine ...");
-  std::set<int> reached;
   const std::string error = labs.empty() ? "" : build_quietly(program);
+  if (!error.empty() && !is_students_error(error)) {
+    standing.engine_fault = error;
+    return;
+  }
+  std::set<int>& reached = standing.milestones;
   if (error.empty()) {
     StatusLine status;
     for (const LabResult& lab : labs) {
@@ -79,18 +86,16 @@ std::set<int> milestones_reached(const std::vector<LabResult>& labs) {
       if (has_milestone(number) && reaches(number, show_lab)) reached.insert(number);
     }
   }
-  if (error.empty() || is_students_error(error)) {
-    files::write_file(milestone_file(),
-                      Json{{"lab_files", fingerprints(labs)}, {"reached", reached}}.dump(2) + '\n');
-  }
-  return reached;
+  files::write_file(milestone_file(),
+                    Json{{"lab_files", fingerprints(labs)}, {"reached", reached}}.dump(2) + '\n');
 }
 
-/// The labs that were begun, up to the first that was not: the engine can run no further.
+/// The labs that were begun, up to the first that was not or has no code: the engine can run no further.
 std::vector<LabResult> begun(const Standing& standing) {
   std::vector<LabResult> labs;
   for (const LabResult& lab : standing.labs) {
     if (standing.untouched.count(lab.lab_name) != 0) break;
+    if (!fault_of_absent_code(lab.lab_name).empty()) break;
     labs.push_back(lab);
   }
   return labs;
@@ -112,7 +117,7 @@ Standing look_at_labs() {
     standing.labs.push_back(result_of(name));
     if (is_next && !standing.labs.back().is_finished()) standing.next = standing.labs.size() - 1;
   }
-  standing.milestones = milestones_reached(begun(standing));
+  find_milestones(begun(standing), standing);
   show_status("");
   return standing;
 }

@@ -18,6 +18,7 @@ struct Standing {
   std::set<std::string> untouched;  ///< labs that are still the starter
   std::optional<std::size_t> next;  ///< the first lab that is not finished, in `labs`
   std::set<int> milestones;         ///< labs whose milestones the student's engine reaches
+  std::string engine_fault;  ///< of the machine, because of which they are not known; or empty
 };
 
 /// Grades the labs that have changed and runs the student's engine. Nothing is built for an

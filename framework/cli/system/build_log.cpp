@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <initializer_list>
 
 #include "cli/system/project.hpp"
 
@@ -21,14 +21,23 @@ std::string from_the_root(const std::string& line) {
   return line[0] == '.' && start != std::string::npos ? line.substr(start) : line;
 }
 
-/// Whether a line is about the disk, the memory, a missing package, or a tool's own trouble.
-bool is_of_the_machine(const std::string& line) {
-  const auto is_in_line = [&](const char* words) { return line.find(words) != std::string::npos; };
-  constexpr const char* words[] = {"No space left on device", "No such file or directory",
-                                   "Cannot allocate memory",  "memory exhausted",
-                                   "out of memory",           "Killed",
-                                   "internal compiler error", "ninja: error"};
-  return std::any_of(std::begin(words), std::end(words), is_in_line);
+bool has_any(const std::string& line, std::initializer_list<const char*> texts) {
+  const auto is_in_line = [&](const char* text) { return line.find(text) != std::string::npos; };
+  return std::any_of(texts.begin(), texts.end(), is_in_line);
+}
+
+/// Whether the compiler itself failed, at a place in the code.
+bool is_of_the_compiler(const std::string& error) {
+  return has_any(error, {"error: error writing to ", "error: opening dependency file ",
+                         "internal compiler error: "});
+}
+
+/// Whether a line reports a mistake of a lab outside of the lab's files: in a template that it uses, or in what it
+/// defines.
+bool is_of_a_lab(const std::string& line) {
+  const bool uses_a_template = has_any(line, {"required from", "requested here"});
+  return (uses_a_template && has_any(line, {"labs/"})) ||
+         has_any(line, {"undefined reference to", "multiple definition of"});
 }
 
 }  // namespace
@@ -44,19 +53,19 @@ std::string first_build_error() {
       if (has_failed) return from_the_root(line);
       if (tolerated.empty()) tolerated = from_the_root(line);
     }
-    if (!line.empty()) last = line;
+    if (!line.empty() && !line.starts_with("ninja: build stopped")) last = line;
   }
-  return tolerated.empty() ? last : tolerated;
+  return has_failed || tolerated.empty() ? last : tolerated;
 }
 
 bool is_students_error(const std::string& error) {
-  if (error.starts_with("labs/")) return true;
-  if (error.find("error: ") == std::string::npos) return false;  // of CMake
+  if (error.starts_with("labs/")) return !is_of_the_compiler(error);
+  if (error.find("error: ") == std::string::npos) return false;  // of CMake, or out of memory
   std::ifstream lines = open_log();
   for (std::string line; std::getline(lines, line);) {
-    if (is_of_the_machine(line)) return false;
+    if (is_of_a_lab(line)) return true;
   }
-  return true;
+  return false;
 }
 
 std::vector<std::string> own_warnings() {

@@ -12,6 +12,7 @@ std::string first_build_error();
 
 /// Whether the first error of the last build is the student's, so that the next build has it too. It may also be in a
 /// template of a header, or the linker's. A full disk, a missing package and a compiler that was killed are not.
+/// An error that is not recognised counts as the machine's: that costs another build only.
 bool is_students_error(const std::string& error);
 
 /// The warnings of the student's own files, each once. None if nothing was compiled.

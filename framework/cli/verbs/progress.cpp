@@ -69,6 +69,11 @@ std::string first_lines(const std::string& text, int count) {
 
 /// The second score: whether the labs work together.
 void print_engine(const Standing& standing) {
+  if (!standing.engine_fault.empty()) {
+    std::cout << padded("Your engine, assembled", 27) << "not known, because it was not built:\n"
+              << indented(standing.engine_fault, 2);
+    return;
+  }
   const int reached = static_cast<int>(standing.milestones.size());
   const auto all = static_cast<int>(
       std::count_if(standing.labs.begin(), standing.labs.end(),

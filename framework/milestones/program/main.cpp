@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 
 #include "files/output_file.hpp"
 #include "milestones/record.hpp"
@@ -28,6 +29,8 @@ bool show(const Milestone& milestone, double share, const std::function<void()>&
     const Scene scene = scene_of(milestone);
     std::cout << ": " << scene.title << std::flush;
     outcome = compare(run(milestone, scene, stepped), read_record(record_file(milestone)), share);
+  } catch (const std::bad_alloc&) {
+    outcome.sentence = "it allocated too much memory (a loop that adds elements without end?)";
   } catch (const std::exception& missing) {
     outcome.sentence = missing.what();
   }
