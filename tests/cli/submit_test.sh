@@ -82,14 +82,22 @@ submit --out tests.zip
 prints "my_tests.cpp"
 
 # A zip file without code would only look like a submission.
-rm "$lab"/*.cpp
+find "$lab" -name '*.cpp' ! -name my_tests.cpp -delete
 for arguments in "submit 3 --out empty.zip" "submit --force --out empty.zip"; do
   code=0
   "$program" $arguments >printed 2>&1 || code=$?
   [ $code = 1 ] || wrong "'$arguments' without code exited with code $code, expected 1"
-  prints "labs/lab3_hill_climbing has no file to hand in. ./cs550 lab 3 --reset"
+  prints "labs/lab3_hill_climbing has no .cpp file. ./cs550 lab 3 --reset"
   [ ! -e empty.zip ] || wrong "a lab without code was packed"
 done
+echo "int mine;" >"$lab/hill climbing.cpp"
+code=0
+"$program" submit 3 --out empty.zip >printed 2>&1 || code=$?
+[ $code = 1 ] || wrong "a lab whose only file cannot be packed was packed"
+prints "Rename it to"
+prints "labs/lab3_hill_climbing has no .cpp file that can be packed."
+if grep -q -e --reset printed; then wrong "--reset would move the student's code away"; fi
+rm "$lab/hill climbing.cpp"
 echo "int mine;" >"$lab/hill_climbing.cpp"
 
 code=0

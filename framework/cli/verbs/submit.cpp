@@ -1,6 +1,7 @@
 // ./cs550 submit [N]: packs the lab files into a zip to hand in.
 #include <unistd.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <iostream>
@@ -83,6 +84,16 @@ void print_files_left_out(const std::string& lab_name) {
   }
 }
 
+/// Why a lab has no code to hand in; empty if it has some. Tests of one's own are not enough.
+std::string fault_of_code_to_submit(const std::string& lab_name) {
+  if (const std::string fault = fault_of_absent_code(lab_name); !fault.empty()) return fault;
+  const std::vector<fs::path> files = files_to_submit(lab_name);
+  const bool has_code = std::any_of(files.begin(), files.end(), [](const fs::path& file) {
+    return file.extension() == ".cpp" && file.filename() != "my_tests.cpp";
+  });
+  return has_code ? "" : "labs/" + lab_name + " has no .cpp file that can be packed.";
+}
+
 Json manifest(const std::vector<std::string>& labs, const std::string& student) {
   Json files = Json::array();
   for (const std::string& name : labs) {
@@ -163,13 +174,12 @@ int run_submit(const SubmitOptions& options) {
   }
   for (const std::string& name : labs) {
     print_files_left_out(name);
-    if (files_to_submit(name).empty()) {
-      print_error("labs/" + name + " has no file to hand in. ./cs550 lab " +
-                  std::to_string(lab_number(name)) + " --reset\nputs the starter there again.");
+    if (const std::string fault = fault_of_code_to_submit(name); !fault.empty()) {
+      print_error(fault);
       return Failed;
     }
-    warn_unless_it_compiles(lab_number(name));
   }
+  for (const std::string& name : labs) warn_unless_it_compiles(lab_number(name));
   const std::string student = student_name(options.student);
   if (student.empty()) {
     std::cerr << "Warning: the submission has no name. Add one with --student NAME.\n";
