@@ -33,9 +33,9 @@ bool is_below(const fs::path& file, const char* folder) {
   return fs::absolute(file).lexically_normal().string().starts_with(folder);
 }
 
-/// The system's own links name what is already open, such as the standard output.
+/// The system's own links name what is already open, such as the standard output. Anybody may write to /dev/shm.
 bool is_link_of_the_system(const fs::path& link) {
-  return is_below(link, "/dev/") || is_below(link, "/proc/");
+  return (is_below(link, "/dev/") && !is_below(link, "/dev/shm/")) || is_below(link, "/proc/");
 }
 
 /// The ordinary file behind symbolic links, which keeps its content until the new one is complete and need not

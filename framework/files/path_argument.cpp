@@ -23,7 +23,9 @@ std::string fault_of_ending(const std::string& word, const std::string& ending) 
   if (fs::path(word).extension() == ending) return "";
   std::error_code unknown;
   const fs::file_status status = fs::status(word, unknown);
-  const bool is_file = fs::is_regular_file(status) && word.rfind("/dev/", 0) != 0;
+  // /dev/stdout, for example, may be a link to a file.
+  const bool is_link_of_the_system = word.rfind("/dev/", 0) == 0 && fs::is_symlink(word, unknown);
+  const bool is_file = fs::is_regular_file(status) && !is_link_of_the_system;
   const bool is_absent = status.type() == fs::file_type::not_found;
   if (!is_file && !is_absent) return "";
   return "'" + word + "' must end in " + ending;

@@ -40,6 +40,8 @@ void list_settings(const Options& options) {
   if (!problem.empty() && page->lab() == 0) {
     const std::string fault = fault_of_scene(options.page());
     if (!fault.empty()) throw std::runtime_error(fault);
+    std::cerr << "The scene cannot be made yet, so these are the default settings:\n  "
+              << cs550::with_short_words(problem) << '\n';
   }
   cs550::viewer::ControlLister lister;
   page->describe(lister);

@@ -13,6 +13,7 @@
 
 #include "cli/system/draft_folder.hpp"
 #include "cli/system/files.hpp"
+#include "files/path_argument.hpp"
 
 namespace cs550::files {
 namespace {
@@ -76,6 +77,14 @@ TEST_F(Output, BehindALinkToSharedMemoryIsReplacedAsAWhole) {
   EXPECT_EQ(cli::read_text(target), "after");
   EXPECT_TRUE(fs::is_symlink(file("link")));
   fs::remove(target);
+}
+
+TEST_F(Output, MustHaveItsEndingInSharedMemoryToo) {
+  const std::string code = "/dev/shm/cs550_code.cpp";
+  if (!(std::ofstream(code) << "int code;").flush()) GTEST_SKIP() << "there is no /dev/shm";
+  EXPECT_EQ(fault_of_ending(code, ".zip"), "'" + code + "' must end in .zip");
+  fs::remove(code);
+  EXPECT_EQ(fault_of_ending("/dev/null", ".zip"), "");
 }
 
 TEST_F(Output, BehindALinkToNothingIsMade) {

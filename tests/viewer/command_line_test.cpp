@@ -238,10 +238,12 @@ TEST_F(CommandLine, AnUnwrittenStageShowsItsMessageInsteadOfAPicture) {
   }
 }
 
-TEST_F(CommandLine, AnUnfinishedEngineListsTheSettingsOfAScene) {
+TEST_F(CommandLine, AnEngineThatCannotMakeTheSceneListsTheDefaultSettings) {
   const Outcome outcome = run_program({CS550_VIEWER_ON_STARTERS, "wall", "--student", "--list"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_NE(outcome.output.find("substeps="), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("these are the default settings"), std::string::npos)
+      << outcome.output;
 }
 
 TEST_F(CommandLine, AnUnfinishedEngineStillShowsItsBodies) {
