@@ -54,6 +54,34 @@ TEST(ConvexHull, OfPlatesAndRodsHasAllCornersOrIsRefused) {
   expect_refused(box_soup({0.5F, 0.5F, 4e-6F}).vertices, "lie in one plane");
 }
 
+/// Some of their sides are slivers, although their thickness is more than that of a plate that is refused.
+TEST(ConvexHull, OfRodsOfManySidesAndOfWedgesHasAllCornersOrIsRefused) {
+  std::vector<std::vector<Vec3>> clouds = {{{-0.5F, -0.5F, 0},
+                                            {-0.5F, 0.5F, 0},
+                                            {0.5F, -0.5F, 0},
+                                            {0.5F, 0.5F, 0},
+                                            {-0.5F, -0.5F, 1e-3F},
+                                            {-0.5F, 0.5F, 1e-3F},
+                                            {0.5F, -0.5F, 9e-5F},
+                                            {0.5F, 0.5F, 9e-5F}}};
+  for (int sides = 13; sides <= 32; ++sides) {
+    for (const Real radius : {Real(2e-4), Real(2.1e-4), Real(2.3e-4), Real(2.5e-4)}) {
+      clouds.push_back(prism_soup(sides, radius, 0.5F).vertices);
+    }
+  }
+  for (const std::vector<Vec3>& corners : clouds) {
+    SCOPED_TRACE(std::to_string(corners.size()) + " corners");
+    const SoupResult result = convex_hull(corners);
+    if (result.error.empty()) {
+      EXPECT_EQ(result.soup.vertices, corners);
+    } else {
+      expect_refused(corners, "too narrow");
+    }
+  }
+  const std::vector<Vec3> wide = prism_soup(32, 0.0006F, 0.5F).vertices;
+  EXPECT_EQ(convex_hull(wide).soup.vertices, wide);
+}
+
 /// Without the point the plate is shorter by 1/50 of its thickness, as thicker ones are.
 TEST(ConvexHull, OfAPlateDropsAPointThatMakesSliversBesideAnEdge) {
   const std::vector<Vec3> corners = box_soup({0.5F, 0.5F, 0.0025F}).vertices;
