@@ -59,6 +59,22 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
   refused([](BodyDef& def) { def.restitution = Real(1.5); });
 }
 
+// Its kinetic energy is finite, 1.8e20 J, but the square of its momentum is not.
+TEST(World, NamesTheLimitThatTheMomentumOfABodyExceeds) {
+  World world;
+  BodyDef def = body_at(unit_box(), Vec3::Zero());
+  def.mass = Real(1e18);
+  def.linear_velocity = {19, 0, 0};
+  try {
+    world.add_body(def);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_STREQ(refusal.what(),
+                 "a body needs velocities with which its kinetic energy and the square of its "
+                 "momentum are finite");
+  }
+}
+
 // 7 kg over the volume, times the volume, are 7.0000005 kg.
 TEST(World, ABodyHasExactlyTheMassOfItsDefinition) {
   World world;

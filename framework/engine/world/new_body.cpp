@@ -42,15 +42,12 @@ bool can_turn(const RigidBody& body) {
 /// A step squares momenta.
 constexpr Real largest_mass = Real(1e18);
 
-bool has_finite_energy(const RigidBody& body) {
-  return std::isfinite(kinetic_energy(body)) && std::isfinite(body.linear_momentum.squaredNorm());
-}
-
 void check_range(const RigidBody& body) {
   require(can_turn(body),
           "a mass with which its moments of inertia and their reciprocals are finite");
   require(body.mass <= largest_mass, "a mass of at most 1e18 kg");
-  require(has_finite_energy(body), "velocities with which its kinetic energy is finite");
+  require(std::isfinite(kinetic_energy(body)),
+          "velocities with which its kinetic energy and the square of its momentum are finite");
 }
 
 /// Beyond rounding, so that a pose that another body has is taken as it is.
