@@ -46,7 +46,8 @@ struct FeatureId {
 };
 
 /// One point of a manifold: a point on A, a point on B, their separation along the normal, and the
-/// impulses that the solver has accumulated there.
+/// impulses that the solver has accumulated there. Those of a sleeping pair are of another substep,
+/// see World::sleeping_contacts().
 struct ContactPoint {
   Vec3 anchor_a = {0, 0, 0};      ///< on A, A's body frame (m)
   Vec3 anchor_b = {0, 0, 0};      ///< on B, B's body frame (m)

@@ -280,7 +280,8 @@ class World {
   /// those of the poses at the start of that step.
   std::span<const Contact> contacts() const;
   /// The pairs of bodies that are asleep, with each other and with bodies that do not move. They
-  /// are not in contacts(). Their impulses stay as they are, whatever the length of later steps.
+  /// are not in contacts(). Whatever the length of later steps, their impulses are those of substeps
+  /// as long as the last one was when the first of these pairs fell asleep.
   std::span<const Contact> sleeping_contacts() const;
   /// The axis of each pair of contacts(), in the same order, as the last query found it. With
   /// temporal_coherence that may have been in an earlier step.
