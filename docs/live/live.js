@@ -250,7 +250,12 @@ class LiveFigure {
       this.drawSoon();
     } catch (reason) {
       this.fail(reason);
-      if (this.engine.stopped) this.remember(name, value);  // for the next worker
+      if (this.engine.stopped) {
+        this.remember(name, value);  // for the next worker
+        return;
+      }
+      await this.list().catch(problem => this.fail(problem));  // the inputs show what the engine has
+      this.drawSoon();
     }
   }
 
