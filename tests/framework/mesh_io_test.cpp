@@ -68,12 +68,30 @@ TEST_F(ObjFile, WithFacesBeforeTheirVerticesLosesNone) {
       "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
   expect_named(load_obj(path).error, "line 2: a face comes before its vertices");
   const std::string vertices = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nv -1 1 0\n";
-  for (const char* begin : {"g rest\n", "o rest\n"}) {
+  for (const char* begin : {"g rest\n", "o rest\n", " g \n"}) {
     write("g top\nf 1 2 3 4 5 6\n" + (begin + vertices) + "f 1 2 3\n");
     expect_named(load_obj(path).error, "line 2: a face comes before its vertices");
   }
+  write("f 1 2 3 4\ng more\nf 1 2 3 6\ng rest\n" + vertices);
+  expect_named(load_obj(path).error, "line 1: a face comes before its vertices");
+  // Without the name of a material a group ends, too, if a library was named.
+  write("mtllib a.mtl\nf 1 2 3 4\nusemtl\n" + vertices + "f 1 2 3\n");
+  expect_named(load_obj(path).error, "a face comes before its vertices");
+}
+
+/// The parser looks at the corners of a face when its group ends, and never at those of a triangle.
+TEST_F(ObjFile, MayHaveItsVerticesAfterItsFaces) {
+  const std::string vertices = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nv -1 1 0\n";
   write("g top\nf 1 2 3 4 5 6\n" + vertices + "g rest\nf 1 2 3\n");
-  EXPECT_EQ(load_obj(path).error, "") << "the parser looks at them when the group ends";
+  EXPECT_EQ(load_obj(path).error, "");
+  write("g top\nf 1 2 3\nf 1 3 6\ng rest\n" + vertices + "f 1 6 2\n");
+  EXPECT_EQ(load_obj(path).error, "");
+  EXPECT_EQ(load_obj(path).soup.triangles.size(), 3U);
+  for (const char* no_group : {"g\n", "o\n"}) {
+    write("f 1 2 3 4\n" + (no_group + vertices));
+    EXPECT_EQ(load_obj(path).error, "");
+    EXPECT_EQ(load_obj(path).soup.triangles.size(), 2U);
+  }
 }
 
 TEST_F(ObjFile, WithNumbersThatWouldBeMisreadIsRefused) {

@@ -110,12 +110,20 @@ std::string control_fault(const std::string& content, int line) {
                  "replace each by a line feed");
 }
 
+/// Whether the parser begins a group here: it wants a blank after the letter. It then splits the faces of the last
+/// group that have more than three corners.
+bool begins_group(const std::vector<std::string>& words, const std::string& line) {
+  if (words[0] != "g" && words[0] != "o") return false;
+  return line.find_first_of(" \t", line.find(words[0])) != std::string::npos;
+}
+
 }  // namespace
 
 std::string first_obj_fault(std::istream& text) {
-  LargestNumber largest;
+  LargestNumber in_triangles;
+  LargestNumber in_polygons;  // of four corners and more
   long long vertices = 0;
-  int early_face = 0;  // the parser triangulates a group when the next one begins
+  int early_face = 0;
   std::string content;
   for (int line = 1; std::getline(text, content); ++line) {
     if (std::string fault = control_fault(content, line); !fault.empty()) return fault;
@@ -126,12 +134,14 @@ std::string first_obj_fault(std::istream& text) {
       fault = vertex_fault(words, line);
       ++vertices;
     } else if (words[0] == "f") {
-      fault = face_fault(words, line, vertices, largest);
-    } else if ((words[0] == "g" || words[0] == "o") && largest.number > vertices) {
-      early_face = largest.line;
+      fault = face_fault(words, line, vertices, words.size() > 4 ? in_polygons : in_triangles);
+    } else if (early_face == 0 && begins_group(words, content) && in_polygons.number > vertices) {
+      early_face = in_polygons.line;
     }
     if (!fault.empty()) return fault;
   }
+  const LargestNumber& largest =
+      in_polygons.number > in_triangles.number ? in_polygons : in_triangles;
   if (largest.number > vertices) {
     return at_line(largest.line, "a face names vertex " + std::to_string(largest.number) +
                                      ", but the file has " + std::to_string(vertices) +

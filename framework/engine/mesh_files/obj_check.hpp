@@ -9,7 +9,7 @@ namespace cs550 {
 
 /// The first line with a coordinate that is not a finite number ("1,5", "nan"), a face with fewer than 3
 /// or more than max_obj_face_corners corners, a vertex number that no vertex has, or a control character; or a
-/// face whose vertices come after the end of its group.
+/// face of more than three corners whose vertices come after the next "g" or "o", in the first such group.
 /// @param text without comments
 /// @returns a sentence with the number of the line; empty if there is no such line
 std::string first_obj_fault(std::istream& text);
