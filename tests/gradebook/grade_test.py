@@ -367,17 +367,36 @@ def test_resume_keeps_the_records_of_other_submissions(folder):
     assert sorted(marks(out)) == sorted(before), "a folder that was moved has the same submissions"
 
 
-def test_resume_keeps_an_attempt_in_time_beside_an_equal_late_one(folder):
+def in_time_and_late(folder):
+    """The names of two folders with equal submissions."""
     (folder / "course.toml").write_text("[lab.3]\ndue = 2026-10-12T23:59:00+02:00\n"
                                         "[late]\nclock = 'file'\npercent_per_day = 10\n")
     for submission, days_late in (("round1", -1), ("round2", 1)):
         zip_file = folder / submission / "s0101.zip"
         pack(zip_file, {HILL: "// the same"})
         os.utime(zip_file, (1791842340 + 86400 * days_late,) * 2)
-        grade(folder / submission, "--out", folder / "out", "--labs", "3", "--resume",
-              "--course", folder / "course.toml")
-    assert sorted(marks(folder / "out")) == ["s0101-2.json", "s0101.json"]
-    assert grades(folder / "out")["s0101"]["lab3"] == "60"
+    return "round1", "round2"
+
+
+def test_resume_keeps_an_attempt_in_time_beside_an_equal_late_one(folder):
+    for first_is_gone in (False, True):
+        out = folder / f"out{first_is_gone:d}"
+        for submission in in_time_and_late(folder):
+            grade(folder / submission, "--out", out, "--labs", "3", "--resume", "--course", folder / "course.toml")
+            if first_is_gone:
+                shutil.rmtree(folder / submission)
+        assert sorted(marks(out)) == ["s0101-2.json", "s0101.json"], first_is_gone
+        assert grades(out)["s0101"]["lab3"] == "60"
+
+
+def test_a_report_keeps_an_attempt_in_time_from_an_equal_late_one(folder):
+    for submission, out in zip(in_time_and_late(folder), ("graded", "other")):
+        grade(folder / submission, "--out", folder / out, "--labs", "3", "--course", folder / "course.toml")
+    printed = grade("--report", folder / "other", "--out", folder / "graded", code=2)
+    assert "records of an earlier report" in printed, printed
+    assert grades(folder / "graded")["s0101"]["lab3"] == "60"
+    grade("--report", folder / "graded", folder / "other", "--out", folder / "both")
+    assert sorted(marks(folder / "both")) == ["s0101-2.json", "s0101.json"]
 
 
 def test_resume_keeps_records_whose_names_are_equal_in_ascii(folder):

@@ -49,9 +49,8 @@ void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
 /// Whether a record is that of the same submission as an earlier one of its name, with all that was graded then.
 bool replaces(const Record& record, const Record& earlier) {
   if (record.name != earlier.name) return false;
-  const bool is_equal = record.source == earlier.source && record.student == earlier.student &&
-                        record.hash == earlier.hash;
-  return (record.path == earlier.path || is_equal) && (record.engine || !earlier.engine) &&
+  const bool has_its_path = !earlier.path.empty() && record.path == earlier.path;
+  return (has_its_path || same_submission(record, earlier)) && (record.engine || !earlier.engine) &&
          std::all_of(earlier.labs.begin(), earlier.labs.end(),
                      [&record](const LabRecord& lab) { return record.lab(lab.lab) != nullptr; });
 }

@@ -6,10 +6,8 @@
 namespace cs550::gradebook {
 namespace {
 
-bool same_submission(const Record& a, const Record& b) {
-  return a.hash == b.hash && a.project == b.project && a.student == b.student &&
-         a.claimed_student == b.claimed_student && a.source == b.source &&
-         a.file_time == b.file_time && a.claimed_date == b.claimed_date;
+bool belong_together(const Record& a, const Record& b) {
+  return a.project == b.project && same_submission(a, b);
 }
 
 void add_labs(Record& record, const Record& other) {
@@ -31,13 +29,18 @@ void add_labs(Record& record, const Record& other) {
 
 }  // namespace
 
+bool same_submission(const Record& a, const Record& b) {
+  return a.hash == b.hash && a.student == b.student && a.claimed_student == b.claimed_student &&
+         a.source == b.source && a.file_time == b.file_time && a.claimed_date == b.claimed_date;
+}
+
 std::vector<Record> merged(const std::vector<std::vector<Record>>& folders) {
   std::map<std::string, Record> by_name;
   for (const std::vector<Record>& folder : folders) {
     for (Record record : folder) {
       const std::string base = record.name;
       auto known = by_name.find(record.name);
-      for (int n = 2; known != by_name.end() && !same_submission(known->second, record); ++n) {
+      for (int n = 2; known != by_name.end() && !belong_together(known->second, record); ++n) {
         record.name = base + '-' + std::to_string(n);
         known = by_name.find(record.name);
       }

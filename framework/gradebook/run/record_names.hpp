@@ -18,8 +18,8 @@ class RecordNames {
   /// @param found the submissions of this run
   RecordNames(std::vector<Record> known, const std::vector<FoundSubmission>& found);
 
-  /// The name of the record of the same path, or else of the same file name and content, if its
-  /// path is gone. If there is none, it is the name of the submission, with a number if another
+  /// The name of the record of the same path, or else of the same file name, content and time, if
+  /// its path is gone. If there is none, it is the name of the submission, with a number if another
   /// record has that.
   std::string name_for(const Submission& submission);
 
