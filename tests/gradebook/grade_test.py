@@ -513,13 +513,48 @@ def test_a_changed_starter_is_refused(folder):
     assert lab(folder / "out", "ada", 3)["supplied"] == []
     for name in ("hill_climbing.cpp", "mine.cpp"):
         (lab3 / name).write_text("// my own")
-        assert "labs/lab3_hill_climbing differs from the starter; ./cs550 lab 3 --reset restores it" in graded(1)
+        printed = graded(1)
+        assert f"labs/lab3_hill_climbing differs from the starter: {name}" in printed, printed
+        assert "./cs550 lab 3 --reset restores" in printed and "subfolder" not in printed, printed
         (lab3 / "hill_climbing.cpp").write_text(starter)
     (lab3 / "mine.cpp").unlink()
+    (lab3 / "more").mkdir()
+    (lab3 / "more/part.cpp").write_text("// in a folder that --reset leaves as it is")
+    printed = graded(1)
+    assert "more/part.cpp" in printed and "elsewhere" in printed and "--reset restores" not in printed, printed
+    shutil.rmtree(lab3 / "more")
+    (lab3 / "hill_climbing.cpp").write_text("// in Git's index, but not in the folder")
+    subprocess.run(["git", "-C", project, "add", "--all"], check=True)
+    (lab3 / "hill_climbing.cpp").write_text(starter)
+    (lab3 / "hill_climbing.cpp").chmod(0o755)
     graded(0)
+
+    (lab3 / "hill_climbing.cpp").write_text("// my own")
+    if os.geteuid() == 0:
+        subprocess.run(["chown", "--recursive", "65534", project], check=True)
+        printed = grade(folder / "ada.zip", "--out", folder / "out", "--labs", "3", "--resume", root=project, code=1)
+        assert "differs from the starter" in printed, printed
+    (project / ".git/HEAD").unlink()
+    without_check = (folder / "ada.zip", "--out", folder / "out", "--labs", "3", "--resume")
+    assert "cannot check that labs/ has the starters" in grade(*without_check, root=project)
     shutil.rmtree(project / ".git")
-    (lab3 / "hill_climbing.cpp").write_text("// Git cannot tell")
-    grade(folder / "ada.zip", "--out", folder / "out", "--labs", "3", "--resume", root=project)
+    assert "cannot check" not in grade(*without_check, root=project)
+
+
+def test_sources_are_not_compared_with_a_changed_starter(folder):
+    if not (ROOT / ".git").exists():
+        print("  (no history: skipped)")
+        return
+    pack(folder / "ada.zip", {HILL: "// a"})
+    project = folder / "project"
+    subprocess.run(["git", "clone", "--quiet", ROOT, project], check=True)
+    for name in (HILL, CLIP):
+        (project / name).write_text("// the solution")
+    export = (folder / "ada.zip", "--export-jplag", folder / "sources")
+    assert "labs/lab3_hill_climbing differs from the starter" in grade(*export, root=project, code=1)
+    assert not (folder / "sources").exists()
+    subprocess.run(["git", "-C", project, "checkout", "--quiet", HILL], check=True)
+    grade(*export, root=project)
 
 
 def test_the_judge_learns_how_many_run_at_a_time(folder):

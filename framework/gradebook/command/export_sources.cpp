@@ -5,6 +5,7 @@
 #include <iostream>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/system/files.hpp"
 #include "files/output_file.hpp"
@@ -20,14 +21,19 @@ void export_sources(const fs::path& root, const std::vector<fs::path>& submissio
     throw std::runtime_error(folder.string() + " is not empty. The export needs a new folder");
   }
   const Catalogue catalogue = read_catalogue(root);
+  std::vector<Submission> all;
   std::set<int> labs;
   for (const FoundSubmission& found : find_submissions(submissions, catalogue).submissions) {
-    const Submission submission = read_submission(found, catalogue);
+    Submission submission = read_submission(found, catalogue);
     if (!submission.trouble.empty()) {
       std::cout << fmt::format("unreadable: {}: {}\n", submission.name, submission.trouble);
     }
+    for (const auto& [number, files] : submission.labs) labs.insert(number);
+    all.push_back(std::move(submission));
+  }
+  check_starters(root, {labs.begin(), labs.end()}, catalogue);
+  for (const Submission& submission : all) {
     for (const auto& [number, files] : submission.labs) {
-      labs.insert(number);
       const fs::path place = folder / fmt::format("lab{}/submissions", number) / submission.name;
       for (const SourceFile& file : files) files::write_file(place / file.path, file.text);
     }

@@ -1,9 +1,14 @@
 #include "gradebook/course/catalogue.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 
 #include "cli/system/files.hpp"
@@ -51,18 +56,57 @@ std::vector<std::string> milestones_of(const fs::path& records, int lab) {
   return names;
 }
 
-/// Whether the code in a folder differs from Git's last commit. Not if Git cannot tell.
-bool has_changes(const fs::path& folder) {
-  const std::string but_own_tests = std::string(":(exclude,glob)**/") + own_tests_file;
-  try {
-    // With CS550_BUILD_DIR the root is a folder of links.
-    return !cli::output_of({"git", "status", "--porcelain", "--untracked-files=all", "--",
-                            ":(glob)**/*.cpp", ":(glob)**/*.hpp", but_own_tests},
-                           fs::canonical(folder))
-                .empty();
-  } catch (const std::exception&) {
-    return false;
+/// The folder of the project. With CS550_BUILD_DIR the root is a folder of links.
+fs::path project_of(const fs::path& root) { return fs::canonical(root / "labs").parent_path(); }
+
+/// Files with code of a lab that differ from Git's last commit, relative to the lab's folder. Only their contents
+/// count, not Git's index. @throws std::exception if Git cannot tell
+std::vector<std::string> changed_code(const fs::path& project, const std::string& lab) {
+  using Words = std::vector<std::string>;
+  // Lets Git read a clone that another user made, such as one that is mounted in a container.
+  const Words git{"env", "GIT_CONFIG_COUNT=1", "GIT_CONFIG_KEY_0=safe.directory",
+                  "GIT_CONFIG_VALUE_0=" + project.string(), "git"};
+  const Words code{"--", ":(glob)**/*.cpp", ":(glob)**/*.hpp",
+                   std::string(":(exclude,glob)**/") + own_tests_file};
+  std::vector<std::string> names;
+  for (const Words& question :
+       {Words{"ls-files", "--others", "--exclude-standard"},
+        Words{"-c", "core.fileMode=false", "diff", "--relative", "--name-only", "HEAD"}}) {
+    Words command = git;
+    command.insert(command.end(), question.begin(), question.end());
+    command.insert(command.end(), code.begin(), code.end());
+    std::istringstream lines(cli::output_of(command, project / "labs" / lab));
+    for (std::string name; std::getline(lines, name);) names.push_back(name);
   }
+  return names;
+}
+
+/// "a.cpp, b.cpp, c.cpp and 4 more".
+std::string first_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  const std::size_t shown = std::min(most, names.size());
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(shown);
+  const std::string list = fmt::format("{}", fmt::join(names.begin(), end, ", "));
+  return shown == names.size() ? list : fmt::format("{} and {} more", list, names.size() - shown);
+}
+
+/// What is wrong with a lab whose code differs from the starter, and how to mend it.
+std::string refusal(const std::string& lab, int number, const std::vector<std::string>& changed) {
+  std::vector<std::string> deeper;
+  std::copy_if(changed.begin(), changed.end(), std::back_inserter(deeper),
+               [](const std::string& name) { return name.find('/') != std::string::npos; });
+  std::string text = fmt::format(
+      "labs/{} differs from the starter: {}.\n"
+      "  Submissions would get what they lack from it; copies of it would be missed.",
+      lab, first_of(changed));
+  if (deeper.size() < changed.size()) {
+    text += fmt::format("\n  ./cs550 lab {} --reset restores the starter and keeps your files.",
+                        number);
+  }
+  if (!deeper.empty()) {
+    text += fmt::format("\n  Move files in its subfolders elsewhere: {}.", first_of(deeper));
+  }
+  return text;
 }
 
 }  // namespace
@@ -89,13 +133,20 @@ Catalogue read_catalogue(const fs::path& root) {
 
 void check_starters(const fs::path& root, const std::vector<int>& labs,
                     const Catalogue& catalogue) {
+  const fs::path project = project_of(root);
   for (const int number : labs) {
     const std::string& name = catalogue.at(number).name;
-    if (!has_changes(root / "labs" / name)) continue;
-    throw std::runtime_error(
-        fmt::format("labs/{} differs from the starter; ./cs550 lab {} --reset restores it.\n"
-                    "  Submissions would get its functions in place of those that they lack.",
-                    name, number));
+    std::vector<std::string> changed;
+    try {
+      changed = changed_code(project, name);
+    } catch (const std::exception& error) {
+      if (!fs::exists(project / ".git")) return;
+      const std::string reason = error.what();
+      std::cerr << "cannot check that labs/ has the starters: "
+                << reason.substr(0, reason.find('\n')) << '\n';
+      return;
+    }
+    if (!changed.empty()) throw std::runtime_error(refusal(name, number, changed));
   }
 }
 

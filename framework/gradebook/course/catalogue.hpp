@@ -39,8 +39,9 @@ using Catalogue = std::map<int, CatalogueLab>;
 /// Throws std::runtime_error if a manifest cannot be read.
 Catalogue read_catalogue(const std::filesystem::path& root);
 
-/// Throws std::runtime_error if code in the folder of a lab in labs/ differs from Git's last commit, which has the
-/// starter: submissions would be graded with it. Where Git cannot tell, nothing is checked.
+/// Throws std::runtime_error if code in the folder of a lab in labs/ differs from Git's last commit,
+/// which has the starter: submissions would be graded with it. In a clone where Git cannot tell, it
+/// prints why; without Git's history nothing is checked.
 void check_starters(const std::filesystem::path& root, const std::vector<int>& labs,
                     const Catalogue& catalogue);
 
