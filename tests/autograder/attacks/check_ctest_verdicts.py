@@ -33,11 +33,38 @@ def verdicts(build, submission):
     return found
 
 
+def message_beside(lab):
+    """What is printed about a submission if the folder of the lab has these files."""
+    script = ROOT / "framework/autograder/grader/ctest/judge_lab.cmake"
+    run = subprocess.run(["cmake", f"-DLAB={LAB}", f"-DFILES={lab}", f"-DRECORD={lab}.json", "-DBUILD=absent",
+                          "-P", script], env={**os.environ, "CS550_SUBMISSION": "absent"}, stdout=subprocess.DEVNULL,
+                         stderr=subprocess.PIPE, text=True)
+    assert run.returncode != 0, "there is no build folder"
+    return " ".join(run.stderr.split())
+
+
+def check_starters(lab):
+    """A submission is refused beside a lab that is not the starter, of which it would get what it lacks."""
+    lab.mkdir()
+    (lab / "a.cpp").write_text("// the starter")
+    git = ["git", "-C", lab, "-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for arguments in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "a"]):
+        subprocess.run([*git, *arguments], check=True)
+    (lab / "my_tests.cpp").write_text("// no code of the lab")
+    assert "differs from the starter" not in message_beside(lab)
+    for name in ("b.cpp", "a.cpp"):
+        (lab / name).write_text("// the solution")
+        message = message_beside(lab)
+        assert "differs from the starter" in message and f"{name} ./cs550 lab {LAB} --reset" in message, message
+        (lab / name).unlink()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", type=Path, default=ROOT / "build/test")
     build = parser.parse_args().build.resolve()
     with tempfile.TemporaryDirectory() as scratch:
+        check_starters(Path(scratch) / "lab")
         submission = Path(scratch) / "submission"
         submission.mkdir()
         for source in lab_folder(ROOT / "solutions", LAB).glob("*.cpp"):

@@ -2,7 +2,23 @@
 # -DFILES=FOLDER -DRECORD=FILE; the environment variable CS550_SUBMISSION names another folder to grade,
 # and CS550_ISOLATION another isolation than `auto`.
 file(REMOVE "${RECORD}")
+
+# Ends with a message if the code in a folder differs from Git's last commit, which has the starter. Where Git cannot
+# tell, nothing is checked.
+function(check_starter folder)
+  foreach(question "-c;core.fileMode=false;diff;--relative;--name-only;HEAD" "ls-files;--others;--exclude-standard")
+    execute_process(COMMAND git ${question} -- ":(glob)**/*.cpp" ":(glob)**/*.hpp" ":(exclude,glob)**/my_tests.cpp"
+                    WORKING_DIRECTORY "${folder}" RESULT_VARIABLE result OUTPUT_VARIABLE files ERROR_QUIET)
+    if(result EQUAL 0 AND files)
+      message(FATAL_ERROR "${folder} differs from the starter, which takes the place of what a submission lacks:\n"
+                          "${files}./cs550 lab ${LAB} --reset restores the starter and keeps your files. "
+                          "Move files in its subfolders elsewhere.")
+    endif()
+  endforeach()
+endfunction()
+
 if(DEFINED ENV{CS550_SUBMISSION})
+  check_starter("${FILES}")
   set(FILES "$ENV{CS550_SUBMISSION}")
 endif()
 
