@@ -9,6 +9,7 @@
 #   // fake: breaks          the grader itself fails
 #   // fake: sleeps SECONDS
 #   // fake: catches NUMBER           with --own-tests, of 20 mistakes; without it, the reference fails
+#   // fake: own compiler stopped     with --own-tests, the compiler was stopped
 #   // fake: times out NAME            the test LabN.NAME has status timeout
 #   // fake: own tests break          with --own-tests, the grader itself fails
 #   // fake: misses lab3_ghosts      with --milestones, that milestone is not reached
@@ -41,10 +42,15 @@ esac
 : >"$work/touched"
 if [ -n "${own_tests-}" ]; then
   [ -z "${FAKE_LOG-}" ] || echo "own tests $lab" >>"$FAKE_LOG"
-  caught=${told##*catches } failures=0
-  case $told in *catches*) ;; *) caught=0 failures=1 ;; esac
-  printf '{"lab":%d,"isolation":"fake","compiled":true,"message":"it fails on the reference: %s","mistakes":20,"caught":%d,
-    "reference_runs":10,"reference_failures":%d}\n' "$lab" "$told" "$caught" "$failures" >"$results"
+  caught=${told##*catches } failures=0 compiled=true stopped=false
+  case $told in
+    *'own compiler stopped'*) caught=0 compiled=false stopped=true ;;
+    *catches*) ;;
+    *) caught=0 failures=1 ;;
+  esac
+  printf '{"lab":%d,"isolation":"fake","compiled":%s,"compiler_stopped":%s,"message":"it fails on the reference: %s",
+    "mistakes":20,"caught":%d,"reference_runs":10,"reference_failures":%d}\n' \
+    "$lab" "$compiled" "$stopped" "$told" "$caught" "$failures" >"$results"
   exit
 fi
 if [ -n "${milestones-}" ]; then

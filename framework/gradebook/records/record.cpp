@@ -29,7 +29,10 @@ int LabRecord::tests_with(const std::string& status) const {
       tests.begin(), tests.end(), [&](const TestResult& test) { return test.status == status; }));
 }
 
-bool LabRecord::is_final() const { return is_graded() && tests_with("timeout") == 0; }
+bool LabRecord::is_final() const {
+  const bool was_stopped = own_tests && own_tests->compiler_stopped;
+  return is_graded() && tests_with("timeout") == 0 && !was_stopped;
+}
 
 bool Record::is_graded() const {
   return (!engine || engine->is_graded()) &&

@@ -37,9 +37,13 @@ std::vector<TestResult> tests_of(const Json& json) {
 }
 
 Json json_of(const OwnTests& own) {
-  return {{"compiled", own.compiled}, {"mistakes", own.mistakes},
-          {"caught", own.caught},     {"reference_failures", own.fails_reference ? 1 : 0},
-          {"message", own.message},   {"not_graded", own.not_graded}};
+  return {{"compiled", own.compiled},
+          {"mistakes", own.mistakes},
+          {"caught", own.caught},
+          {"reference_failures", own.fails_reference ? 1 : 0},
+          {"message", own.message},
+          {"not_graded", own.not_graded},
+          {"compiler_stopped", own.compiler_stopped}};
 }
 
 OwnTests own_tests_of(const Json& json) {
@@ -49,7 +53,8 @@ OwnTests own_tests_of(const Json& json) {
                json.at("caught"),
                json.at("reference_failures") != 0,
                shortened(json.at("message").get<std::string>(), longest_message),
-               json.value("not_graded", "")};
+               json.value("not_graded", ""),
+               json.value("compiler_stopped", false)};
   if (own.caught < 0 || own.caught > own.mistakes || (own.fails_reference && own.caught > 0)) {
     throw std::runtime_error("the result of the student's own tests is impossible");
   }

@@ -138,6 +138,7 @@ Json grade_own_tests(const Options& options, const std::string& lab_name) {
   Json record{{"lab", options.lab},
               {"isolation", to_string(order.isolation)},
               {"compiled", compilation.succeeded},
+              {"compiler_stopped", compilation.was_stopped},
               {"message", compilation.errors},
               {"mistakes", mistakes},
               {"caught", 0},
