@@ -72,6 +72,10 @@ TEST(Merge, OwnTestsThatWereGradedCount) {
   EXPECT_TRUE(lab_of(graded, failed).is_graded());
   EXPECT_EQ(lab_of(failed, without_lab).not_graded, "") << "the mark of the lab stays";
   EXPECT_EQ(lab_of(without_lab, failed).not_graded, "");
+  Record fewer_points = record_of("ada", lab_record(0, 0, 0));
+  fewer_points.labs[0].own_tests = graded.labs[0].own_tests;
+  EXPECT_EQ(lab_of(failed, fewer_points).own_tests->not_graded, "");
+  EXPECT_EQ(lab_of(failed, fewer_points).earned(), 24) << "the points of the first stay";
   const Record without_tests = record_of("ada", lab_record(24, 0, 0));
   EXPECT_TRUE(lab_of(failed, without_tests).own_tests) << "the note on them stays";
 }

@@ -19,8 +19,10 @@ void add_labs(Record& record, const Record& other) {
     const bool has_own_tests = lab.own_tests && lab.is_graded();
     if (known == record.labs.end()) {
       record.labs.push_back(lab);
-    } else if (!known->not_graded.empty() || (!known->is_graded() && has_own_tests)) {
+    } else if (!known->not_graded.empty()) {
       *known = lab;
+    } else if (!known->is_graded() && has_own_tests) {
+      known->own_tests = lab.own_tests;
     }
   }
   std::sort(record.labs.begin(), record.labs.end(),
