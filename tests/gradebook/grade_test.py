@@ -393,7 +393,7 @@ def test_a_report_keeps_an_attempt_in_time_from_an_equal_late_one(folder):
     for submission, out in zip(in_time_and_late(folder), ("graded", "other")):
         grade(folder / submission, "--out", folder / out, "--labs", "3", "--course", folder / "course.toml")
     printed = grade("--report", folder / "other", "--out", folder / "graded", code=2)
-    assert "records of an earlier report" in printed, printed
+    assert f"This one lacks the submission {folder}/round1/s0101.zip." in printed, printed
     assert grades(folder / "graded")["s0101"]["lab3"] == "60"
     grade("--report", folder / "graded", folder / "other", "--out", folder / "both")
     assert sorted(marks(folder / "both")) == ["s0101-2.json", "s0101.json"]
@@ -803,7 +803,7 @@ def test_a_report_leaves_no_records_of_an_earlier_one(folder):
     grade(*both)
     grade(*both)
     printed = grade("--report", folder / "ada", "--out", folder / "both", code=2)
-    assert "records of an earlier report" in printed and "another --out" in printed, printed
+    assert f"This one lacks the submission {folder}/bob.zip." in printed and "another --out" in printed, printed
     assert grades(folder / "both").keys() == {"ada", "bob"}
 
 
@@ -813,9 +813,10 @@ def test_a_report_replaces_no_record_of_another_submission(folder):
     grade(folder / "week3", "--out", folder / "graded", "--labs", "3")
     before = (folder / "graded/records/s0101.json").read_text()
 
-    def refused(out):
+    def refused(out, lacks=f"the submission {folder}/week3/s0101.zip"):
         printed = grade("--report", folder / out, "--out", folder / "graded", code=2)
-        assert "records of an earlier report" in printed and "another --out" in printed, printed
+        assert f"This one lacks {lacks}. Choose another --out" in printed, printed
+        assert "--report OLD NEW --out MERGED" in printed, printed
         assert (folder / "graded/records/s0101.json").read_text() == before
 
     grade(folder / "week4", "--out", folder / "other", "--labs", "5")
@@ -823,11 +824,23 @@ def test_a_report_replaces_no_record_of_another_submission(folder):
     grade(folder / "week4", "--out", folder / "both_labs", "--labs", "3,5")
     refused("both_labs")
     grade(folder / "week3", "--out", folder / "same", "--labs", "5")
-    refused("same")
+    refused("same", lacks="lab 3 of s0101")
     shutil.copytree(folder / "week3", folder / "moved")
     grade(folder / "moved", "--out", folder / "again", "--labs", "3,5")
     grade("--report", folder / "again", "--out", folder / "graded")
     assert [lab[:2] for lab in marks(folder / "graded")["s0101.json"]] == [(3, 60), (5, 0)]
+
+
+def test_a_report_removes_no_milestones(folder):
+    topic, = (ROOT / "labs").glob("lab1_*")
+    pack(folder / "ada.zip", {f"labs/{topic.name}/{file.name}": "// right" for file in topic.glob("*.cpp")})
+    grade(folder / "ada.zip", "--out", folder / "with", "--labs", "1", "--milestones")
+    grade(folder / "ada.zip", "--out", folder / "without", "--labs", "1")
+    printed = grade("--report", folder / "without", "--out", folder / "with", code=2)
+    assert "This one lacks the milestones of ada." in printed, printed
+    assert "engine" in record(folder / "with", "ada")
+    grade("--report", folder / "with", folder / "without", "--out", folder / "both")
+    assert "engine" in record(folder / "both", "ada")
 
 
 def test_pseudonyms_need_a_secret(folder):

@@ -46,37 +46,44 @@ void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
   std::cout << "Who is who is in " << file.string() << '\n';
 }
 
-/// Whether a record is that of the same submission as an earlier one of its name, with all that was graded then.
-bool replaces(const Record& record, const Record& earlier) {
-  if (record.name != earlier.name) return false;
+bool is_of_same_submission(const Record& record, const Record& earlier) {
   const bool has_its_path = !earlier.path.empty() && record.path == earlier.path;
-  return (has_its_path || same_submission(record, earlier)) && (record.engine || !earlier.engine) &&
-         std::all_of(earlier.labs.begin(), earlier.labs.end(),
-                     [&record](const LabRecord& lab) { return record.lab(lab.lab) != nullptr; });
+  return record.name == earlier.name && (has_its_path || same_submission(record, earlier));
 }
 
-/// Whether a folder has records that a report does not replace.
-bool has_other_records(const fs::path& out, const std::vector<Record>& records) {
-  const std::vector<Record> present = RecordFolder(out).records();
-  return std::any_of(present.begin(), present.end(), [&records](const Record& earlier) {
-    return std::none_of(records.begin(), records.end(),
-                        [&](const Record& record) { return replaces(record, earlier); });
+/// What records lack of an earlier one: the submission, a lab or the milestones. Empty if they lack nothing.
+std::string missing_of(const Record& earlier, const std::vector<Record>& records) {
+  const auto own = std::find_if(records.begin(), records.end(), [&earlier](const Record& record) {
+    return is_of_same_submission(record, earlier);
   });
+  if (own == records.end()) {
+    return "the submission " + (earlier.path.empty() ? earlier.name : earlier.path);
+  }
+  for (const LabRecord& lab : earlier.labs) {
+    if (own->lab(lab.lab) == nullptr) return fmt::format("lab {} of {}", lab.lab, earlier.name);
+  }
+  return earlier.engine && !own->engine ? "the milestones of " + earlier.name : "";
 }
 
-/// Refuses a folder with records of an earlier report: a later one from this folder would count them.
+/// Refuses a folder with records of an earlier report that this one does not replace: a later one from this folder
+/// would count them. Nor may it replace one that has more.
 void check_has_no_other_records(const fs::path& out, const std::vector<Record>& records) {
-  if (!has_other_records(out, records)) return;
-  throw std::invalid_argument(
-      fmt::format("{} has records of an earlier report, which are not in this one.\n"
-                  "  Choose another --out.",
-                  out.string()));
+  for (const Record& earlier : RecordFolder(out).records()) {
+    const std::string missing = missing_of(earlier, records);
+    if (missing.empty()) continue;
+    throw std::invalid_argument(
+        fmt::format("{} has records of an earlier report.\n  This one lacks {}.\n"
+                    "  Choose another --out, or merge both: --report OLD NEW --out MERGED.",
+                    out.string(), missing));
+  }
 }
 
-/// Refuses a folder in which an earlier report has left names. Records that this one replaces have none: they
-/// are those of an earlier report with the same pseudonyms.
-void check_has_no_names(const fs::path& out, const PseudonymousClass& pseudonymous) {
-  std::string names = has_other_records(out, pseudonymous.records) ? "records" : "";
+/// Refuses a folder in which an earlier report has left names. Records with a path have them.
+void check_has_no_names(const fs::path& out) {
+  const std::vector<Record> present = RecordFolder(out).records();
+  const bool has_paths = std::any_of(present.begin(), present.end(),
+                                     [](const Record& record) { return !record.path.empty(); });
+  std::string names = has_paths ? "records" : "";
   for (const char* file : {"course.toml", "roster.csv"}) {
     if (fs::exists(out / file)) names = file;
   }
@@ -111,7 +118,8 @@ void report(const ReportRequest& request) {
   const FolderLock lock(request.out);
   if (request.pseudonyms) {
     PseudonymousClass pseudonymous = with_pseudonyms(records, settings.roster, settings.course);
-    check_has_no_names(request.out, pseudonymous);
+    check_has_no_names(request.out);
+    check_has_no_other_records(request.out, pseudonymous.records);
     write_key(pseudonymous, request.folders.front());
     records = std::move(pseudonymous.records);
     settings.roster = std::move(pseudonymous.roster);
