@@ -334,6 +334,24 @@ TEST(Reports, ShowNoNumberOfMilestonesThatWereNotGraded) {
   }
 }
 
+TEST(Reports, ClassPageShowsThatNobodysMilestonesWereGraded) {
+  const Course course = course_of("");
+  const std::vector<Record> records{with_broken_engine(record_of("ada", lab_record(24, 0, 0)), 2)};
+  const std::string page = class_page(mark_class(assign({}, records), {3}, course), {3}, course);
+  EXPECT_NE(page.find("feedback/ada.html\">–</a>"), std::string::npos) << page;
+  EXPECT_EQ(page.find("<h2>Milestones"), std::string::npos) << "nothing to count";
+}
+
+TEST(Statistics, CountNoMilestonesOfAStudentWhoseOtherEngineBroke) {
+  const Record first = with_engine(record_of("ada", lab_record(24, 0, 0)), {"passed", "failed"});
+  Record second = with_broken_engine(record_of("ada", lab_record(24, 0, 0)), 2);
+  second.name = "ada-2";
+  const std::vector<Record> records{first, second};
+  const std::vector<StudentMark> marks = mark_class(assign({}, records), {3}, course_of(""));
+  ASSERT_EQ(marks.size(), 1U);
+  EXPECT_TRUE(statistics_of(marks, {3}).milestones.empty());
+}
+
 TEST(Feedback, ListsTestsInTheOrderOfTheSteps) {
   Record record = record_of("ada", lab_record(24, 24, 12));
   record.labs[0].tests[0].step = "L3.10";

@@ -284,12 +284,10 @@ StudentMark mark_one(const Student& student, const std::vector<int>& labs, int m
 
 /// Milestones that no run has run for a student, but for others, count as a lab that no run graded: as 0.
 void count_missing_milestones(std::vector<StudentMark>& marks, const Course& course) {
-  const auto has_engine = [](const StudentMark& mark) { return mark.engine.record != nullptr; };
-  const bool counts =
-      course.milestones_weight > 0 && std::any_of(marks.begin(), marks.end(), has_engine);
+  const bool counts = course.milestones_weight > 0 && have_engines(marks);
   for (StudentMark& mark : marks) {
     const bool has_nothing = mark.is_missing() && mark.percent == 0;  // no points by hand either
-    if (!counts || has_engine(mark) || has_nothing) continue;
+    if (!counts || mark.engine.record != nullptr || has_nothing) continue;
     mark.engine.was_run = false;
     mark.percent = total_percent(mark, course);
   }
@@ -350,6 +348,11 @@ std::vector<StudentMark> mark_class(const std::vector<Student>& students,
   }
   count_missing_milestones(marks, course);
   return marks;
+}
+
+bool have_engines(const std::vector<StudentMark>& marks) {
+  return std::any_of(marks.begin(), marks.end(),
+                     [](const StudentMark& mark) { return mark.engine.record != nullptr; });
 }
 
 std::vector<std::string> entries_about_nobody(const Course& course,

@@ -80,6 +80,9 @@ StudentMark mark_student(const Student& student, const std::vector<int>& labs,
 std::vector<StudentMark> mark_class(const std::vector<Student>& students,
                                     const std::vector<int>& labs, const Course& course);
 
+/// Whether the milestones of anybody were run, also if the grader failed.
+bool have_engines(const std::vector<StudentMark>& marks);
+
 /// The entries of the course file whose student is neither the id nor the email of anybody:
 /// "[[extension]] of lab 3 for s0109".
 std::vector<std::string> entries_about_nobody(const Course& course,

@@ -134,8 +134,8 @@ std::string engine_cell(const EngineMark& engine) {
                      html(engine.record->name), reached);
 }
 
-std::string student_table(const std::vector<StudentMark>& marks, const std::vector<int>& labs,
-                          bool has_engines) {
+std::string student_table(const std::vector<StudentMark>& marks, const std::vector<int>& labs) {
+  const bool has_engines = have_engines(marks);
   std::vector<std::string> headings{"Student", "Total"};
   for (const int lab : labs) headings.push_back(fmt::format("Lab {}", lab));
   if (has_engines) headings.emplace_back("Milestones");
@@ -214,7 +214,7 @@ std::string class_page(const std::vector<StudentMark>& marks, const std::vector<
     body += "<h2>Alike failures</h2>\n" + failure_table(statistics.failures);
   }
   body += oddities(statistics);
-  body += "<h2>Students</h2>\n" + student_table(marks, labs, !statistics.milestones.empty());
+  body += "<h2>Students</h2>\n" + student_table(marks, labs);
   return page(course.title, body);
 }
 

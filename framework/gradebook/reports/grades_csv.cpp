@@ -98,9 +98,7 @@ std::string status_of(const StudentMark& mark) {
 std::string grades_csv(const std::vector<StudentMark>& marks, const std::vector<int>& labs) {
   std::string text = "id,name,email,section,status,percent";
   for (const int lab : labs) text += fmt::format(",lab{}", lab);
-  const bool has_engines = std::any_of(marks.begin(), marks.end(), [](const StudentMark& mark) {
-    return mark.engine.record != nullptr;
-  });
+  const bool has_engines = have_engines(marks);
   text += has_engines ? ",milestones,notes\n" : ",notes\n";
   for (const StudentMark& mark : marks) {
     const Student& student = mark.student;

@@ -82,7 +82,7 @@ std::vector<TestStatistics> test_statistics(const std::vector<const LabMark*>& m
 std::vector<MilestoneStatistics> milestone_statistics(const std::vector<StudentMark>& marks) {
   std::vector<MilestoneStatistics> milestones;
   for (const StudentMark& mark : marks) {
-    if (mark.engine.record == nullptr || !mark.engine.record->engine->is_graded()) continue;
+    if (mark.engine.record == nullptr || !mark.engine.is_graded) continue;
     for (const TestResult& test : mark.engine.record->engine->tests) {
       auto found = std::find_if(milestones.begin(), milestones.end(),
                                 [&test](const auto& known) { return known.name == test.name; });
