@@ -94,7 +94,17 @@ TEST(Discovery, InTheDeepestFoldersEverythingIsFoundOrListed) {
   }
   EXPECT_EQ(skipped, (std::vector<std::string>{"link: a symbolic link, which is not followed",
                                                "notes.txt: not an archive",
-                                               "s0103: no files of a lab, three folders deep"}));
+                                               "s0103: its archives are too deep: not read"}));
+}
+
+TEST(Discovery, WhatIsGradedIsNotSkipped) {
+  const ScratchFolder scratch;
+  const std::string project = "class/s0101/hand-in/project/cs550-main";
+  files::write_file(scratch / project / "labs/lab3_hill_climbing/hill_climbing.cpp", "");
+  const Discovery found = find_submissions({scratch / "class"}, project_catalogue());
+  ASSERT_EQ(found.submissions.size(), 1U);
+  EXPECT_TRUE(read_submission(found.submissions[0], project_catalogue()).labs.contains(3));
+  EXPECT_TRUE(found.skipped.empty()) << found.skipped[0].path << ": " << found.skipped[0].reason;
 }
 
 TEST(Discovery, AnArchiveNamedLikeALabIsThatOfItsFolder) {

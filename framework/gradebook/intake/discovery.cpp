@@ -100,12 +100,13 @@ class Finder {
     } else if (folders.size() <= deepest) {
       open(path, folders);
     } else {
-      skip(path, "no files of a lab, three folders deep");
+      skip(path, holds_archives(path) ? "its archives are too deep: not read" : no_files);
     }
   }
 
   void open(const fs::path& folder, const std::vector<std::string>& folders) {
     const std::size_t before = found_.submissions.size();
+    const std::size_t skipped_before = found_.skipped.size();
     for (const fs::path& link : links(folder)) {
       skip(link, "a symbolic link, which is not followed");
     }
@@ -115,7 +116,12 @@ class Finder {
       look_at(child, names);
     }
     if (found_.submissions.size() > before) return;
-    // A folder without a submission is what a student handed in, and gets a record.
+    // A folder without a submission is what a student handed in, and gets a record, which lists the files in it.
+    found_.skipped.erase(
+        std::remove_if(found_.skipped.begin() + static_cast<std::ptrdiff_t>(skipped_before),
+                       found_.skipped.end(),
+                       [](const IgnoredFile& file) { return file.reason == no_files; }),
+        found_.skipped.end());
     const std::size_t above = folders.empty() ? 0 : folders.size() - 1;
     add(folder, {folders.begin(), folders.begin() + static_cast<std::ptrdiff_t>(above)});
   }
@@ -124,6 +130,7 @@ class Finder {
 
  private:
   static constexpr std::size_t deepest = 2;  ///< a folder per student, and one per lab in it
+  static constexpr const char* no_files = "no files of a lab, three folders deep";
 
   void skip(const fs::path& path, const char* reason) {
     found_.skipped.push_back({plain_line(path.string()), reason, 1});
