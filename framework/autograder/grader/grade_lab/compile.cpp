@@ -181,18 +181,21 @@ class Compiler {
 
  private:
   /// Whether it was killed, or a program that it ran: GCC and Clang are drivers, and report that of a part on a line
-  /// that begins with the driver's name. Text of a submission follows the name of its file; text with a line break
-  /// could pass for a report, but earns timeouts only.
+  /// that begins with the driver's name, and may end with that of the part. Text of a submission follows the name of
+  /// its file, which #line may choose, and a colon. Text with a line break could pass for a report, but earns timeouts
+  /// only.
   static bool was_killed(const Process& process) {
     if (process.signal() == SIGKILL) return true;
     const std::string driver = fs::path(CS550_COMPILER).filename();
     const std::string reports[] = {driver + ": fatal error: Killed signal terminated program",
                                    driver + ": error: unable to execute command: Killed",
+                                   "clang: error: unable to execute command: Killed",  // clang++
                                    "collect2: fatal error: ld terminated with signal 9 [Killed]"};
     std::istringstream lines(process.output());
     for (std::string line; std::getline(lines, line);) {
       for (const std::string& report : reports) {
-        if (line.starts_with(report)) return true;
+        const bool ends_there = line.find(':', report.size()) == std::string::npos;
+        if (line.starts_with(report) && ends_there) return true;
       }
     }
     return false;
