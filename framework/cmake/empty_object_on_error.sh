@@ -8,7 +8,8 @@ status=$?
 
 # A full disk or too little memory is no mistake of the lab: the build fails, and the next one compiles it again.
 case $messages in
-  *'signal terminated program'* | *'out of memory'* | *'memory exhausted'* | *'error writing to'* | *'No space left'*)
+  *'fatal error: '*' signal terminated program '* | *'unable to execute command: '* | *'cc1plus: out of memory'* | \
+    *'virtual memory exhausted'* | *'fatal error: error writing to '* | *'No space left on device'* | *'Disk quota exceeded'*)
     exit "$status" ;;
 esac
 

@@ -40,10 +40,11 @@ FAKE
 chmod +x "$scratch/bin/compiler"
 export MESSAGE
 compile() { sh "$root/framework/cmake/empty_object_on_error.sh" compiler -o "$scratch/lab.o" -c lab.cpp >/dev/null 2>&1; }
-MESSAGE="lab.cpp:1:1: error: expected ';'"
-compile || wrong "a lab that does not compile stops the build"
-[ -s "$scratch/lab.o" ] || wrong "no empty object"
-rm "$scratch/lab.o"
+for MESSAGE in "lab.cpp:1:1: error: expected ';'" "lab.cpp:1:1: error: expected ';'    1 | int x // out of memory"; do
+  compile || wrong "a lab that does not compile stops the build: $MESSAGE"
+  [ -s "$scratch/lab.o" ] || wrong "no empty object"
+  rm "$scratch/lab.o"
+done
 for MESSAGE in "c++: fatal error: Killed signal terminated program cc1plus" "cc1plus: out of memory allocating 9 bytes" \
   "lab.cpp:60:1: fatal error: error writing to /tmp/a.s: No space left on device"; do
   if compile; then wrong "it counts as a mistake of the lab: $MESSAGE"; fi

@@ -59,8 +59,8 @@ bool reaches(int lab, const std::function<void()>& waiting) {
   return ending.good();
 }
 
-/// Of these labs: milestones that the student's engine reaches. It runs again when a lab or the framework has changed,
-/// else they are remembered. What the machine could not build is not.
+/// Finds the milestones of these labs that the student's engine reaches. They are remembered until a lab or the
+/// framework changes. A build that fails because of the machine is tried again.
 void find_milestones(const std::vector<LabResult>& labs, Standing& standing) {
   if (const std::optional<std::set<int>> known = remembered_milestones(labs)) {
     standing.milestones = *known;

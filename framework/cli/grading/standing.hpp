@@ -18,7 +18,8 @@ struct Standing {
   std::set<std::string> untouched;  ///< labs that are still the starter
   std::optional<std::size_t> next;  ///< the first lab that is not finished, in `labs`
   std::set<int> milestones;         ///< labs whose milestones the student's engine reaches
-  std::string engine_fault;  ///< of the machine, because of which they are not known; or empty
+  /// Why the engine could not be built, so that its milestones are not known; empty if it could.
+  std::string engine_fault;
 };
 
 /// Grades the labs that have changed and runs the student's engine. Nothing is built for an

@@ -40,13 +40,13 @@ class TaskList {
   void for_parts(PartWork work) { tasks_.push_back({work, 0, {}}); }
 
   /// Work that precedes the next work of each unit. It may change nothing that other units read.
-  void before_next(PartWork work) { first_.fill(work); }
+  void before_next(PartWork work) { pending_.fill(work); }
 
   void for_units(PartWork work, const Passes& passes = {}) {
     for (std::size_t i = 0; i < phase_count; ++i) {
       const std::size_t phase = passes.backwards ? phase_count - 1 - i : i;
       if (phase > 0 && !has_contacts(order_, phase)) continue;
-      if (first_[phase]) tasks_.push_back({*std::exchange(first_[phase], {}), phase, {}});
+      if (pending_[phase]) tasks_.push_back({*std::exchange(pending_[phase], {}), phase, {}});
       tasks_.push_back({work, phase, passes});
     }
   }
@@ -59,12 +59,11 @@ class TaskList {
  private:
   const SolveOrder& order_;
   std::vector<PartTask>& tasks_;
-  std::array<std::optional<PartWork>, phase_count> first_;
+  std::array<std::optional<PartWork>, phase_count> pending_;
 };
 
-/// The order is that of substep(), but masses are refreshed later: they do not depend on velocities, and each loop
-/// saved is one wait less. Bounces, checks and recovery from overlap are missing: a step that needs them does not go by
-/// part.
+/// The order is that of substep(). Only masses are refreshed later, without loops of their own: they do not depend on
+/// velocities. Bounces, checks and recovery from overlap are missing: a step that needs them does not go by part.
 void list_tasks(WorldState& world, const ContactStep& step) {
   TaskList tasks(world);
   tasks.for_parts(PartWork::ApplyForces);
