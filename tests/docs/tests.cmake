@@ -1,14 +1,20 @@
-# docs.book: opens every page of the built book in headless browsers. It is skipped if the book is not built.
+# docs.book: opens the pages of the built book in headless browsers, docs.code those that hold nothing but code or
+# names. Both are skipped if the book is not built.
 if(CS550_HAS_BROWSER)
   add_test(NAME docs.book
            COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/book_test.py"
                    "${PROJECT_SOURCE_DIR}/build/docs/html")
+  add_test(NAME docs.code
+           COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/book_test.py"
+                   "${PROJECT_SOURCE_DIR}/build/docs/html" --code)
   # docs.live: every figure that answers. Skipped where the book was built without emscripten.
   add_test(NAME docs.live
            COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/live_test.py"
                    "${PROJECT_SOURCE_DIR}/build/docs/html" $<TARGET_FILE:cs550_demo>)
   # Each starts a browser for every processor.
-  set_tests_properties(docs.book docs.live PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 900 RUN_SERIAL ON)
+  set_tests_properties(docs.book docs.live PROPERTIES LABELS "docs;long")
+  set_tests_properties(docs.code PROPERTIES LABELS pages)
+  set_tests_properties(docs.book docs.code docs.live PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 RUN_SERIAL ON)
 endif()
 
 # docs.firefox: the figures that answer, in another browser. Skipped where Firefox, the library that speaks to it or
