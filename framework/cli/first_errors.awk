@@ -1,10 +1,12 @@
 # awk -f first_errors.awk LOG
-# The first 40 lines of a build's log from the first error on that stopped the build, or its last 40 lines if it names no
-# error. Paths are relative to the project. Left out are ninja's progress and command lines, CMake's reports of
-# success, and errors of labs that count as empty, which come before "FAILED".
+# The first 40 lines from the first error on of the step that stopped a build, or the last 40 lines of its log if no error
+# is named. Paths are relative to the project. Left out are ninja's progress and command lines, CMake's reports of
+# success, and errors of labs that count as empty, which come before "FAILED" or after the end of the failed step.
 BEGIN { root = ENVIRON["CS550_ROOT"] "/"; most = 40 }
+failed && (/^FAILED: / || /^\[[0-9]+\/[0-9]+\]/ || /^ninja: /) { exit }
 /^FAILED: / {
-  if (!failed++) count = first = 0
+  failed = 1
+  count = first = 0
   getline  # the command line
   next
 }

@@ -46,7 +46,8 @@ TEST_F(BuildLog, WarningsAreOfTheStudentsOwnFilesAndEachIsNamedOnce) {
 TEST_F(BuildLog, ThePathOfTheFirstErrorIsRelative) {
   const std::string error = "labs/lab3_hill_climbing/hill_climbing.cpp:7:3: error: expected ';'";
   for (const std::string& start : {root.string() + '/', std::string("../../")}) {
-    write("[1/3] Building\n" + start + error + "\nninja: build stopped\n");
+    write("[1/3] Building\nFAILED: lab3.o\nc++ -c lab3.cpp\n" + start + error +
+          "\nninja: build stopped: subcommand failed.\n");
     EXPECT_EQ(first_build_error(), error);
   }
 }
@@ -64,6 +65,59 @@ TEST_F(BuildLog, AStepThatWasStoppedDoesNotHaveTheErrorOfALabThatCountsAsEmpty) 
         report + "\nninja: build stopped: subcommand failed.\n");
   EXPECT_EQ(first_build_error(), report);
   EXPECT_FALSE(is_students_error(first_build_error()));
+}
+
+/// Ninja waits for the steps that are running when one fails.
+TEST_F(BuildLog, WhatOtherStepsPrintAfterTheFailedOneIsNotItsError) {
+  const std::string report =
+      "cc1plus: out of memory allocating 65536 bytes after a total of 0 bytes";
+  const std::string failed = "[6/9] Building\nFAILED: lab3.o\nc++ -c lab3.cpp\n" + report + '\n';
+  const std::string stopped = "ninja: build stopped: subcommand failed.\n";
+  const std::string next = "[7/9] Building CXX object lab4.o\n";
+  const std::string of_lab_4 =
+      "../../labs/lab4_separating_axis/separating_axis.cpp:3:1: error: expected ';'\n";
+  for (const std::string& others :
+       {next, next + of_lab_4, next + "FAILED: lab4.o\nc++ -c\n" + of_lab_4}) {
+    write(failed + others + stopped);
+    EXPECT_EQ(first_build_error(), report) << others;
+    EXPECT_FALSE(is_students_error(first_build_error())) << others;
+  }
+}
+
+TEST_F(BuildLog, ATemplateOfAnotherStepDoesNotMakeAKilledCompilerTheStudents) {
+  const std::string in_template =
+      "/usr/include/eigen3/Eigen/src/Core/Product.h:7:3: error: static assertion failed\n"
+      "../../labs/lab5_clipping/clipping.cpp:7:3:   required from here\n";
+  const std::string in_warning =
+      "../../labs/lab4_separating_axis/separating_axis.cpp:7:3:   required from here\n"
+      "/usr/include/eigen3/Eigen/src/Core/Product.h:7:3: warning: unused 'x'\n";
+  const std::string killed = "c++: fatal error: Killed signal terminated program cc1plus";
+  write("[1/3] Building\n" + in_template + "[2/3] Building\nFAILED: lab4.o\nc++ -c\n" + in_warning +
+        killed + "\nninja: build stopped: subcommand failed.\n");
+  EXPECT_EQ(first_build_error(), killed);
+  EXPECT_FALSE(is_students_error(killed));
+}
+
+TEST_F(BuildLog, AStepThatPrintsNothingHasNoOthersError) {
+  write(
+      "[1/3] Building\nlabs/lab4.cpp:1:1: error: tolerated\n[2/3] Building\nFAILED: lab3.o\n"
+      "c++ -c lab3.cpp\nninja: build stopped: subcommand failed.\n");
+  EXPECT_EQ(first_build_error(), "the build failed");
+  EXPECT_FALSE(is_students_error(first_build_error()));
+}
+
+TEST_F(BuildLog, TheReasonOfALinkThatFailedIsTheLinkers) {
+  const std::string failed = "[1/3] Linking\nFAILED: lab3_student\nc++ -o lab3_student\n";
+  for (const char* last : {"collect2: error: ld returned 1 exit status\n",
+                           "clang: error: linker command failed with exit code 1 (use -v to see "
+                           "invocation)\n"}) {
+    for (const std::string reason :
+         {"ld: final link failed: No space left on device",
+          "ld: lab3_test.cpp:7: undefined reference to `cs550::hill_climb'"}) {
+      write(failed + reason + '\n' + last);
+      EXPECT_EQ(first_build_error(), reason);
+    }
+  }
 }
 
 /// A template's error is in its header, and the linker's in no file.

@@ -42,10 +42,10 @@ def log(text):
 def build(target):
     lab = re.match(r"lab(\d)_", target)
     if lab and has("NO_CODE", lab[1]):
-        log("[1/2] Building\n../../labs/lab.cpp:7:1: error: expected ';'\n")
+        log("[1/2] Building\nFAILED: lab.o\nc++ -c\n../../labs/lab.cpp:7:1: error: expected ';'\n")
         return 1
     if (ROOT / "disk_is_full").exists():
-        log("[1/2] Building\nFAILED: a.o\n../../labs/lab.cpp:60:1: fatal error: error writing to a.s: "
+        log("[1/2] Building\nFAILED: a.o\nc++ -c\n../../labs/lab.cpp:60:1: fatal error: error writing to a.s: "
             "No space left on device\n")
         return 1
     log("ninja: no work to do.\n")

@@ -126,6 +126,18 @@ grep -qFx "In file included from labs/a.hpp:1," "$scratch/printed" || wrong "exp
 [ "$(sed -n 1p "$scratch/printed")" = "labs/lab5.cpp: In function 'void f()':" ] || wrong "another first line"
 prints "labs/lab5.cpp:9:3: error: the first labs/lab5.cpp:10:1: error: a later one"
 prints "... and 52 more lines"
+# It ends where the failed step does: other steps that are running then print their own.
+{
+  printf 'FAILED: lab3.o\nc++ -c lab3.cpp\n'
+  echo "cc1plus: out of memory allocating 65536 bytes"
+  echo "after a total of 0 bytes"
+  echo "[7/9] Building CXX object lab4.o"
+  echo "../../labs/lab4.cpp:3:1: error: of a lab that counts as empty"
+  echo "ninja: build stopped: subcommand failed."
+} >"$project/broken"
+! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "a failed build counted as good"
+[ "$(sed -n 1p "$scratch/printed")" = "cc1plus: out of memory allocating 65536 bytes" ] || wrong "another first line"
+! grep -qF lab4 "$scratch/printed" || wrong "it printed the error of another step"
 rm "$project/broken"
 
 # A second build waits for the first, and then succeeds.

@@ -1,6 +1,7 @@
 #include "cli/system/build_log.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <initializer_list>
 
@@ -26,46 +27,74 @@ bool has_any(const std::string& line, std::initializer_list<const char*> texts) 
   return std::any_of(texts.begin(), texts.end(), is_in_line);
 }
 
-/// Whether the compiler itself failed, at a place in the code.
-bool is_of_the_compiler(const std::string& error) {
-  return has_any(error, {"error: error writing to ", "error: opening dependency file ",
-                         "internal compiler error: "});
+/// Whether ninja reports its progress, "[12/65] Building ...", or its own end.
+bool is_of_ninja(const std::string& line) {
+  const bool counts = line.starts_with('[') && std::isdigit(line[1]) != 0;
+  return counts || line.starts_with("ninja: ");
 }
 
-/// Whether a line reports a mistake of a lab outside of the lab's files: in a template that it uses, or in what it
-/// defines.
-bool is_of_a_lab(const std::string& line) {
-  const bool uses_a_template = has_any(line, {"required from", "requested here"});
-  return (uses_a_template && has_any(line, {"labs/"})) ||
-         has_any(line, {"undefined reference to", "multiple definition of"});
+/// Whether a compiler only repeats that its linker has failed.
+bool repeats_a_failure(const std::string& line) {
+  return has_any(line, {"error: ld returned ", "error: linker command failed "});
+}
+
+/// What the first failed step of the build printed; without one, the last line of the log. Other steps that are
+/// running then end later, and may also fail.
+std::vector<std::string> failed_step() {
+  std::ifstream lines = open_log();
+  std::vector<std::string> step;
+  bool has_failed = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool fails = line.starts_with("FAILED: ");
+    if (has_failed && (fails || is_of_ninja(line))) break;
+    if (line.empty() || line.starts_with("ninja: build stopped") || repeats_a_failure(line))
+      continue;
+    if (!has_failed) step.clear();
+    if (fails) {
+      has_failed = true;
+      std::getline(lines, line);  // the command line
+    } else {
+      step.push_back(line);
+    }
+  }
+  return step;
+}
+
+bool is_of_the_linker(const std::string& error) {
+  return has_any(error, {"undefined reference to", "multiple definition of"});
+}
+
+bool is_error(const std::string& line) {
+  return has_any(line, {"error: "}) || is_of_the_linker(line);
+}
+
+/// Whether the compiler itself failed, perhaps at a place in the code.
+bool is_of_the_compiler(const std::string& error) {
+  return has_any(error, {"error: error writing to ", "error: opening dependency file ",
+                         "internal compiler error: ", " signal terminated program ",
+                         "error: unable to execute command: "});
+}
+
+/// Whether a line reports that a lab uses a template.
+bool uses_a_template(const std::string& line) {
+  return has_any(line, {"required from", "requested here"}) && has_any(line, {"labs/"});
 }
 
 }  // namespace
 
 std::string first_build_error() {
-  std::ifstream lines = open_log();
-  std::string last = "the build failed";
-  std::string tolerated;  // of another lab, which counts as empty
-  bool has_failed = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("FAILED: ", 0) == 0) has_failed = true;
-    if (line.find("error: ") != std::string::npos) {
-      if (has_failed) return from_the_root(line);
-      if (tolerated.empty()) tolerated = from_the_root(line);
-    }
-    if (!line.empty() && !line.starts_with("ninja: build stopped")) last = line;
-  }
-  return has_failed || tolerated.empty() ? last : tolerated;
+  const std::vector<std::string> lines = failed_step();
+  if (lines.empty()) return "the build failed";
+  const auto error = std::find_if(lines.begin(), lines.end(), is_error);
+  return from_the_root(error != lines.end() ? *error : lines.back());
 }
 
 bool is_students_error(const std::string& error) {
-  if (error.starts_with("labs/")) return !is_of_the_compiler(error);
-  if (error.find("error: ") == std::string::npos) return false;  // of CMake, or out of memory
-  std::ifstream lines = open_log();
-  for (std::string line; std::getline(lines, line);) {
-    if (is_of_a_lab(line)) return true;
-  }
-  return false;
+  if (is_of_the_compiler(error)) return false;
+  if (error.starts_with("labs/") || is_of_the_linker(error)) return true;
+  if (!is_error(error)) return false;  // of CMake, or out of memory
+  const std::vector<std::string> lines = failed_step();
+  return std::any_of(lines.begin(), lines.end(), uses_a_template);
 }
 
 std::vector<std::string> own_warnings() {

@@ -7,7 +7,7 @@
 
 namespace cs550::cli {
 
-/// The first error, or the last line if there is none.
+/// The first error of the step that stopped the build, or its last line if it printed none.
 std::string first_build_error();
 
 /// Whether the first error of the last build is the student's, so that the next build has it too. It may also be in a
