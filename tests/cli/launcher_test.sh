@@ -34,22 +34,26 @@ grep -qx "messages in C.UTF-8" "$project/build/test.log" || wrong "messages are 
 # A lab that does not compile counts as empty, but not one whose compiler was stopped: it is compiled again.
 cat >"$scratch/bin/compiler" <<'FAKE'
 #!/bin/sh
+[ "$MESSAGE" != "killed without a message" ] || kill -9 $$
 echo "$MESSAGE" >&2
 exit 1
 FAKE
 chmod +x "$scratch/bin/compiler"
 export MESSAGE
-compile() { sh "$root/framework/cmake/empty_object_on_error.sh" compiler -o "$scratch/lab.o" -c lab.cpp >/dev/null 2>&1; }
+tolerate() { sh "$root/framework/cmake/empty_object_on_error.sh" "$@"; }
+compile() { tolerate compiler -o "$scratch/lab.o" -c lab.cpp >/dev/null 2>&1; }
 for MESSAGE in "lab.cpp:1:1: error: expected ';'" "lab.cpp:1:1: error: expected ';'    1 | int x // out of memory"; do
   compile || wrong "a lab that does not compile stops the build: $MESSAGE"
   [ -s "$scratch/lab.o" ] || wrong "no empty object"
   rm "$scratch/lab.o"
 done
 for MESSAGE in "c++: fatal error: Killed signal terminated program cc1plus" "cc1plus: out of memory allocating 9 bytes" \
-  "lab.cpp:60:1: fatal error: error writing to /tmp/a.s: No space left on device"; do
+  "lab.cpp:60:1: fatal error: error writing to /tmp/a.s: No space left on device" "killed without a message"; do
   if compile; then wrong "it counts as a mistake of the lab: $MESSAGE"; fi
   [ ! -e "$scratch/lab.o" ] || wrong "an object is left after: $MESSAGE"
 done
+LC_ALL=de_DE.UTF-8 tolerate sh -c 'echo "$LC_ALL"' >"$scratch/printed"
+prints "C.UTF-8"
 
 # What is built again. The tests run twice: in the project, and in a folder of links to it.
 # build_state FOLDER: where it builds
