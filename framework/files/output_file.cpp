@@ -33,11 +33,6 @@ bool is_below(const fs::path& file, const char* folder) {
   return fs::absolute(file).lexically_normal().string().starts_with(folder);
 }
 
-/// The system's own links name what is already open, such as the standard output. Anybody may write to /dev/shm.
-bool is_link_of_the_system(const fs::path& link) {
-  return (is_below(link, "/dev/") && !is_below(link, "/dev/shm/")) || is_below(link, "/proc/");
-}
-
 /// The ordinary file behind symbolic links, which keeps its content until the new one is complete and need not
 /// exist; otherwise the path itself.
 fs::path target_of(const fs::path& file) {
@@ -69,6 +64,13 @@ int open_nameless([[maybe_unused]] const fs::path& folder) {
 }
 
 }  // namespace
+
+bool is_link_of_the_system(const fs::path& path) {
+  std::error_code unknown;
+  // Anybody may write to /dev/shm.
+  const bool is_in_dev = is_below(path, "/dev/") && !is_below(path, "/dev/shm/");
+  return (is_in_dev || is_below(path, "/proc/")) && fs::is_symlink(path, unknown);
+}
 
 OutputFile::OutputFile(const fs::path& file) : file_(target_of(file)) {
   const fs::path folder = fs::absolute(file_).parent_path();

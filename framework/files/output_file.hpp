@@ -52,6 +52,9 @@ void write_file(const std::filesystem::path& file, std::string_view bytes);
 /// Replaces `to` by a copy of `from`.
 void copy_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
+/// Whether a path is a link of the system's own to what is already open, such as /dev/stdout.
+bool is_link_of_the_system(const std::filesystem::path& path);
+
 /// Flushes standard output. @throws std::runtime_error if some of it could not be written, for
 /// example to a full disk
 void check_standard_output();

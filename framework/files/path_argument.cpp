@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "files/output_file.hpp"
+
 namespace cs550::files {
 
 std::string fault_of_path(const std::string& word) {
@@ -23,9 +25,8 @@ std::string fault_of_ending(const std::string& word, const std::string& ending) 
   if (fs::path(word).extension() == ending) return "";
   std::error_code unknown;
   const fs::file_status status = fs::status(word, unknown);
-  // /dev/stdout, for example, may be a link to a file.
-  const bool is_link_of_the_system = word.rfind("/dev/", 0) == 0 && fs::is_symlink(word, unknown);
-  const bool is_file = fs::is_regular_file(status) && !is_link_of_the_system;
+  // Standard output may be a file.
+  const bool is_file = fs::is_regular_file(status) && !is_link_of_the_system(word);
   const bool is_absent = status.type() == fs::file_type::not_found;
   if (!is_file && !is_absent) return "";
   return "'" + word + "' must end in " + ending;

@@ -83,6 +83,11 @@ TEST_F(Output, MustHaveItsEndingInSharedMemoryToo) {
   const std::string code = "/dev/shm/cs550_code.cpp";
   if (!(std::ofstream(code) << "int code;").flush()) GTEST_SKIP() << "there is no /dev/shm";
   EXPECT_EQ(fault_of_ending(code, ".zip"), "'" + code + "' must end in .zip");
+  const std::string link = "/dev/shm/cs550_link";
+  fs::remove(link);
+  fs::create_symlink(code, link);
+  EXPECT_EQ(fault_of_ending(link, ".zip"), "'" + link + "' must end in .zip");
+  fs::remove(link);
   fs::remove(code);
   EXPECT_EQ(fault_of_ending("/dev/null", ".zip"), "");
 }
