@@ -76,7 +76,9 @@ TEST_F(ObjFile, WithFacesBeforeTheirVerticesLosesNone) {
   expect_named(load_obj(path).error, "line 1: a face comes before its vertices");
   // Without the name of a material a group ends, too, if a library was named.
   write("mtllib a.mtl\nf 1 2 3 4\nusemtl\n" + vertices + "f 1 2 3\n");
-  expect_named(load_obj(path).error, "a face comes before its vertices");
+  expect_named(load_obj(path).error, "line 2: a face comes before its vertices");
+  write("mtllib a.mtl\nf 1 2 3 4 5 6\nusemtl\n" + vertices + "f 1 2 3\n");
+  expect_named(load_obj(path).error, "line 2: a face comes before its vertices");
 }
 
 /// The parser looks at the corners of a face when its group ends, and never at those of a triangle.
@@ -87,7 +89,7 @@ TEST_F(ObjFile, MayHaveItsVerticesAfterItsFaces) {
   write("g top\nf 1 2 3\nf 1 3 6\ng rest\n" + vertices + "f 1 6 2\n");
   EXPECT_EQ(load_obj(path).error, "");
   EXPECT_EQ(load_obj(path).soup.triangles.size(), 3U);
-  for (const char* no_group : {"g\n", "o\n"}) {
+  for (const char* no_group : {"g\n", "o\n", "usemtl stone\n", "usemtl\n"}) {
     write("f 1 2 3 4\n" + (no_group + vertices));
     EXPECT_EQ(load_obj(path).error, "");
     EXPECT_EQ(load_obj(path).soup.triangles.size(), 2U);

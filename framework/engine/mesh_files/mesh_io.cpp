@@ -44,11 +44,6 @@ SoupResult load_obj(const std::filesystem::path& file) {
     reason.resize(reason.find_last_not_of('\n') + 1);
     return {{}, file.string() + ": " + (reason.empty() ? "cannot be read" : reason)};
   }
-  // A group may also end at "usemtl": its faces of four corners are skipped if their vertices come later.
-  if (reader.Warning().find("invalid vertex index") != std::string::npos) {
-    return {{},
-            file.string() + ": a face comes before its vertices; move the \"v\" lines to the top"};
-  }
   TriangleSoup soup;
   const std::vector<Real>& coordinates = reader.GetAttrib().vertices;
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {

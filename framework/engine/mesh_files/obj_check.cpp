@@ -111,8 +111,10 @@ std::string control_fault(const std::string& content, int line) {
 }
 
 /// Whether the parser begins a group here: it wants a blank after the letter. It then splits the faces of the last
-/// group that have more than three corners.
-bool begins_group(const std::vector<std::string>& words, const std::string& line) {
+/// group that have more than three corners. After "mtllib", it may also begin one at each "usemtl".
+bool begins_group(const std::vector<std::string>& words, const std::string& line,
+                  bool has_materials) {
+  if (has_materials && words[0].starts_with("usemtl")) return true;
   if (words[0] != "g" && words[0] != "o") return false;
   return line.find_first_of(" \t", line.find(words[0])) != std::string::npos;
 }
@@ -123,6 +125,7 @@ std::string first_obj_fault(std::istream& text) {
   LargestNumber in_triangles;
   LargestNumber in_polygons;  // of four corners and more
   long long vertices = 0;
+  bool has_materials = false;
   int early_face = 0;
   std::string content;
   for (int line = 1; std::getline(text, content); ++line) {
@@ -135,7 +138,10 @@ std::string first_obj_fault(std::istream& text) {
       ++vertices;
     } else if (words[0] == "f") {
       fault = face_fault(words, line, vertices, words.size() > 4 ? in_polygons : in_triangles);
-    } else if (early_face == 0 && begins_group(words, content) && in_polygons.number > vertices) {
+    } else if (words[0] == "mtllib") {
+      has_materials = true;
+    } else if (early_face == 0 && in_polygons.number > vertices &&
+               begins_group(words, content, has_materials)) {
       early_face = in_polygons.line;
     }
     if (!fault.empty()) return fault;
