@@ -91,13 +91,15 @@ for arguments in "submit 3 --out empty.zip" "submit --force --out empty.zip"; do
   [ ! -e empty.zip ] || wrong "a lab without code was packed"
 done
 echo "int mine;" >"$lab/hill climbing.cpp"
+mkdir "$lab/old"
+echo "int old;" >"$lab/old/hill_climbing.cpp"  # compiled nowhere
 code=0
 "$program" submit 3 --out empty.zip >printed 2>&1 || code=$?
 [ $code = 1 ] || wrong "a lab whose only file cannot be packed was packed"
 prints "Rename it to"
 prints "labs/lab3_hill_climbing has no .cpp file that can be packed."
 if grep -q -e --reset printed; then wrong "--reset would move the student's code away"; fi
-rm "$lab/hill climbing.cpp"
+rm -r "$lab/hill climbing.cpp" "$lab/old"
 echo "int mine;" >"$lab/hill_climbing.cpp"
 
 code=0

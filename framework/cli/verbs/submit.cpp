@@ -87,9 +87,11 @@ void print_files_left_out(const std::string& lab_name) {
 /// Why a lab has no code to hand in; empty if it has some. Tests of one's own are not enough.
 std::string fault_of_code_to_submit(const std::string& lab_name) {
   if (const std::string fault = fault_of_absent_code(lab_name); !fault.empty()) return fault;
+  const fs::path folder = project_root() / "labs" / lab_name;  // what is below it is only included
   const std::vector<fs::path> files = files_to_submit(lab_name);
-  const bool has_code = std::any_of(files.begin(), files.end(), [](const fs::path& file) {
-    return file.extension() == ".cpp" && file.filename() != "my_tests.cpp";
+  const bool has_code = std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+    return file.parent_path() == folder && file.extension() == ".cpp" &&
+           file.filename() != "my_tests.cpp";
   });
   return has_code ? "" : "labs/" + lab_name + " has no .cpp file that can be packed.";
 }
