@@ -135,19 +135,21 @@ TEST_F(BuildLog, AnErrorOutsideOfTheLabsFilesMayBeTheStudents) {
 }
 
 TEST_F(BuildLog, AnErrorOfTheMachineIsNotTheStudents) {
-  for (const char* report : {"c++: fatal error: Killed signal terminated program cc1plus\n",
-                             "collect2: fatal error: ld terminated with signal 9 [Killed]\n",
-                             "ld: final link failed: No space left on device\n"
-                             "collect2: error: ld returned 1 exit status\n",
-                             "framework/include/cs550/math.hpp:5:10: fatal error: Eigen/Core: No "
-                             "such file or directory\n",
-                             "cc1plus: out of memory allocating 65536 bytes\n",
-                             "c++: fatal error: Terminated signal terminated program cc1plus\n",
-                             "ccache: error: Failed to create temporary file for x: Disk quota "
-                             "exceeded\n",
-                             "../../labs/lab3_hill_climbing/hill_climbing.cpp:60:1: fatal error: "
-                             "error writing to /tmp/ccX.s: No space left on device\n",
-                             "ninja: error: 'a.cpp', needed by 'a.o'\n"}) {
+  for (const char* report :
+       {"c++: fatal error: Killed signal terminated program cc1plus\n",
+        "collect2: fatal error: ld terminated with signal 9 [Killed]\n",
+        "ld: final link failed: No space left on device\n"
+        "collect2: error: ld returned 1 exit status\n",
+        "framework/include/cs550/math.hpp:5:10: fatal error: Eigen/Core: No "
+        "such file or directory\n",
+        "cc1plus: out of memory allocating 65536 bytes\n",
+        "../../labs/lab3_hill_climbing/hill_climbing.cpp:7:3: warning: unused 'x'\n",
+        "c++: fatal error: Terminated signal terminated program cc1plus\n",
+        "ccache: error: Failed to create temporary file for x: Disk quota "
+        "exceeded\n",
+        "../../labs/lab3_hill_climbing/hill_climbing.cpp:60:1: fatal error: "
+        "error writing to /tmp/ccX.s: No space left on device\n",
+        "ninja: error: 'a.cpp', needed by 'a.o'\n"}) {
     write(std::string("[1/3] Building\nFAILED: lab3.o\nc++ -c\n") + report);
     EXPECT_FALSE(is_students_error(first_build_error())) << report;
   }

@@ -117,6 +117,10 @@ for verb in "progress" "lab 3" "lab 3 --asan" "lab 3 --run"; do
 done
 runs 0 progress
 points "Your engine, assembled" "2/7"
+prints "Next: Lab 3: hill climbing has no code"
+prints_not "does not compile"
+runs 1 lab 3 --hint
+prints "Lab 3: hill climbing has no code:"
 mv "$copy/kept" "$lab3"
 runs 0 lab 3
 
@@ -200,10 +204,18 @@ prints "GDB lab3_debugged"
 echo "// mended" >"$lab3"
 runs 0 lab 3
 
-echo "A full disk is no fault of the engine:"
+echo "A full disk is no fault of the engine, nor of a lab:"
 : >"$copy/disk_is_full"
 runs 0 progress
 prints "Your engine, assembled     not known, because it was not built:"
+prints "No space left on device"
+echo "// edited" >"$lab3"
+runs 0 progress
+points "Lab 3: hill climbing" "0/48"
+prints "Next: Lab 3: hill climbing was not built"
+prints_not "does not compile"
+runs 1 lab 3 --hint
+prints "Lab 3: hill climbing was not built:"
 prints "No space left on device"
 rm "$copy/disk_is_full"
 runs 0 progress

@@ -56,9 +56,9 @@ std::vector<EarlierFault> warn_of_earlier_labs(const std::string& lab_name,
     const std::optional<Verdict> failure = result.next_failure();
     if (!failure) continue;
     const bool compiles = result.compile_error.empty();
-    const EarlierFault fault{number, compiles ? failure->step_to_mend() : ""};
-    std::cout << coloured(fmt::format("Lab {} itself {}: fix that first.", number,
-                                      compiles ? "fails " + fault.step : "does not compile"),
+    const std::string step = compiles ? failure->step_to_mend() : "";
+    const EarlierFault fault{number, step, compiles ? "fails " + step : result.defect()};
+    std::cout << coloured(fmt::format("Lab {} itself {}: fix that first.", number, fault.defect),
                           Colour::Yellow)
               << fmt::format(" (./cs550 lab {})\n\n", number);
     faults.push_back(fault);
@@ -71,10 +71,11 @@ void explain_blocked_tests(std::vector<Verdict>& verdicts,
   for (Verdict& verdict : verdicts) {
     if (!verdict.is_blocked_by_other_lab()) continue;
     const int lab = lab_number_of_step(verdict.blocked_by);
-    const bool compiles = std::none_of(
+    const auto unbuilt = std::find_if(
         faults.begin(), faults.end(),
         [lab](const EarlierFault& fault) { return fault.lab == lab && fault.step.empty(); });
-    if (!compiles) verdict.message = fmt::format("blocked by lab {}, which does not compile", lab);
+    if (unbuilt == faults.end()) continue;
+    verdict.message = fmt::format("blocked by lab {}, which {}", lab, unbuilt->defect);
   }
 }
 

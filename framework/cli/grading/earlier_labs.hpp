@@ -12,7 +12,8 @@ namespace cs550::cli {
 /// An earlier lab that fails by itself.
 struct EarlierFault {
   int lab = 0;
-  std::string step;  ///< the first one that fails, "L3.1"; empty if the lab does not compile
+  std::string step;    ///< the first one that fails, "L3.1"; empty if the lab was not built
+  std::string defect;  ///< "fails L3.1", "does not compile"
 
   /// What to fix: "L3.1" or "lab 3".
   std::string in_words() const { return step.empty() ? "lab " + std::to_string(lab) : step; }

@@ -85,6 +85,11 @@ int LabResult::points() const {
   return sum;
 }
 
+std::string LabResult::defect() const {
+  if (!fault_of_absent_code(lab_name).empty()) return "has no code";
+  return is_machines_error ? "was not built" : "does not compile";
+}
+
 std::optional<Verdict> LabResult::next_failure() const {
   std::optional<Verdict> next;
   for (const Verdict& verdict : verdicts) {
@@ -117,11 +122,13 @@ void remember(const LabResult& result) {
 LabResult result_of(const std::string& lab_name) {
   if (const std::optional<LabResult> known = remembered_result(lab_name)) return *known;
   const int lab = lab_number(lab_name);
-  std::string error = fault_of_absent_code(lab_name);
-  if (error.empty()) error = build_quietly(graded_target(lab, Grading::Plain));
+  const std::string absent = fault_of_absent_code(lab_name);
+  const std::string error =
+      absent.empty() ? build_quietly(graded_target(lab, Grading::Plain)) : absent;
   LabResult result = result_of_compile_error(lab_name, error);
   if (error.empty()) result.verdicts = grade(lab, Grading::Plain, graded_tests(lab_name));
-  if (error.empty() || is_students_error(error)) remember(result);
+  result.is_machines_error = !error.empty() && absent.empty() && !is_students_error(error);
+  if (!result.is_machines_error) remember(result);
   return result;
 }
 

@@ -22,13 +22,16 @@ struct ChallengeCount {
 struct LabResult {
   std::string lab_name;
   std::string fingerprint;    ///< of everything that was graded
-  std::string compile_error;  ///< the compiler's first error; empty when it compiled
+  std::string compile_error;  ///< why there is no program: the first error; empty when it compiled
   std::vector<Verdict> verdicts;
   std::vector<ChallengeCount> challenge = {};  ///< empty until `lab N --challenge`
+  bool is_machines_error = false;  ///< a full disk, for example: the lab itself may be good
 
   int earned() const;
   int points() const;
   bool is_finished() const { return earned() == points(); }
+  /// What a compile error means: the lab "does not compile", "has no code" or "was not built".
+  std::string defect() const;
   /// A test of the first step with a test that did not pass: a failed one rather than a blocked
   /// one. None when all passed or none was run.
   std::optional<Verdict> next_failure() const;

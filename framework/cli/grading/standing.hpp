@@ -18,7 +18,8 @@ struct Standing {
   std::set<std::string> untouched;  ///< labs that are still the starter
   std::optional<std::size_t> next;  ///< the first lab that is not finished, in `labs`
   std::set<int> milestones;         ///< labs whose milestones the student's engine reaches
-  /// Why the engine could not be built, so that its milestones are not known; empty if it could.
+  /// Why the machine could not build the engine, so that its milestones are not known. Empty if it could, or if the
+  /// student's code does not compile: then no milestone is reached.
   std::string engine_fault;
 };
 

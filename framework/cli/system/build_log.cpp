@@ -90,9 +90,8 @@ std::string first_build_error() {
 }
 
 bool is_students_error(const std::string& error) {
-  if (is_of_the_compiler(error)) return false;
+  if (!is_error(error) || is_of_the_compiler(error)) return false;
   if (error.starts_with("labs/") || is_of_the_linker(error)) return true;
-  if (!is_error(error)) return false;  // of CMake, or out of memory
   const std::vector<std::string> lines = failed_step();
   return std::any_of(lines.begin(), lines.end(), uses_a_template);
 }

@@ -178,7 +178,8 @@ int run_hint(const LabOptions& options) {
   if (!options.step.empty()) return show_hint(options.name, options.step, options.hint);
   const LabResult result = result_of(options.name);
   if (!result.compile_error.empty()) {
-    std::cerr << title(options.name) << " does not compile:\n" << indented(result.compile_error, 2);
+    std::cerr << title(options.name) << ' ' << result.defect() << ":\n"
+              << indented(result.compile_error, 2);
     return Failed;
   }
   const std::vector<EarlierFault> earlier = warn_of_earlier_labs(options.name, result.verdicts);

@@ -50,7 +50,7 @@ std::string points(int earned, int all) {
 }
 
 std::string remark(const Standing& standing, const LabResult& lab) {
-  if (!lab.compile_error.empty()) return coloured("does not compile", Colour::Red);
+  if (!lab.compile_error.empty()) return coloured(lab.defect(), Colour::Red);
   if (lab.is_finished()) return coloured("done", Colour::Green);
   if (standing.untouched.count(lab.lab_name) != 0) return coloured("not begun", Colour::Faint);
   return "at " + lab.next_failure()->step_to_mend();
@@ -119,7 +119,7 @@ void print_next(const Standing& standing, int lines = std::numeric_limits<int>::
   }
   const LabResult& lab = standing.labs[*standing.next];
   if (!lab.compile_error.empty()) {
-    std::cout << "\nNext: " << coloured(title(lab.lab_name) + " does not compile", Colour::Bold)
+    std::cout << "\nNext: " << coloured(title(lab.lab_name) + ' ' + lab.defect(), Colour::Bold)
               << '\n'
               << first_lines(indented(lab.compile_error, 4), lines);
     return;
