@@ -527,18 +527,36 @@ def test_a_changed_starter_is_refused(folder):
     subprocess.run(["git", "-C", project, "add", "--all"], check=True)
     (lab3 / "hill_climbing.cpp").write_text(starter)
     (lab3 / "hill_climbing.cpp").chmod(0o755)
-    graded(0)
+    regrade = (folder / "ada.zip", "--out", folder / "out", "--labs", "3", "--resume")
+    grade(*regrade, root=project)
+    zip_of_lab3 = ("--gradescope-zip", zip_file, "--labs", "3")
+    printed = grade(*zip_of_lab3, root=project, code=1)
+    assert "differs from the starter in Git's index: hill_climbing.cpp" in printed and not zip_file.exists(), printed
+    unstage = re.search(r"git restore --staged \S+", printed)[0]
+    subprocess.run(unstage.split(), check=True, cwd=project)
+    grade(*zip_of_lab3, root=project)
+    subprocess.run(["git", "-C", project, "rm", "--quiet", "--cached", lab3 / "hill_climbing.cpp"], check=True)
+    (lab3 / "hill_climbing.cpp").write_text("// my own")
+    printed = grade(*regrade, root=project, code=1)
+    assert printed.count("hill_climbing.cpp") == 1, printed
 
+    subprocess.run(["git", "-C", project, "reset", "--quiet"], check=True)
+    (folder / "config/git").mkdir(parents=True)
+    (folder / "config/git/ignore").symlink_to("ignore")  # Git prints a warning that it cannot read this
+    (lab3 / "hill_climbing.cpp").write_text(starter)
+    os.environ["XDG_CONFIG_HOME"] = str(folder / "config")
+    try:
+        grade(*regrade, root=project)
+    finally:
+        del os.environ["XDG_CONFIG_HOME"]
     (lab3 / "hill_climbing.cpp").write_text("// my own")
     if os.geteuid() == 0:
         subprocess.run(["chown", "--recursive", "65534", project], check=True)
-        printed = grade(folder / "ada.zip", "--out", folder / "out", "--labs", "3", "--resume", root=project, code=1)
-        assert "differs from the starter" in printed, printed
+        assert "differs from the starter" in grade(*regrade, root=project, code=1)
     (project / ".git/HEAD").unlink()
-    without_check = (folder / "ada.zip", "--out", folder / "out", "--labs", "3", "--resume")
-    assert "cannot check that labs/ has the starters" in grade(*without_check, root=project)
+    assert "cannot check that labs/ has the starters: git failed: fatal" in grade(*regrade, root=project)
     shutil.rmtree(project / ".git")
-    assert "cannot check" not in grade(*without_check, root=project)
+    assert "cannot check" not in grade(*regrade, root=project)
 
 
 def test_sources_are_not_compared_with_a_changed_starter(folder):

@@ -59,6 +59,7 @@ void make_gradescope_zip(const GradescopeRequest& request) {
   std::string targets = "grade_lab cs550_grade";
   const std::vector<int> labs = parse_labs(request.labs, known);
   check_starters(request.root, labs, settings.catalogue);
+  check_starters_in_index(request.root, labs, settings.catalogue);
   for (const int number : labs) {
     numbers += fmt::format("{}{}", numbers.empty() ? "" : ",", number);
     targets += fmt::format(" lab{0}_judge lab{0}_stub_code", number);

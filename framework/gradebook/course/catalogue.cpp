@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -59,41 +60,46 @@ std::vector<std::string> milestones_of(const fs::path& records, int lab) {
 /// The folder of the project. With CS550_BUILD_DIR the root is a folder of links.
 fs::path project_of(const fs::path& root) { return fs::canonical(root / "labs").parent_path(); }
 
-/// Files with code of a lab that differ from Git's last commit, relative to the lab's folder. Only their contents
-/// count, not Git's index. @throws std::exception if Git cannot tell
-std::vector<std::string> changed_code(const fs::path& project, const std::string& lab) {
-  using Words = std::vector<std::string>;
+/// Files with code of a lab that are in Git's answer to a question, relative to the lab's folder.
+/// @throws std::exception if Git cannot tell
+std::set<std::string> code_in_answer(const fs::path& project, const std::string& lab,
+                                     const std::vector<std::string>& question) {
   // Lets Git read a clone that another user made, such as one that is mounted in a container.
-  const Words git{"env", "GIT_CONFIG_COUNT=1", "GIT_CONFIG_KEY_0=safe.directory",
-                  "GIT_CONFIG_VALUE_0=" + project.string(), "git"};
-  const Words code{"--", ":(glob)**/*.cpp", ":(glob)**/*.hpp",
-                   std::string(":(exclude,glob)**/") + own_tests_file};
-  std::vector<std::string> names;
-  for (const Words& question :
-       {Words{"ls-files", "--others", "--exclude-standard"},
-        Words{"-c", "core.fileMode=false", "diff", "--relative", "--name-only", "HEAD"}}) {
-    Words command = git;
-    command.insert(command.end(), question.begin(), question.end());
-    command.insert(command.end(), code.begin(), code.end());
-    std::istringstream lines(cli::output_of(command, project / "labs" / lab));
-    for (std::string name; std::getline(lines, name);) names.push_back(name);
+  std::vector<std::string> command{"git", "-c", "safe.directory=" + project.string(), "-c",
+                                   "core.fileMode=false"};
+  command.insert(command.end(), question.begin(), question.end());
+  command.insert(command.end(), {"--", ":(glob)**/*.cpp", ":(glob)**/*.hpp",
+                                 std::string(":(exclude,glob)**/") + own_tests_file});
+  static const std::regex code(R"(.*\.[ch]pp"?)");  // other lines are warnings
+  std::set<std::string> names;
+  std::istringstream lines(cli::output_of(command, project / "labs" / lab));
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, code)) names.insert(line);
   }
   return names;
 }
 
+/// Files with code of a lab that differ from Git's last commit. Only their contents count, not Git's index.
+std::set<std::string> changed_code(const fs::path& project, const std::string& lab) {
+  std::set<std::string> names =
+      code_in_answer(project, lab, {"ls-files", "--others", "--exclude-standard"});
+  names.merge(code_in_answer(project, lab, {"diff", "--relative", "--name-only", "HEAD"}));
+  return names;
+}
+
 /// "a.cpp, b.cpp, c.cpp and 4 more".
-std::string first_of(const std::vector<std::string>& names) {
+std::string first_of(const std::set<std::string>& names) {
   constexpr std::size_t most = 3;
   const std::size_t shown = std::min(most, names.size());
-  const auto end = names.begin() + static_cast<std::ptrdiff_t>(shown);
+  const auto end = std::next(names.begin(), static_cast<std::ptrdiff_t>(shown));
   const std::string list = fmt::format("{}", fmt::join(names.begin(), end, ", "));
   return shown == names.size() ? list : fmt::format("{} and {} more", list, names.size() - shown);
 }
 
 /// What is wrong with a lab whose code differs from the starter, and how to mend it.
-std::string refusal(const std::string& lab, int number, const std::vector<std::string>& changed) {
-  std::vector<std::string> deeper;
-  std::copy_if(changed.begin(), changed.end(), std::back_inserter(deeper),
+std::string refusal(const std::string& lab, int number, const std::set<std::string>& changed) {
+  std::set<std::string> deeper;
+  std::copy_if(changed.begin(), changed.end(), std::inserter(deeper, deeper.end()),
                [](const std::string& name) { return name.find('/') != std::string::npos; });
   std::string text = fmt::format(
       "labs/{} differs from the starter: {}.\n"
@@ -136,7 +142,7 @@ void check_starters(const fs::path& root, const std::vector<int>& labs,
   const fs::path project = project_of(root);
   for (const int number : labs) {
     const std::string& name = catalogue.at(number).name;
-    std::vector<std::string> changed;
+    std::set<std::string> changed;
     try {
       changed = changed_code(project, name);
     } catch (const std::exception& error) {
@@ -147,6 +153,20 @@ void check_starters(const fs::path& root, const std::vector<int>& labs,
       return;
     }
     if (!changed.empty()) throw std::runtime_error(refusal(name, number, changed));
+  }
+}
+
+void check_starters_in_index(const fs::path& root, const std::vector<int>& labs,
+                             const Catalogue& catalogue) {
+  for (const int number : labs) {
+    const std::string& name = catalogue.at(number).name;
+    const std::set<std::string> changed = code_in_answer(
+        project_of(root), name, {"diff", "--relative", "--name-only", "--cached", "HEAD"});
+    if (changed.empty()) continue;
+    throw std::runtime_error(
+        fmt::format("labs/{0} differs from the starter in Git's index: {1}.\n"
+                    "  The autograder would have it. To mend that: git restore --staged labs/{0}",
+                    name, first_of(changed)));
   }
 }
 

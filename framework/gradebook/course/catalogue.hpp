@@ -45,6 +45,10 @@ Catalogue read_catalogue(const std::filesystem::path& root);
 void check_starters(const std::filesystem::path& root, const std::vector<int>& labs,
                     const Catalogue& catalogue);
 
+/// The same for Git's index, which --gradescope-zip packs. Throws also where Git cannot tell.
+void check_starters_in_index(const std::filesystem::path& root, const std::vector<int>& labs,
+                             const Catalogue& catalogue);
+
 /// Labs 1 to `last` together, whose tests are their milestones. A milestone has no points.
 CatalogueLab engine_of(const Catalogue& catalogue, int last);
 
