@@ -267,6 +267,34 @@ def test_an_upload_to_gradescope_is_one_submission(folder):
     assert graded("one")["score"] == 60, "the folders of an operating system do not count"
 
 
+def test_gradescope_has_a_result_where_the_grader_fails(folder):
+    source = folder / "source"
+    (source / "build/test/bin").mkdir(parents=True)
+    for name in ("labs", "tests", "framework"):
+        (source / name).symlink_to(ROOT / name)
+    (source / "build/test/bin/cs550_grade").symlink_to(PROGRAM)
+    (source / "build/test/bin/grade_lab").write_text(f'#!/bin/sh\nexec "{FAKE}" "$@"\n')
+    (source / "build/test/bin/grade_lab").chmod(0o755)
+    (source / "labs.txt").write_text("3\n")
+    (source / "course.toml").write_text("[lab.3]\nown_tests = 5\n")
+
+    def results(files, code=0):
+        for name, text in files.items():
+            (folder / "submission" / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / "submission" / name).write_text(text)
+        (folder / "results.json").unlink(missing_ok=True)
+        run = subprocess.run([ROOT / "framework/gradebook/gradescope/grade.sh", folder / "submission",
+                              folder / "results.json"], cwd=source, capture_output=True, text=True, check=False)
+        assert (run.returncode == 0) == (code == 0) == (folder / "results.json").exists(), run.stdout + run.stderr
+        return json.loads((folder / "results.json").read_text()) if code == 0 else None
+
+    results({}, code=1)
+    result = results({HILL: "// fake: breaks"})
+    assert result["score"] == 0 and "NOT GRADED" in result["output"], result
+    result = results({HILL: "// right", "labs/lab3_hill_climbing/my_tests.cpp": "// fake: own tests break"})
+    assert result["score"] == 60 and "my_tests.cpp NOT GRADED" in result["output"], result
+
+
 def test_entries_without_effect_on_gradescope_are_printed(folder):
     course = folder / "course.toml"
     course.write_text("".join(f"[[adjustment]]\nstudent = '{student}'\nlab = 3\npoints = 1\nreason = 'r'\n"

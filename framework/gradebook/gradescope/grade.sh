@@ -10,7 +10,8 @@ set -- --judge build/test/bin/grade_lab --out "$graded/out" --labs "$(cat labs.t
 [ ! -e course.toml ] || set -- "$@" --course course.toml
 [ ! -e roster.csv ] || set -- "$@" --roster roster.csv
 [ ! -e "$metadata" ] || set -- "$@" --gradescope-metadata "$metadata"
-CS550_ROOT=$PWD build/test/bin/cs550_grade "$submission" "$@"
+# 1: the grader failed on something. Its result says so, unless there is none.
+CS550_ROOT=$PWD build/test/bin/cs550_grade "$submission" "$@" || [ $? = 1 ]
 set -- "$graded"/out/gradescope/*.json
 [ $# = 1 ] || { echo "grade.sh: $submission has $# submissions, and only one can be graded" >&2; exit 1; }
 cp "$1" "$results"
