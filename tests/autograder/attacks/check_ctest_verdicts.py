@@ -5,6 +5,7 @@ output, and nothing of an earlier run is left when a file does not compile."""
 import argparse
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,20 +44,28 @@ def message_beside(lab):
     return " ".join(run.stderr.split())
 
 
-def check_starters(lab):
+def check_starters(project):
     """A submission is refused beside a lab that is not the starter, of which it would get what it lacks."""
-    lab.mkdir()
+    lab = project / "labs/lab3_hill_climbing"
+    lab.mkdir(parents=True)
     (lab / "a.cpp").write_text("// the starter")
-    git = ["git", "-C", lab, "-c", "user.name=a", "-c", "user.email=a@example.org"]
+    git = ["git", "-C", project, "-c", "user.name=a", "-c", "user.email=a@example.org"]
     for arguments in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "a"]):
         subprocess.run([*git, *arguments], check=True)
     (lab / "my_tests.cpp").write_text("// no code of the lab")
-    assert "differs from the starter" not in message_beside(lab)
+    assert "starter" not in message_beside(lab)
+    if os.geteuid() == 0:
+        subprocess.run(["chown", "--recursive", "65534", project], check=True)
     for name in ("b.cpp", "a.cpp"):
         (lab / name).write_text("// the solution")
         message = message_beside(lab)
         assert "differs from the starter" in message and f"{name} ./cs550 lab {LAB} --reset" in message, message
         (lab / name).unlink()
+    (project / ".git/HEAD").unlink()
+    message = message_beside(lab)
+    assert "Cannot check that labs/ has the starters: git failed: fatal" in message, message
+    shutil.rmtree(project / ".git")
+    assert "starter" not in message_beside(lab)
 
 
 def main():
@@ -64,7 +73,7 @@ def main():
     parser.add_argument("--build", type=Path, default=ROOT / "build/test")
     build = parser.parse_args().build.resolve()
     with tempfile.TemporaryDirectory() as scratch:
-        check_starters(Path(scratch) / "lab")
+        check_starters(Path(scratch) / "project")
         submission = Path(scratch) / "submission"
         submission.mkdir()
         for source in lab_folder(ROOT / "solutions", LAB).glob("*.cpp"):

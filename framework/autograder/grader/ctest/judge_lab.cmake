@@ -3,16 +3,23 @@
 # and CS550_ISOLATION another isolation than `auto`.
 file(REMOVE "${RECORD}")
 
-# Ends with a message if the code in a folder differs from Git's last commit, which has the starter. Where Git cannot
-# tell, nothing is checked.
+# Ends with a message if the code in the folder of a lab differs from Git's last commit, which has the starter. In a
+# clone where Git cannot tell, it prints why; without Git's history nothing is checked.
 function(check_starter folder)
-  foreach(question "-c;core.fileMode=false;diff;--relative;--name-only;HEAD" "ls-files;--others;--exclude-standard")
-    execute_process(COMMAND git ${question} -- ":(glob)**/*.cpp" ":(glob)**/*.hpp" ":(exclude,glob)**/my_tests.cpp"
-                    WORKING_DIRECTORY "${folder}" RESULT_VARIABLE result OUTPUT_VARIABLE files ERROR_QUIET)
+  file(REAL_PATH "${folder}" folder)
+  file(REAL_PATH "${folder}/../.." project)
+  foreach(question "ls-files;--others;--exclude-standard" "-c;core.fileMode=false;diff;--relative;--name-only;HEAD")
+    # Git may read a clone that another user made, such as one that is mounted in a container.
+    execute_process(COMMAND git -c "safe.directory=${project}" ${question}
+                            -- ":(glob)**/*.cpp" ":(glob)**/*.hpp" ":(exclude,glob)**/my_tests.cpp"
+                    WORKING_DIRECTORY "${folder}" RESULT_VARIABLE result OUTPUT_VARIABLE files ERROR_VARIABLE error)
     if(result EQUAL 0 AND files)
       message(FATAL_ERROR "${folder} differs from the starter, which takes the place of what a submission lacks:\n"
                           "${files}./cs550 lab ${LAB} --reset restores the starter and keeps your files. "
                           "Move files in its subfolders elsewhere.")
+    elseif(NOT result EQUAL 0 AND EXISTS "${project}/.git")
+      message(WARNING "Cannot check that labs/ has the starters: git failed: ${error}")
+      return()
     endif()
   endforeach()
 endfunction()
