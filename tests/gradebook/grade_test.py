@@ -425,6 +425,11 @@ def test_a_report_keeps_an_attempt_in_time_from_an_equal_late_one(folder):
     assert grades(folder / "graded")["s0101"]["lab3"] == "60"
     grade("--report", folder / "graded", folder / "other", "--out", folder / "both")
     assert sorted(marks(folder / "both")) == ["s0101-2.json", "s0101.json"]
+    printed = grade("--report", folder / "other", folder / "graded", "--out", folder / "graded", code=2)
+    assert f"The record s0101 of {folder}/round1/s0101.zip would be replaced" in printed, printed
+    assert f"Name {folder}/graded first" in printed, printed
+    assert grades(folder / "graded")["s0101"]["lab3"] == "60"
+    grade("--report", folder / "graded", folder / "other", "--out", folder / "graded")
 
 
 def test_resume_keeps_records_whose_names_are_equal_in_ascii(folder):
@@ -870,7 +875,7 @@ def test_a_report_replaces_no_record_of_another_submission(folder):
     grade(folder / "week4", "--out", folder / "both_labs", "--labs", "3,5")
     refused("both_labs")
     grade(folder / "week3", "--out", folder / "same", "--labs", "5")
-    refused("same", lacks="lab 3 of s0101")
+    refused("same", lacks="results for lab 3 of s0101")
     shutil.copytree(folder / "week3", folder / "moved")
     grade(folder / "moved", "--out", folder / "again", "--labs", "3,5")
     grade("--report", folder / "again", "--out", folder / "graded")
@@ -883,10 +888,59 @@ def test_a_report_removes_no_milestones(folder):
     grade(folder / "ada.zip", "--out", folder / "with", "--labs", "1", "--milestones")
     grade(folder / "ada.zip", "--out", folder / "without", "--labs", "1")
     printed = grade("--report", folder / "without", "--out", folder / "with", code=2)
-    assert "This one lacks the milestones of ada." in printed, printed
+    assert "This one lacks milestones of ada." in printed, printed
     assert "engine" in record(folder / "with", "ada")
     grade("--report", folder / "with", folder / "without", "--out", folder / "both")
     assert "engine" in record(folder / "both", "ada")
+    grade(folder / "ada.zip", "--out", folder / "more", "--labs", "1-2", "--milestones")
+    before = record(folder / "more", "ada")["engine"]
+    assert "This one lacks results for lab 2" in grade("--report", folder / "with", "--out", folder / "more", code=2)
+    grade("--report", folder / "with", folder / "more", "--out", folder / "more")
+    assert record(folder / "more", "ada")["engine"] == before, "those of lab 2 stay"
+
+
+def test_a_report_removes_no_results_where_the_grader_fails(folder):
+    topic, = (ROOT / "labs").glob("lab1_*")
+    source = f"labs/{topic.name}/integration.cpp"
+    tests = f"labs/{topic.name}/my_tests.cpp"
+    (folder / "course.toml").write_text("[lab.1]\nown_tests = 5\n[milestones]\nweight = 1\n")
+    faults = {"nothing": (), "own": (tests, "// fake: own tests break"), "all": (source, "// fake: breaks")}
+    for fault, change in faults.items():
+        files = {source: "// right", tests: "// fake: catches 8"}
+        pack(folder / "ada.zip", {**files, **dict([change] if change else [])})
+        grade(folder / "ada.zip", "--out", folder / fault, "--labs", "1", "--course", folder / "course.toml",
+              code=1 if change else 0)
+    for new, out in (("own", "nothing"), ("all", "nothing"), ("all", "own")):
+        printed = grade("--report", folder / new, "--out", folder / out, code=2)
+        assert "This one lacks results for lab 1 of ada." in printed, printed
+        assert lab(folder / out, "ada", 1)["earned"] == 60
+    grade("--report", folder / "nothing", "--out", folder / "all")
+    assert lab(folder / "all", "ada", 1)["earned"] == 60
+
+
+def test_a_pseudonymous_report_replaces_its_own_earlier_one(folder):
+    late = "secret = 'x'\n[late]\nclock = 'file'\npercent_per_day = 10\n[lab.3]\ndue = 2026-10-{}T23:59:00+02:00\n"
+    zip_file = folder / "class/s0101.zip"
+    pack(zip_file, {HILL: "// right"})
+    os.utime(zip_file, (1791842340,) * 2)
+    out, shared = folder / "graded", folder / "shared"
+
+    def report():
+        grade("--report", out, "--out", shared, "--pseudonyms", "--course", folder / "course.toml")
+        return len(list((shared / "records").iterdir()))
+
+    (folder / "course.toml").write_text(late.format(12))
+    grade(folder / "class", "--out", out, "--labs", "3", "--course", folder / "course.toml")
+    assert report() == 1
+    (folder / "course.toml").write_text(late.format(19))
+    assert report() == 1, "another date"
+    pack(folder / "class/s0101-lab3.zip", {HILL: "// later"})
+    grade(folder / "class", "--out", out, "--labs", "3", "--resume", "--course", folder / "course.toml")
+    assert report() == 2, "a later attempt"
+    pack(folder / "other/s0101.zip", {HILL: "// another one"})
+    grade(folder / "other", "--out", folder / "part", "--labs", "3", "--course", folder / "course.toml")
+    printed = grade("--report", folder / "part", "--out", shared, "--pseudonyms", code=2)
+    assert "lacks the submission student-" in printed and "merge" not in printed, printed
 
 
 def test_pseudonyms_need_a_secret(folder):

@@ -94,6 +94,13 @@ TEST(Merge, MilestonesThatWereNotGradedStay) {
     EXPECT_EQ(engine_of(other, graded)->not_graded, "");
     EXPECT_EQ(engine_of(graded, other)->not_graded, "");
   }
+  const Record fewer = with_engine(without, {"failed"});
+  for (const auto& [first, second] : {std::pair(fewer, graded), std::pair(graded, fewer)}) {
+    const std::vector<TestResult> milestones = engine_of(first, second)->tests;
+    ASSERT_EQ(milestones.size(), 2U);
+    EXPECT_EQ(milestones[0].status, first.engine->tests[0].status);
+    EXPECT_EQ(milestones[1].name, "Milestone.2");
+  }
 }
 
 }  // namespace

@@ -46,35 +46,76 @@ void write_key(const PseudonymousClass& pseudonymous, const fs::path& folder) {
   std::cout << "Who is who is in " << file.string() << '\n';
 }
 
+/// Records without a path have pseudonyms. Their times depend on the dates of the course.
 bool is_of_same_submission(const Record& record, const Record& earlier) {
-  const bool has_its_path = !earlier.path.empty() && record.path == earlier.path;
-  return record.name == earlier.name && (has_its_path || same_submission(record, earlier));
+  if (record.path.empty() && earlier.path.empty()) {
+    return record.student == earlier.student && record.hash == earlier.hash;
+  }
+  return record.path == earlier.path || same_submission(record, earlier);
 }
 
-/// What records lack of an earlier one: the submission, a lab or the milestones. Empty if they lack nothing.
-std::string missing_of(const Record& earlier, const std::vector<Record>& records) {
-  const auto own = std::find_if(records.begin(), records.end(), [&earlier](const Record& record) {
-    return is_of_same_submission(record, earlier);
-  });
-  if (own == records.end()) {
-    return "the submission " + (earlier.path.empty() ? earlier.name : earlier.path);
-  }
+/// Whether the grader has failed on nothing that it graded before.
+bool is_graded_like(const LabRecord& earlier, const LabRecord& lab) {
+  return (lab.not_graded.empty() || !earlier.not_graded.empty()) &&
+         (lab.is_graded() || !earlier.is_graded());
+}
+
+bool has_milestones_of(const Record& earlier, const Record& record) {
+  if (!earlier.engine) return true;
+  const std::vector<TestResult>& milestones = earlier.engine->tests;
+  return record.engine && is_graded_like(*earlier.engine, *record.engine) &&
+         std::all_of(milestones.begin(), milestones.end(), [&record](const TestResult& milestone) {
+           return record.engine->has_test(milestone.name);
+         });
+}
+
+/// What a record lacks of an earlier one of the same submission. Empty if it lacks nothing.
+std::string missing_of(const Record& earlier, const Record& record) {
   for (const LabRecord& lab : earlier.labs) {
-    if (own->lab(lab.lab) == nullptr) return fmt::format("lab {} of {}", lab.lab, earlier.name);
+    const LabRecord* own = record.lab(lab.lab);
+    if (own == nullptr || !is_graded_like(lab, *own)) {
+      return fmt::format("results for lab {} of {}", lab.lab, earlier.name);
+    }
   }
-  return earlier.engine && !own->engine ? "the milestones of " + earlier.name : "";
+  return has_milestones_of(earlier, record) ? "" : "milestones of " + earlier.name;
+}
+
+/// Why a report must not replace an earlier record, and what to do instead. Empty if it may.
+std::string objection(const Record& earlier, const std::vector<Record>& records,
+                      const fs::path& out) {
+  const bool is_pseudonymous = earlier.path.empty();
+  const std::string submission = is_pseudonymous ? earlier.name : earlier.path;
+  std::string missing = "the submission " + submission;
+  bool is_renamed = false;
+  for (const Record& record : records) {
+    if (!is_of_same_submission(record, earlier)) continue;
+    is_renamed = record.name != earlier.name;
+    if (is_renamed) continue;
+    missing = missing_of(earlier, record);
+    break;
+  }
+  if (missing.empty()) return {};
+  if (is_pseudonymous) return fmt::format("This one lacks {}.\n  Choose another --out.", missing);
+  if (is_renamed) {
+    return fmt::format(
+        "The record {} of {} would be replaced by that of another submission.\n"
+        "  Name {} first, or choose another --out.",
+        earlier.name, submission, out.string());
+  }
+  return fmt::format(
+      "This one lacks {}.\n"
+      "  Choose another --out, or merge both: --report OLD NEW --out MERGED.",
+      missing);
 }
 
 /// Refuses a folder with records of an earlier report that this one does not replace: a later one from this folder
 /// would count them. Nor may it replace one that has more.
 void check_has_no_other_records(const fs::path& out, const std::vector<Record>& records) {
   for (const Record& earlier : RecordFolder(out).records()) {
-    const std::string missing = missing_of(earlier, records);
-    if (missing.empty()) continue;
+    const std::string reason = objection(earlier, records, out);
+    if (reason.empty()) continue;
     throw std::invalid_argument(
-        fmt::format("{} has records of an earlier report.\n  This one lacks {}.\n"
-                    "  Choose another --out, or merge both: --report OLD NEW --out MERGED.",
-                    out.string(), missing));
+        fmt::format("{} has records of an earlier report.\n  {}", out.string(), reason));
   }
 }
 

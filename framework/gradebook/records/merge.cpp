@@ -10,9 +10,19 @@ bool belong_together(const Record& a, const Record& b) {
   return a.project == b.project && same_submission(a, b);
 }
 
+void add_milestones(Record& record, const Record& other) {
+  if (!other.engine) return;
+  if (!record.engine || !record.engine->not_graded.empty()) {
+    record.engine = other.engine;
+  } else if (other.engine->not_graded.empty()) {
+    for (const TestResult& milestone : other.engine->tests) {
+      if (!record.engine->has_test(milestone.name)) record.engine->tests.push_back(milestone);
+    }
+  }
+}
+
 void add_labs(Record& record, const Record& other) {
-  const bool has_milestones = record.engine && record.engine->not_graded.empty();
-  if (other.engine && !has_milestones) record.engine = other.engine;
+  add_milestones(record, other);
   for (const LabRecord& lab : other.labs) {
     const auto known = std::find_if(record.labs.begin(), record.labs.end(),
                                     [&lab](const LabRecord& l) { return l.lab == lab.lab; });

@@ -29,6 +29,11 @@ int LabRecord::tests_with(const std::string& status) const {
       tests.begin(), tests.end(), [&](const TestResult& test) { return test.status == status; }));
 }
 
+bool LabRecord::has_test(const std::string& name) const {
+  return std::any_of(tests.begin(), tests.end(),
+                     [&name](const TestResult& test) { return test.name == name; });
+}
+
 bool LabRecord::is_final() const {
   const bool was_stopped = own_tests && own_tests->compiler_stopped;
   return is_graded() && tests_with("timeout") == 0 && !was_stopped;

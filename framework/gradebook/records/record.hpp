@@ -64,7 +64,8 @@ struct LabRecord {
   int earned() const;
   double seconds() const;                           ///< of compilation and tests
   int tests_with(const std::string& status) const;  ///< the number with that status
-  bool is_graded() const;                           ///< whether the grader failed in no part of it
+  bool has_test(const std::string& name) const;
+  bool is_graded() const;  ///< whether the grader failed in no part of it
   /// Not if the compiler was stopped: the tests are timeouts then.
   bool fails_to_compile() const { return !compiled && tests_with("timeout") == 0; }
   /// Whether grading the same files again would give the same: a timeout, or a compiler that was
