@@ -24,6 +24,15 @@ Students students_in(const std::vector<fs::path>& sources) {
   return found;
 }
 
+/// "notes.txt: not an archive".
+std::vector<std::string> notes_on_skipped(const Discovery& found) {
+  std::vector<std::string> notes;
+  for (const IgnoredFile& file : found.skipped) {
+    notes.push_back(fs::path(file.path).filename().string() + ": " + file.reason);
+  }
+  return notes;
+}
+
 TEST(Discovery, AFolderOfSubmissionsIsAllOfThem) {
   const ScratchFolder scratch;
   files::write_file(scratch / "class/ada-lab3.zip", "");
@@ -88,13 +97,34 @@ TEST(Discovery, InTheDeepestFoldersEverythingIsFoundOrListed) {
   std::vector<std::string> names;
   for (const FoundSubmission& submission : found.submissions) names.push_back(submission.name);
   EXPECT_EQ(names, (std::vector<std::string>{"week3-lab3-s0101", "week3-lab3-s0102"}));
-  std::vector<std::string> skipped;
-  for (const IgnoredFile& file : found.skipped) {
-    skipped.push_back(fs::path(file.path).filename().string() + ": " + file.reason);
+  EXPECT_EQ(notes_on_skipped(found),
+            (std::vector<std::string>{"link: a symbolic link, which is not followed",
+                                      "notes.txt: not an archive",
+                                      "s0103: its archives are too deep: not read"}));
+}
+
+TEST(Discovery, SeveralSubmissionsThatAreTooDeepAreListed) {
+  const ScratchFolder scratch;
+  for (const char* student : {"sectionA/s0101", "sectionA/s0102", "sectionB/s0103"}) {
+    files::write_file(scratch / "class/week3/monday" / student / "labs/lab3_hill_climbing/a.cpp",
+                      "");
   }
-  EXPECT_EQ(skipped, (std::vector<std::string>{"link: a symbolic link, which is not followed",
-                                               "notes.txt: not an archive",
-                                               "s0103: its archives are too deep: not read"}));
+  EXPECT_EQ(notes_on_skipped(find_submissions({scratch / "class"}, project_catalogue())),
+            (std::vector<std::string>{"s0101: too deep to be a submission of its own",
+                                      "s0102: too deep to be a submission of its own",
+                                      "s0103: too deep to be a submission of its own"}));
+}
+
+TEST(Discovery, AnArchiveBesideTheCodeIsListedHoweverDeepItIs) {
+  const ScratchFolder scratch;
+  const fs::path upload = scratch / "class/s0101/hand-in";
+  files::write_file(upload / "code/cs550-main/labs/lab3_hill_climbing/a.cpp", "");
+  files::write_file(upload / "more/a/b/lab4.zip", "");
+  const Discovery found = find_submissions({scratch / "class"}, project_catalogue());
+  ASSERT_EQ(found.submissions.size(), 1U);
+  EXPECT_TRUE(read_submission(found.submissions[0], project_catalogue()).labs.contains(3));
+  EXPECT_EQ(notes_on_skipped(found),
+            std::vector<std::string>{"b: its archives are too deep: not read"});
 }
 
 TEST(Discovery, WhatIsGradedIsNotSkipped) {

@@ -99,8 +99,8 @@ class Finder {
       add(path, folders);
     } else if (folders.size() <= deepest) {
       open(path, folders);
-    } else {
-      skip(path, holds_archives(path) ? "its archives are too deep: not read" : no_files);
+    } else if (!skip_too_deep(path)) {
+      skip(path, no_files);
     }
   }
 
@@ -116,12 +116,17 @@ class Finder {
       look_at(child, names);
     }
     if (found_.submissions.size() > before) return;
-    // A folder without a submission is what a student handed in, and gets a record, which lists the files in it.
-    found_.skipped.erase(
-        std::remove_if(found_.skipped.begin() + static_cast<std::ptrdiff_t>(skipped_before),
-                       found_.skipped.end(),
-                       [](const IgnoredFile& file) { return file.reason == no_files; }),
-        found_.skipped.end());
+    // A folder without a submission is what a student handed in, and gets a record, which lists the files in it. A
+    // single folder in it that is too deep is graded then.
+    const auto skipped = found_.skipped.begin() + static_cast<std::ptrdiff_t>(skipped_before);
+    const auto deep = std::count_if(skipped, found_.skipped.end(), [](const IgnoredFile& file) {
+      return file.reason == too_deep;
+    });
+    const auto is_in_record = [deep](const IgnoredFile& file) {
+      return file.reason == no_files || (file.reason == too_deep && deep == 1);
+    };
+    found_.skipped.erase(std::remove_if(skipped, found_.skipped.end(), is_in_record),
+                         found_.skipped.end());
     const std::size_t above = folders.empty() ? 0 : folders.size() - 1;
     add(folder, {folders.begin(), folders.begin() + static_cast<std::ptrdiff_t>(above)});
   }
@@ -131,9 +136,26 @@ class Finder {
  private:
   static constexpr std::size_t deepest = 2;  ///< a folder per student, and one per lab in it
   static constexpr const char* no_files = "no files of a lab, three folders deep";
+  static constexpr const char* too_deep = "too deep to be a submission of its own";
 
   void skip(const fs::path& path, const char* reason) {
     found_.skipped.push_back({plain_line(path.string()), reason, 1});
+  }
+
+  /// Notes what could be submissions in a folder that is deeper than these are. @return whether there are any
+  bool skip_too_deep(const fs::path& folder) {
+    if (has_lab_files(folder, catalogue_)) {
+      skip(folder, too_deep);
+      return true;
+    }
+    bool has_some = false;
+    bool has_archives = false;
+    for (const fs::path& child : children(folder)) {
+      has_some = (fs::is_directory(child) && skip_too_deep(child)) || has_some;
+      has_archives = has_archives || is_some_archive(child);
+    }
+    if (has_archives) skip(folder, "its archives are too deep: not read");
+    return has_some || has_archives;
   }
 
   /// Whether a name is that of a lab, or of all: ./cs550 submit writes lab3.zip and labs.zip.
