@@ -10,6 +10,7 @@
 #   // fake: sleeps SECONDS
 #   // fake: catches NUMBER           with --own-tests, of 20 mistakes; without it, the reference fails
 #   // fake: own compiler stopped     with --own-tests, the compiler was stopped
+#   // fake: own tests time out       with --own-tests, a run on the reference was stopped
 #   // fake: times out NAME            the test LabN.NAME has status timeout
 #   // fake: own tests break          with --own-tests, the grader itself fails
 #   // fake: misses lab3_ghosts      with --milestones, that milestone is not reached
@@ -45,10 +46,11 @@ if [ -n "${own_tests-}" ]; then
   caught=${told##*catches } failures=0 compiled=true stopped=false
   case $told in
     *'own compiler stopped'*) caught=0 compiled=false stopped=true ;;
+    *'own tests time out'*) caught=0 failures=1 stopped=true ;;
     *catches*) ;;
     *) caught=0 failures=1 ;;
   esac
-  printf '{"lab":%d,"isolation":"fake","compiled":%s,"compiler_stopped":%s,"message":"it fails on the reference: %s",
+  printf '{"lab":%d,"isolation":"fake","compiled":%s,"stopped":%s,"message":"it fails on the reference: %s",
     "mistakes":20,"caught":%d,"reference_runs":10,"reference_failures":%d}\n' \
     "$lab" "$compiled" "$stopped" "$told" "$caught" "$failures" >"$results"
   exit

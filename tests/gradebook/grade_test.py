@@ -652,6 +652,17 @@ def test_own_tests_whose_compiler_was_stopped_are_graded_again(folder):
     assert grades(folder / "out")["ada"]["lab3"] == "60", "no bonus"
 
 
+def test_own_tests_that_ran_out_of_time_are_graded_again(folder):
+    pack(folder / "class/ada.zip",
+         {HILL: "// a", "labs/lab3_hill_climbing/my_tests.cpp": "// fake: own tests time out"})
+    (folder / "course.toml").write_text("[lab.3]\nown_tests = 5\n")
+    for _ in range(2):
+        printed = grade(folder / "class", "--out", folder / "out", "--labs", "3", "--course", folder / "course.toml",
+                        "--resume")
+        assert "0 results reused" in printed, printed
+        assert "timeout: ada, lab 3: my_tests.cpp was stopped" in printed, printed
+
+
 def test_own_tests_that_cannot_be_graded_cost_nothing_else(folder):
     pack(folder / "class/ada.zip", {HILL: "// a", "labs/lab3_hill_climbing/my_tests.cpp": "// fake: own tests break"})
     course = folder / "course.toml"

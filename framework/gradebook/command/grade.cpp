@@ -88,9 +88,9 @@ void print_troubles(const std::vector<Record>& records) {
         std::cout << fmt::format("my_tests.cpp NOT GRADED: {}, lab {}: {}\n", record.name, lab.lab,
                                  lab.own_tests->not_graded);
       }
-      if (lab.own_tests && lab.own_tests->compiler_stopped) {
-        std::cout << fmt::format("timeout: {}, lab {}: the compiler of my_tests.cpp was stopped\n",
-                                 record.name, lab.lab);
+      if (lab.own_tests && lab.own_tests->stopped) {
+        std::cout << fmt::format("timeout: {}, lab {}: {}my_tests.cpp was stopped\n", record.name,
+                                 lab.lab, lab.own_tests->compiled ? "" : "the compiler of ");
       }
       if (const int late = lab.tests_with("timeout"); late > 0) {
         std::cout << fmt::format("timeout: {}, lab {}: {} ended at the limit of time\n",

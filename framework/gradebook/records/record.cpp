@@ -35,7 +35,7 @@ bool LabRecord::has_test(const std::string& name) const {
 }
 
 bool LabRecord::is_final() const {
-  const bool was_stopped = own_tests && own_tests->compiler_stopped;
+  const bool was_stopped = own_tests && own_tests->stopped;
   return is_graded() && tests_with("timeout") == 0 && !was_stopped;
 }
 

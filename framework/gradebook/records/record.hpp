@@ -38,7 +38,8 @@ struct OwnTests {
   bool fails_reference = false;
   std::string message;     ///< of the compiler, or what a test prints that fails on the reference
   std::string not_graded;  ///< why the grader itself failed; empty if they were graded
-  bool compiler_stopped = false;  ///< for its time, or by a machine without memory
+  /// Whether a run, or the compiler, was stopped for its time or for lack of memory.
+  bool stopped = false;
 };
 
 struct LabRecord {
@@ -68,8 +69,8 @@ struct LabRecord {
   bool is_graded() const;  ///< whether the grader failed in no part of it
   /// Not if the compiler was stopped: the tests are timeouts then.
   bool fails_to_compile() const { return !compiled && tests_with("timeout") == 0; }
-  /// Whether grading the same files again would give the same: a timeout, or a compiler that was
-  /// stopped, may be that of a busy machine.
+  /// Whether grading the same files again would give the same: a timeout, or own tests that were
+  /// stopped, may be those of a busy machine.
   bool is_final() const;
 };
 

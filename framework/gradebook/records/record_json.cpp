@@ -37,13 +37,10 @@ std::vector<TestResult> tests_of(const Json& json) {
 }
 
 Json json_of(const OwnTests& own) {
-  return {{"compiled", own.compiled},
-          {"mistakes", own.mistakes},
-          {"caught", own.caught},
-          {"reference_failures", own.fails_reference ? 1 : 0},
-          {"message", own.message},
-          {"not_graded", own.not_graded},
-          {"compiler_stopped", own.compiler_stopped}};
+  return {{"compiled", own.compiled}, {"mistakes", own.mistakes},
+          {"caught", own.caught},     {"reference_failures", own.fails_reference ? 1 : 0},
+          {"message", own.message},   {"not_graded", own.not_graded},
+          {"stopped", own.stopped}};
 }
 
 OwnTests own_tests_of(const Json& json) {
@@ -54,7 +51,7 @@ OwnTests own_tests_of(const Json& json) {
                json.at("reference_failures") != 0,
                shortened(json.at("message").get<std::string>(), longest_message),
                json.value("not_graded", ""),
-               json.value("compiler_stopped", false)};
+               json.value("stopped", false)};
   if (own.caught < 0 || own.caught > own.mistakes || (own.fails_reference && own.caught > 0)) {
     throw std::runtime_error("the result of the student's own tests is impossible");
   }

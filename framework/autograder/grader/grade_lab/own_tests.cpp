@@ -43,13 +43,17 @@ std::vector<fs::path> mistakes_of(int lab) {
   return libraries;
 }
 
+struct Run {
+  std::string failure;  ///< what the tests print if they fail; empty if they pass
+  bool stopped = false;
+};
+
 /// Runs compiled tests on libraries of their lab.
 class Runner {
  public:
   Runner(const Order& order, fs::path tests) : order_(order), tests_(std::move(tests)) {}
 
-  /// @return what the tests print if they fail; empty if they pass
-  std::string failure(const fs::path& library, unsigned seed) const {
+  Run run(const fs::path& library, unsigned seed) const {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
       throw std::system_error(errno, std::generic_category(), "socketpair");
@@ -62,10 +66,11 @@ class Runner {
     tests.kill();
     worker.kill();
     if (!in_time) {
-      return "it does not end within " + std::to_string(longest_run.count()) + " s\n" +
-             tests.output();
+      return {
+          "it does not end within " + std::to_string(longest_run.count()) + " s\n" + tests.output(),
+          true};
     }
-    return tests.succeeded() ? "" : tests.output() + '\n' + tests.ending();
+    return {tests.succeeded() ? "" : tests.output() + '\n' + tests.ending()};
   }
 
   fs::path reference() const { return library("reference", order_.lab); }
@@ -138,7 +143,7 @@ Json grade_own_tests(const Options& options, const std::string& lab_name) {
   Json record{{"lab", options.lab},
               {"isolation", to_string(order.isolation)},
               {"compiled", compilation.succeeded},
-              {"compiler_stopped", compilation.was_stopped},
+              {"stopped", compilation.was_stopped},
               {"message", compilation.errors},
               {"mistakes", mistakes},
               {"caught", 0},
@@ -148,17 +153,20 @@ Json grade_own_tests(const Options& options, const std::string& lab_name) {
   std::size_t caught = 0;
   for (const fs::path& library : libraries) {
     constexpr unsigned most_seeds = 99999;  // GoogleTest's
-    const std::string failure = runner.failure(library, 1 + random() % most_seeds);
+    const Run run = runner.run(library, 1 + random() % most_seeds);
     if (time_left(order, longest_run).count() == 0) {
+      record["stopped"] = true;
       record["reference_failures"] = 1;  // some runs on the reference may be missing
       record["message"] =
           "its runs together take longer than " + std::to_string(options.lab_time) + " s";
       return record;
     }
-    if (failure.empty()) continue;
+    if (run.failure.empty()) continue;
     if (library == runner.reference()) {
+      record["stopped"] = run.stopped;
       record["reference_failures"] = 1;
-      record["message"] = "it fails on the reference:\n" + readable_text(failure, kept_output - 64);
+      record["message"] =
+          "it fails on the reference:\n" + readable_text(run.failure, kept_output - 64);
       return record;
     }
     ++caught;
