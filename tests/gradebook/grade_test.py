@@ -649,7 +649,15 @@ def test_own_tests_whose_compiler_was_stopped_are_graded_again(folder):
                         "--resume")
         assert "0 results reused" in printed, printed
         assert "timeout: ada, lab 3: the compiler of my_tests.cpp was stopped" in printed, printed
-    assert grades(folder / "out")["ada"]["lab3"] == "60", "no bonus"
+    row = grades(folder / "out")["ada"]
+    assert row["lab3"] == "60", "no bonus"
+    assert "my_tests.cpp was stopped: grade again" in row["notes"], row
+    pack(folder / "class/ada.zip", {HILL: "// a", "labs/lab3_hill_climbing/my_tests.cpp": "// fake: catches 8"})
+    grade(folder / "class", "--out", folder / "new", "--labs", "3", "--course", folder / "course.toml")
+    compared = grade("--compare", folder / "out", folder / "new")
+    assert "my_tests.cpp: not compiled -> 8 of 20 known mistakes" in compared, compared
+    for text in (row["notes"], (folder / "out/feedback/ada.md").read_text()):
+        assert "was not compiled" in text and "does not compile" not in text, text
 
 
 def test_own_tests_that_ran_out_of_time_are_graded_again(folder):

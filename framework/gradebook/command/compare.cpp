@@ -49,7 +49,9 @@ std::string test_changes(const LabRecord& before, const LabRecord& after) {
 std::string found_mistakes(const LabRecord& lab) {
   if (!lab.own_tests) return "not run";
   if (!lab.own_tests->not_graded.empty()) return "not graded";
-  if (!lab.own_tests->compiled) return "does not compile";
+  if (!lab.own_tests->compiled) {
+    return lab.own_tests->stopped ? "not compiled" : "does not compile";
+  }
   if (lab.own_tests->fails_reference) return "fails on the reference";
   return fmt::format("{} of {} known mistakes", lab.own_tests->caught, lab.own_tests->mistakes);
 }

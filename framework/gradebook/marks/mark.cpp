@@ -103,9 +103,13 @@ void apply_own_tests(LabMark& mark, const LabRecord& lab, const Course& course) 
     mark.notes.emplace_back("my_tests.cpp NOT GRADED: the grader failed");
     return;
   }
-  if (!own.compiled || own.fails_reference) {
-    mark.notes.push_back(std::string("my_tests.cpp ") +
-                         (own.compiled ? "earns nothing: " : "does not compile: ") + own.message);
+  if (!own.compiled) {
+    mark.notes.push_back(fmt::format(
+        "my_tests.cpp {}: {}", own.stopped ? "was not compiled" : "does not compile", own.message));
+    return;
+  }
+  if (own.fails_reference) {
+    mark.notes.push_back("my_tests.cpp earns nothing: " + own.message);
     return;
   }
   mark.bonus = course.lab(mark.lab).own_tests * own.caught / std::max(1, own.mistakes);

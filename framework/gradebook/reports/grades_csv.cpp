@@ -31,6 +31,9 @@ std::vector<std::string> troubles_of(const LabRecord& lab) {
   if (lab.own_tests && !lab.own_tests->not_graded.empty()) {
     troubles.push_back("the grader, of my_tests.cpp: " + plain_line(lab.own_tests->not_graded));
   }
+  if (lab.own_tests && lab.own_tests->stopped) {
+    troubles.emplace_back("my_tests.cpp was stopped: grade again if the machine was busy");
+  }
   const auto add = [&](const char* status, const char* what) {
     const int count = lab.tests_with(status);
     if (count == 0) return;
