@@ -60,30 +60,34 @@ std::vector<std::string> milestones_of(const fs::path& records, int lab) {
 /// The folder of the project. With CS550_BUILD_DIR the root is a folder of links.
 fs::path project_of(const fs::path& root) { return fs::canonical(root / "labs").parent_path(); }
 
-/// Files with code of a lab that are in Git's answer to a question, relative to the lab's folder.
+/// Files with code of a lab that are in Git's answer to a question, relative to the folder that it is asked in.
 /// @throws std::exception if Git cannot tell
-std::set<std::string> code_in_answer(const fs::path& project, const std::string& lab,
+std::set<std::string> code_in_answer(const fs::path& project, const fs::path& folder,
+                                     const std::string& lab,
                                      const std::vector<std::string>& question) {
   // Lets Git read a clone that another user made, such as one that is mounted in a container.
   std::vector<std::string> command{"git", "-c", "safe.directory=" + project.string(), "-c",
                                    "core.fileMode=false"};
   command.insert(command.end(), question.begin(), question.end());
-  command.insert(command.end(), {"--", ":(glob)**/*.cpp", ":(glob)**/*.hpp",
+  const std::string lab_folder = (project / "labs" / lab).lexically_relative(folder);
+  const std::string code = ":(glob)" + lab_folder + "/**/*";
+  command.insert(command.end(), {"--", code + ".cpp", code + ".hpp",
                                  std::string(":(exclude,glob)**/") + own_tests_file});
-  static const std::regex code(R"(.*\.[ch]pp"?)");  // other lines are warnings
+  static const std::regex name_of_code(R"(.*\.[ch]pp"?)");  // other lines are warnings
   std::set<std::string> names;
-  std::istringstream lines(cli::output_of(command, project / "labs" / lab));
+  std::istringstream lines(cli::output_of(command, folder));
   for (std::string line; std::getline(lines, line);) {
-    if (std::regex_match(line, code)) names.insert(line);
+    if (std::regex_match(line, name_of_code)) names.insert(line);
   }
   return names;
 }
 
 /// Files with code of a lab that differ from Git's last commit. Only their contents count, not Git's index.
 std::set<std::string> changed_code(const fs::path& project, const std::string& lab) {
+  const fs::path folder = project / "labs" / lab;
   std::set<std::string> names =
-      code_in_answer(project, lab, {"ls-files", "--others", "--exclude-standard"});
-  names.merge(code_in_answer(project, lab, {"diff", "--relative", "--name-only", "HEAD"}));
+      code_in_answer(project, folder, lab, {"ls-files", "--others", "--exclude-standard"});
+  names.merge(code_in_answer(project, folder, lab, {"diff", "--relative", "--name-only", "HEAD"}));
   return names;
 }
 
@@ -158,15 +162,16 @@ void check_starters(const fs::path& root, const std::vector<int>& labs,
 
 void check_starters_in_index(const fs::path& root, const std::vector<int>& labs,
                              const Catalogue& catalogue) {
+  const fs::path project = project_of(root);
   for (const int number : labs) {
     const std::string& name = catalogue.at(number).name;
-    const std::set<std::string> changed = code_in_answer(
-        project_of(root), name, {"diff", "--relative", "--name-only", "--cached", "HEAD"});
+    const std::set<std::string> changed =
+        code_in_answer(project, project, name, {"diff", "--name-only", "--cached", "HEAD"});
     if (changed.empty()) continue;
     throw std::runtime_error(
-        fmt::format("labs/{0} differs from the starter in Git's index: {1}.\n"
-                    "  The autograder would have it. To mend that: git restore --staged labs/{0}",
-                    name, first_of(changed)));
+        fmt::format("Git's index does not have the starter of lab {}: {}.\n"
+                    "  The autograder would have it. To mend that: git restore --staged labs/{}",
+                    number, first_of(changed), name));
   }
 }
 
