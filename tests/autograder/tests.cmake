@@ -11,6 +11,7 @@ endfunction()
 cs550_add_fake_lab(fake_lab)
 cs550_add_fake_lab(fake_sanitized_lab)
 target_link_libraries(fake_sanitized_lab PRIVATE cs550_sanitizers)
+target_compile_options(fake_sanitized_lab PRIVATE -g1)  # its reports name lines
 
 set(isolated_labs "")
 if(CS550_ISOLATE_LABS)

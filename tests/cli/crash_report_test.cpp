@@ -7,6 +7,7 @@
 
 namespace {
 
+using cs550::cli::calls_in;
 using cs550::cli::crash_report;
 
 // As GCC 12 prints them, with some frames left out.
@@ -100,6 +101,16 @@ TEST(CrashReport, AnAssertionLeadsToTheStudentsLine) {
 )"),
             "assertion `index < size()' failed.\n"
             "  in support, labs/lab3_hill_climbing/hill_climbing.cpp:45\n");
+}
+
+TEST(CrashReport, AProgramThatWasStoppedNamesItsCalls) {
+  const std::string report = crash_report(
+      R"(==9==ERROR: AddressSanitizer: ABRT on unknown address 0x0000681f (pc 0x7f bp 0x00 sp 0x7f T0)
+    #0 0x55 in cs550::link_faces(cs550::HalfEdgeMesh&) labs/lab2_half_edge_mesh/links.cpp:45
+)");
+  EXPECT_EQ(report, "aborted\n  in link_faces, labs/lab2_half_edge_mesh/links.cpp:45\n");
+  EXPECT_EQ(calls_in(report), "  in link_faces, labs/lab2_half_edge_mesh/links.cpp:45\n");
+  EXPECT_EQ(calls_in(""), "");
 }
 
 TEST(CrashReport, AProgramThatSaidNothingHasNone) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/grading/crash_report.hpp"
 #include "cli/grading/graded_run.hpp"
 
 namespace {
@@ -122,6 +123,18 @@ TEST_F(GradedRun, TellsWhatTheSanitizersFound) {
   ASSERT_EQ(verdicts.size(), 1U);
   EXPECT_EQ(verdicts[0].kind, Kind::Failed);
   EXPECT_EQ(verdicts[0].message.rfind("memory error: heap-buffer-overflow", 0), 0U)
+      << verdicts[0].message;
+}
+
+TEST_F(GradedRun, TellsWhereASanitizedProgramWasStopped) {
+  cs550::cli::configure_sanitizers();
+  const std::vector<Verdict> verdicts = run_graded_tests(
+      CS550_FAKE_SANITIZED_LAB, 5, {{"NeverEnds", "L5.2", 1, false}}, patience / 60);
+  ASSERT_EQ(verdicts.size(), 1U);
+  EXPECT_EQ(verdicts[0].ending, "stopped: it did not end in time (an endless loop?)");
+  EXPECT_NE(
+      verdicts[0].message.find("\n  in the test, tests/autograder/fake_lab/fake_sanitized_lab"),
+      std::string::npos)
       << verdicts[0].message;
 }
 

@@ -48,9 +48,22 @@ TEST(Process, AProgramThatPrintsWithoutEndIsStopped) {
   const Ending ending = run({"/bin/sh", "-c", "while :; do echo here; done"}, surroundings);
   EXPECT_EQ(ending.in_words(), "stopped: it printed too much (a loop that prints without end?)");
   EXPECT_LE(fs::file_size(file), most);
-  EXPECT_TRUE(ending.is_endless());
   EXPECT_EQ(read_output(file, ending).substr(0, 10), "here\nhere\n");
   EXPECT_LT(read_output(file, ending).size(), 3000U) << "nobody reads a megabyte of one line";
+}
+
+/// A sanitizer prints at SIGABRT where the program is.
+TEST(Process, AStuckProgramIsAskedToEndBeforeItIsKilled) {
+  const cs550::test::ScratchFolder folder;
+  Surroundings surroundings;
+  surroundings.output = folder / "last_words.txt";
+  surroundings.is_stuck = [&] { return fs::exists(folder / "ready"); };
+  const std::string script =
+      "trap 'echo here; exit 3' ABRT; : >" + (folder / "ready").string() + "; while :; do :; done";
+  const Ending ending = run({"/bin/sh", "-c", script}, surroundings);
+  EXPECT_TRUE(ending.stopped);
+  EXPECT_EQ(ending.exit_code, 3);
+  EXPECT_EQ(read_output(surroundings.output, ending), "here\n");
 }
 
 TEST(Process, AProgramThatAllocatesWithoutEndFails) {

@@ -257,7 +257,7 @@ echo "// ENDLESS" >"$lab3"
 for option in "" --debug; do
   CS550_ENGINE_SECONDS=24 runs 1 lab 3 --run $option
   prints "not reached: stopped: it made no step for 2 s"
-  prints "try  ./cs550 lab 3 --run --debug  Ctrl-C 5 s after gdb starts shows the loop"
+  prints "try  ./cs550 lab 3 --run --asan  which prints the line"
 done
 prints GDB
 echo "// SLOW" >"$lab3"

@@ -56,6 +56,7 @@ std::string given_place(std::string_view line) {
 /// What happened, from the line that reports it; empty for every other line.
 std::string headline(std::string_view line) {
   if (const auto what = after(line, "ERROR: AddressSanitizer: "); !what.empty()) {
+    if (begins_with(what, "ABRT ")) return "aborted";
     return "memory error: " + std::string(before(before(what, " on "), " ("));
   }
   if (const auto what = after(line, "runtime error: "); !what.empty()) {
@@ -113,6 +114,11 @@ std::string crash_report(const std::string& output) {
     }
   }
   return report;
+}
+
+std::string calls_in(const std::string& report) {
+  const std::size_t end = report.find('\n');
+  return end == std::string::npos ? "" : report.substr(end + 1);
 }
 
 void configure_sanitizers() {

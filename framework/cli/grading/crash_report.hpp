@@ -10,8 +10,11 @@ namespace cs550::cli {
 /// of labs/ and tests/ that led to it, innermost first. Empty when there was no report.
 std::string crash_report(const std::string& output);
 
-/// Makes programs that are started from now on print the calls that led to undefined behaviour or to a
-/// failed assertion, and stop before they fill the memory. Settings in the user's environment are kept.
+/// The lines of such a report without what happened: where the program was.
+std::string calls_in(const std::string& report);
+
+/// Makes programs that are started from now on print the calls that led to undefined behaviour, to a failed
+/// assertion or to where they are stopped, and end before they fill the memory. Settings in the user's environment are kept.
 void configure_sanitizers();
 
 }  // namespace cs550::cli

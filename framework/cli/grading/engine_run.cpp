@@ -53,6 +53,7 @@ seconds patience_of_a_step(bool sanitized) {
 struct EngineEnding {
   Ending ending;
   std::string in_words;  ///< meaningful if it did not end by itself
+  std::string calls;     ///< where a sanitized one was when it was stopped
 };
 
 /// Runs a program until it ends or takes too long, and prints its output, or in short what the
@@ -82,20 +83,30 @@ EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
   fs::remove(output);
   fs::remove(pulse);
   const std::string report = sanitized ? crash_report(printed) : "";
-  std::cout << indented(report.empty() ? printed : "not reached: " + report, 0) << std::flush;
-  if (!ending.stopped || !without_a_step) return {ending, ending.in_words()};
-  return {ending, fmt::format("stopped: it made no step for {} s (an endless loop?)",
-                              patience_of_a_step(sanitized).count())};
+  const std::string calls = ending.stopped ? calls_in(report) : "";
+  if (calls.empty()) {
+    std::cout << indented(report.empty() ? printed : "not reached: " + report, 0) << std::flush;
+  }
+  if (!ending.stopped || !without_a_step) return {ending, ending.in_words(), calls};
+  return {ending,
+          fmt::format("stopped: it made no step for {} s (an endless loop?)",
+                      patience_of_a_step(sanitized).count()),
+          calls};
 }
 
 /// How the engine ended if not by itself, and what to try.
 void print_ending(int lab, const EngineEnding& how) {
   const Ending& ending = how.ending;
-  if (ending.signal == 0) return;
-  const std::string advice = ending.is_endless() ? fmt::format("--debug  {}", how_to_find_a_loop)
-                                                 : "--asan  which prints the line";
-  std::cout << fmt::format("\nnot reached: {}\ntry  ./cs550 lab {} --run {}\n", how.in_words, lab,
-                           advice);
+  if (ending.signal == 0 && !ending.stopped) return;
+  std::cout << fmt::format("\nnot reached: {}\n", how.in_words);
+  if (!how.calls.empty()) {
+    std::cout << indented(how.calls, 0);
+    return;
+  }
+  const std::string advice = ending.printed_too_much()
+                                 ? fmt::format("--debug  {}", how_to_find_a_loop)
+                                 : "--asan  which prints the line";
+  std::cout << fmt::format("try  ./cs550 lab {} --run {}\n", lab, advice);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ struct Outputs {
 
 /// What to try when a test has no verdict of its own.
 std::string advice(int lab, const Ending& ending) {
-  return ending.is_endless()
+  return ending.printed_too_much()
              ? fmt::format("try  ./cs550 lab {} --debug  {}\n", lab, how_to_find_a_loop)
              : fmt::format("try  ./cs550 lab {} --asan  which prints the line\n", lab);
 }
@@ -91,9 +91,9 @@ Verdict ended_the_program(int lab, const GradedTest& test, const Ending& ending,
   std::string running_case = text_of(outputs.running_case);
   running_case.erase(std::min(running_case.find('\0'), running_case.size()));
   // A sanitizer ends the program by itself: its report is more useful than the exit code.
-  const bool sanitizer = !report.empty() && ending.signal == 0 && !ending.stopped;
-  const std::string how =
-      sanitizer ? report : ending.in_words() + '\n' + report + advice(lab, ending);
+  const bool sanitizer = !report.empty() && ending.signal == 0;
+  std::string how = ending.in_words() + '\n' + report + advice(lab, ending);
+  if (sanitizer) how = ending.stopped ? ending.in_words() + '\n' + calls_in(report) : report;
   return {test, Verdict::Kind::Failed, how + running_case, 0, "", how.substr(0, how.find('\n'))};
 }
 

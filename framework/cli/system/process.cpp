@@ -20,6 +20,8 @@ namespace {
 
 constexpr int cannot_start = 127;
 constexpr std::chrono::milliseconds glance{5};  ///< short beside the time of a test run
+constexpr std::chrono::seconds time_to_abort{
+    10};  ///< enough for a sanitizer to read debug information
 
 std::vector<char*> as_arguments(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
@@ -105,13 +107,17 @@ Ending run(const std::vector<std::string>& command, const Surroundings& surround
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) start(arguments.data(), surroundings);
 
+  using Clock = std::chrono::steady_clock;
   Ending ending;
+  Clock::time_point last_moment;
   int status = 0;
   while (waitpid(child, &status, WNOHANG) != child) {
     if (!ending.stopped && surroundings.is_stuck()) {
       ending.stopped = true;
-      kill(child, SIGKILL);
+      last_moment = Clock::now() + time_to_abort;
+      kill(child, SIGABRT);  // at which a sanitizer prints the calls
     }
+    if (ending.stopped && Clock::now() > last_moment) kill(child, SIGKILL);
     std::this_thread::sleep_for(glance);
   }
   if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);

@@ -20,8 +20,6 @@ struct Ending {
   bool good() const { return exit_code == 0 && signal == 0; }
   /// Whether it was stopped since it printed more than Limits::output.
   bool printed_too_much() const;
-  /// Whether it might never have ended.
-  bool is_endless() const { return stopped || printed_too_much(); }
   /// For a program that should not have ended: "crashed: Segmentation fault".
   std::string in_words() const;
 };
@@ -39,7 +37,7 @@ Limits students_limits(bool sanitized);
 struct Surroundings {
   std::filesystem::path folder;  ///< its working directory; empty: ours
   std::filesystem::path output;  ///< file for its standard output and error; empty: ours
-  /// Called every few milliseconds: whether the program is stuck and must be killed.
+  /// Called every few milliseconds: whether the program is stuck and must be stopped, by SIGABRT and then by SIGKILL.
   std::function<bool()> is_stuck = [] { return false; };
   Limits limits = {};  ///< of what it uses
 };

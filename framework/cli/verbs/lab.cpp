@@ -296,7 +296,8 @@ Action declare_lab(CLI::App& app) {
                            "of the first failing step, and run every long test");
   auto* asan = app.add_flag("--asan", options->asan,
                             "run the tests, or the scenes of --run, with checks for\n"
-                            "memory errors and undefined behaviour");
+                            "memory errors and undefined behaviour; prints where an\n"
+                            "endless loop is");
   auto* debug = app.add_flag("--debug", options->debug,
                              "run the tests, or the scenes of --run, then open gdb\n"
                              "where the first one fails");
