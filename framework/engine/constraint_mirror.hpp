@@ -1,7 +1,7 @@
 #pragma once
 /// @file constraint_mirror.hpp
 /// A copy of the contact constraints in structure-of-arrays form, for passes that solve eight of them
-/// at a time. Passes change impulses and marks in both, so it stays valid from one pass to the next.
+/// at a time. Passes change impulses and marks in the mirror, and copy them to the constraints when asked to.
 
 #include <array>
 #include <vector>
@@ -28,9 +28,9 @@ struct ConstraintRow {
   Index count = 0;  ///< they fill the first lanes
 };
 
-/// A number of each constraint of a row.
-struct alignas(lane_count * sizeof(Real)) LaneNumbers {
-  Real lane[lane_count];
+/// Two numbers of each constraint of a row: a cache line.
+struct alignas(2 * lane_count * sizeof(Real)) LaneNumbers {
+  Real lane[2 * lane_count];
 };
 
 /// The mirror of an array of constraints.
@@ -39,7 +39,10 @@ struct ConstraintMirror {
   bool stale = true;
   bool stale_numbers = true;   ///< enough if they still have the same bodies and places
   bool stale_impulses = true;  ///< enough if only impulses or marks have changed
-  std::vector<Index> starts;   ///< constraints with which a group has to begin; may be empty
+  /// Whether the constraints lack impulses and marks of the last passes. None of the above may be set meanwhile, but
+  /// `stale` for constraints that nobody needs any more.
+  bool is_ahead = false;
+  std::vector<Index> starts;  ///< constraints with which a group has to begin; may be empty
   std::vector<PairGroup> groups;
   std::vector<ConstraintRow> rows;
   std::vector<Index> last_group;  ///< of each body: the last group that moves it; working storage

@@ -15,7 +15,8 @@ struct Passes {
   bool alternate = true;   ///< whether each pass goes the other way than the one before
   bool mark_impacts =
       false;  ///< whether constraints are marked at the end: ContactConstraint::mark_impact()
-  bool store = true;  ///< whether the constraints get the impulses at the end, not only the mirror
+  /// Whether the constraints get impulses and marks at the end, including those of earlier passes that only the mirror has.
+  bool store = true;
   /// ω: a constraint that the last warm start loaded changes its normal impulse by ω times as much. Others do
   /// not: ω times the impulse that stops an impact would throw the body back.
   Real over_relaxation = 1;

@@ -406,21 +406,30 @@ struct WorldState {
   Real slop() const { return settings.slop * settings.length_unit; }
 };
 
-/// Calls `work(first, last)` for blocks of bodies, by several threads if there are any. `work` may change only
-/// its own bodies and what belongs to them. If the bodies are numbered part by part, the blocks are the parts.
+/// As many bodies as one block has. What one sweep over them leaves in the cache the next one finds there.
+inline constexpr std::size_t few_bodies = 32;
+
+/// Calls `work(first, last)` for a few bodies at a time.
+template <class Work>
+void for_few_bodies(std::size_t first, std::size_t last, const Work& work) {
+  for (; first < last; first += few_bodies) work(first, std::min(first + few_bodies, last));
+}
+
+/// The same for all bodies, by several threads if there are any. `work` may change only its own bodies and what
+/// belongs to them. If the bodies are numbered part by part, each part is taken by one thread.
 /// The grader's worker has the bodies alone, without their slots.
 template <class Work>
 void for_body_blocks(const WorldState& world, const Work& work) {
   if (const BodyParts& parts = world.parts; parts.renumbered) {
     const auto count = static_cast<std::size_t>(parts.count);
     for_blocks(world.team, count, 1, [&](std::size_t first, std::size_t last) {
-      work(static_cast<std::size_t>(parts.first[first]),
-           static_cast<std::size_t>(parts.first[last]));
+      for_few_bodies(static_cast<std::size_t>(parts.first[first]),
+                     static_cast<std::size_t>(parts.first[last]), work);
     });
     return;
   }
-  constexpr std::size_t few_bodies = 32;
-  for_blocks(world.team, world.bodies.size(), few_bodies, work);
+  for_blocks(world.team, world.bodies.size(), few_bodies,
+             [&](std::size_t first, std::size_t last) { for_few_bodies(first, last, work); });
 }
 
 /// Calls `work(bodies, solver_bodies)` for the same blocks of both arrays.

@@ -304,6 +304,46 @@ TEST(Passes, GoOnWhereTheLastPassesEnded) {
   }
 }
 
+/// As in a substep: only the last passes store, or passes that do nothing else.
+TEST(Passes, ImpulsesAndMarksMayStayInTheMirrorUntilTheyAreNeeded) {
+  const ContactStep step = step_of(ContactModel::Soft, true);
+  const Passes biased{.warm_start = true, .count = 2, .store = false};
+  const Passes relaxing{.count = 1, .mark_impacts = true, .store = false};
+  for (const auto& [form, run] : forms()) {
+    SCOPED_TRACE(form);
+    for (const Passes& last : {Passes{}, Passes{.warm_start = true}, Passes{.count = 1}}) {
+      Random random(4);
+      System system = random_system(random, step);
+      ASSERT_FALSE(system.constraints.empty());
+      System one_by_one = system;
+      ConstraintMirror mirror;
+      for (const Passes& passes : {biased, relaxing, biased, last}) {
+        run(mirror, system.constraints, system.bodies, step, passes);
+        run_one_by_one(one_by_one, step, passes);
+      }
+      EXPECT_FALSE(mirror.is_ahead);
+      expect_same_bits(system, one_by_one);
+    }
+  }
+}
+
+TEST(Passes, ImpulsesThatOnlyTheMirrorHasAreForgottenWithTheConstraints) {
+  const ContactStep step = step_of(ContactModel::Soft, true);
+  for (const auto& [form, run] : forms()) {
+    SCOPED_TRACE(form);
+    Random random(5);
+    System system = random_system(random, step);
+    ConstraintMirror mirror;
+    run(mirror, system.constraints, system.bodies, step, {.count = 2, .store = false});
+    system = random_system(random, step);
+    ASSERT_FALSE(system.constraints.empty());
+    System one_by_one = system;
+    mirror.stale = true;
+    run(mirror, system.constraints, system.bodies, step, {});
+    expect_same_bits(system, one_by_one);
+  }
+}
+
 /// A ball whose contact with the floor is at its lowest point approaches with 1 m/s.
 System falling_ball(Real load) {
   SolverBody ball;

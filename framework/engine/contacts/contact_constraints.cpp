@@ -162,6 +162,7 @@ template <class Refresh>
 void for_turned_contacts(WorldState& world, const std::vector<TurnSize>& turns,
                          const Refresh& refresh) {
   if (!any_turned(turns)) return;
+  read_back_impulses(world);
   std::atomic<bool> any = false;
   for_constraints_of_contacts_in_blocks(world, [&](Index contact, std::span<const Index> places) {
     const TurnSize turn = larger_turn(world, turns, places);
@@ -186,6 +187,7 @@ template <class Refresh>
 void for_turned_contacts_of_unit(WorldState& world, const std::vector<TurnSize>& turns,
                                  std::size_t unit, const Refresh& refresh) {
   if (!any_turned(turns_for_unit(world, turns, unit))) return;
+  read_back_impulses(world, unit);
   const SolveOrder& order = world.solve_order;
   const SolveUnit& solved = order.units[unit];
   for (Index i = solved.first_contact; i < solved.end_contact; ++i) {
@@ -218,6 +220,22 @@ auto preparing_again(WorldState& world, const ContactStep& step) {
 Vec3 ContactConstraint::v() const { return n.cross(u); }
 
 void ContactConstraint::mark_impact() { impact_handled = impact_handled || normal_impulse > 0; }
+
+void read_back_impulses(WorldState& world, std::size_t unit) {
+  ConstraintMirror& mirror = world.mirrors.of_units[unit];
+  if (!mirror.is_ahead) return;
+  run_passes(mirror, constraints_of(world, world.solve_order.units[unit]), world.solver_bodies, {},
+             {.store = true});
+}
+
+void read_back_impulses(WorldState& world) {
+  const std::vector<ConstraintMirror>& mirrors = world.mirrors.of_units;
+  if (std::none_of(mirrors.begin(), mirrors.end(),
+                   [](const ConstraintMirror& mirror) { return mirror.is_ahead; }))
+    return;
+  for_units(world.team, world.solve_order, false,
+            [&](std::size_t unit) { read_back_impulses(world, unit); });
+}
 
 void arrange_contacts(WorldState& world) {
   BodyParts& parts = world.parts;

@@ -37,6 +37,13 @@ void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step);
 /// The same for the constraints of a unit of the solve order. @pre bodies are numbered part by part
 void refresh_masses_of_thin_bodies(WorldState& world, const ContactStep& step, std::size_t unit);
 
+/// Gives the constraints the impulses and marks of the last passes, which may be in the mirrors only. Whatever
+/// reads or changes constraints between passes calls it first.
+/// @{
+void read_back_impulses(WorldState& world);
+void read_back_impulses(WorldState& world, std::size_t unit);
+/// @}
+
 /// The kinetic energy that the impulses of a contact's constraints give to bodies at rest, each
 /// impulse alone (J).
 double impulse_energy(const WorldState& world, std::span<const Index> places);

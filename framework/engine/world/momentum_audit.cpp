@@ -46,7 +46,9 @@ void begin_audit(WorldState& world) {
 }
 
 void audit_substep(WorldState& world, Real h) {
-  if (world.settings.audit_momentum) world.audit.unexplained -= outer_impulse(world, h);
+  if (!world.settings.audit_momentum) return;
+  read_back_impulses(world);
+  world.audit.unexplained -= outer_impulse(world, h);
 }
 
 void end_audit(WorldState& world, Real h) {

@@ -107,6 +107,7 @@ void find_misplaced_bodies(WorldState& world, Real h) {
 
 void begin_push(WorldState& world) {
   if (!world.recovery.any) return;
+  read_back_impulses(world);
   world.recovery.bodies = world.bodies;
   world.recovery.constraints = world.constraints;
   world.mirrors.set_stale_numbers();
@@ -119,6 +120,7 @@ void begin_push(WorldState& world) {
 
 void end_push(WorldState& world) {
   if (!world.recovery.any || world.constraints.empty()) return;
+  read_back_impulses(world);
   world.mirrors.set_stale_numbers();
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.recovery.recovers[i]) return_momenta(world.bodies[i], world.recovery.bodies[i]);
@@ -143,6 +145,7 @@ void return_friction(WorldState& world) {
 
 void restart_after_push(WorldState& world, std::span<SolverBody> bodies, const ContactStep& step) {
   if (!world.recovery.any) return;
+  read_back_impulses(world);
   world.mirrors.set_stale_numbers();
   for_constraints_of_contacts(world, [&](Index, std::span<const Index> places) {
     if (!recovers(world, world.constraints[places[0]])) return;

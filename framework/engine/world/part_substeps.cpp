@@ -92,8 +92,10 @@ class PartSubsteps {
     if (unit == 0 && integrates) timer.emplace(world_.stats, Stage::Integrate);
     switch (task.work) {
       case PartWork::ApplyForces:
-        integrate_momenta(bodies(unit), biased_.h);
-        return gather_part(unit);
+        return for_few_bodies(unit, [&](std::size_t first, std::size_t last) {
+          integrate_momenta(bodies(first, last), biased_.h);
+          gather_dynamic(first, last);
+        });
       case PartWork::RefreshMasses:
         return refresh_masses(world_, biased_, unit);
       case PartWork::BiasedPasses:
@@ -101,33 +103,40 @@ class PartSubsteps {
       case PartWork::ResistRolling:
         return resist_rolling(world_, unit);
       case PartWork::Move:
-        add_momentum_changes(bodies(unit), solver_bodies(unit));
-        integrate_poses(bodies(unit), solver_bodies(unit), biased_.h, world_.settings.rotation);
-        gather_part(unit);
-        return measure_turns(world_, first(unit), first(unit + 1), biased_.h);
+        return for_few_bodies(unit, [&](std::size_t first, std::size_t last) {
+          add_momentum_changes(bodies(first, last), solver_bodies(first, last));
+          integrate_poses(bodies(first, last), solver_bodies(first, last), biased_.h,
+                          world_.settings.rotation);
+          gather_dynamic(first, last);
+          measure_turns(world_, first, last, biased_.h);
+        });
       case PartWork::RefreshThinMasses:
         return refresh_masses_of_thin_bodies(world_, biased_, unit);
       case PartWork::RelaxPasses:
         return run_passes(unit, relaxing_, task.passes);
       case PartWork::KeepMomenta:
-        return add_momentum_changes(bodies(unit), solver_bodies(unit));
+        return for_few_bodies(unit, [&](std::size_t first, std::size_t last) {
+          add_momentum_changes(bodies(first, last), solver_bodies(first, last));
+        });
     }
   }
 
  private:
-  std::size_t first(std::size_t part) const {
-    return static_cast<std::size_t>(world_.parts.first[part]);
+  template <class Work>
+  void for_few_bodies(std::size_t part, const Work& work) {
+    cs550::for_few_bodies(static_cast<std::size_t>(world_.parts.first[part]),
+                          static_cast<std::size_t>(world_.parts.first[part + 1]), work);
   }
-  std::span<RigidBody> bodies(std::size_t part) {
-    return std::span(world_.bodies).subspan(first(part), first(part + 1) - first(part));
+  std::span<RigidBody> bodies(std::size_t first, std::size_t last) {
+    return std::span(world_.bodies).subspan(first, last - first);
   }
-  std::span<SolverBody> solver_bodies(std::size_t part) {
-    return std::span(world_.solver_bodies).subspan(first(part), first(part + 1) - first(part));
+  std::span<SolverBody> solver_bodies(std::size_t first, std::size_t last) {
+    return std::span(world_.solver_bodies).subspan(first, last - first);
   }
 
   /// Other threads read the immovable bodies, which stay as they are.
-  void gather_part(std::size_t part) {
-    for (std::size_t i = first(part); i < first(part + 1); ++i) {
+  void gather_dynamic(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
       if (world_.bodies[i].kind == BodyKind::Dynamic) {
         gather(world_.bodies[i], world_.solver_bodies[i]);
       }

@@ -19,6 +19,7 @@ namespace {
 /// handled.
 void measure_approach(WorldState& world) {
   if (!world.any_bounces) return;
+  read_back_impulses(world);
   for (ContactConstraint& constraint : world.constraints) {
     if (constraint.impact_handled || constraint.restitution == 0) continue;
     SolverBody a;
@@ -33,6 +34,7 @@ void measure_approach(WorldState& world) {
 
 /// The naive solver starts from nothing, and so does the other one if the settings ask for it.
 void forget_impulses(WorldState& world) {
+  read_back_impulses(world);
   for (ContactConstraint& constraint : world.constraints) {
     constraint.normal_impulse = 0;
     constraint.tangent_impulse.setZero();
@@ -104,7 +106,7 @@ void solve_with_bias(WorldState& world, const ContactStep& step) {
     Passes passes = biased_passes(world, step);
     passes.warm_start = starts_warm(settings) && !resists_rolling(settings);
     if (resists_rolling(settings)) {
-      solve(world, bodies, step, {.warm_start = true});
+      solve(world, bodies, step, {.warm_start = true, .store = false});
       resist_rolling(world);
     }
     solve(world, bodies, step, passes);
@@ -123,15 +125,20 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
     end_push(world);
     with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
       refresh_masses_of_thin_bodies(world, step);
-      if (world.impacts.any) begin_impacts(world, bodies);
+      if (world.impacts.any) {
+        read_back_impulses(world);
+        begin_impacts(world, bodies);
+      }
       restart_after_push(world, bodies, step);
       relax(world, bodies, step);
       if (!world.any_bounces) return;
+      read_back_impulses(world);
       apply_restitution(world.constraints, bodies, step);
       if (world.impacts.any) limit_impact_energy(world, bodies);
       world.mirrors.set_stale_impulses();
     });
   } else {
+    read_back_impulses(world);
     if (world.settings.solver == SolverKind::Constraint) return_friction(world);
     // A contact bounces in one substep only.
     for (ContactConstraint& constraint : world.constraints) {

@@ -12,6 +12,7 @@ namespace {
 Passes passes_after(const WorldState& world, int done, int count) {
   Passes passes;
   passes.count = count;
+  passes.store = false;  // see read_back_impulses()
   passes.alternate = world.settings.pass_order == PassOrder::BackAndForth;
   // Without passes only the warm start is left, and that always goes forwards.
   passes.backwards = count > 0 && (passes.alternate ? done : world.step_count) % 2 == 1;

@@ -77,13 +77,14 @@ inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodie
 
 /// solve_contacts().
 [[gnu::flatten]] inline void solve_forwards(ConstraintMirror& mirror, std::span<SolverBody> bodies,
-                                            const ContactStep& step, Real over_relaxation) {
+                                            const ContactStep& step, const Passes& pass) {
   for (const PairGroup& group : mirror.groups) {
     GroupBodies group_bodies(group, bodies);
     WidePair pair = group_bodies.load();
     for (WideConstraint& constraint : rows_of(group, mirror)) {
-      solve_normal(constraint, pair, step, over_relaxation);
+      solve_normal(constraint, pair, step, pass.over_relaxation);
       solve_friction(constraint, pair);
+      if (pass.mark_impacts) mark_impacts(constraint);
     }
     group_bodies.store(pair);
   }
@@ -91,14 +92,15 @@ inline void warm_start_all(ConstraintMirror& mirror, std::span<SolverBody> bodie
 
 /// solve_contacts() with step.backwards.
 [[gnu::flatten]] inline void solve_backwards(ConstraintMirror& mirror, std::span<SolverBody> bodies,
-                                             const ContactStep& step, Real over_relaxation) {
+                                             const ContactStep& step, const Passes& pass) {
   for (auto group = mirror.groups.rbegin(); group != mirror.groups.rend(); ++group) {
     GroupBodies group_bodies(*group, bodies);
     WidePair pair = group_bodies.load();
     const std::span<WideConstraint> rows = rows_of(*group, mirror);
     for (auto constraint = rows.rbegin(); constraint != rows.rend(); ++constraint) {
       solve_friction(*constraint, pair);
-      solve_normal(*constraint, pair, step, over_relaxation);
+      solve_normal(*constraint, pair, step, pass.over_relaxation);
+      if (pass.mark_impacts) mark_impacts(*constraint);
     }
     group_bodies.store(pair);
   }
@@ -113,6 +115,7 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
     for (WideConstraint& row : wide_constraints(mirror)) row.flags = all_lanes(0);
     mirror.stale = false;
     mirror.stale_numbers = true;
+    mirror.is_ahead = false;
   }
   if (mirror.stale_numbers) {
     for_rows(constraints, mirror,
@@ -126,18 +129,22 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
     mirror.stale_impulses = false;
   }
   if (passes.warm_start) warm_start_all(mirror, bodies);
-  for (int pass = 0; pass < passes.count; ++pass) {
-    if (passes.goes_backwards(pass)) {
-      solve_backwards(mirror, bodies, step, passes.over_relaxation);
+  for (int i = 0; i < passes.count; ++i) {
+    const Passes pass = passes.one(i);
+    if (pass.backwards) {
+      solve_backwards(mirror, bodies, step, pass);
     } else {
-      solve_forwards(mirror, bodies, step, passes.over_relaxation);
+      solve_forwards(mirror, bodies, step, pass);
     }
   }
-  if (!passes.store || (passes.count == 0 && !passes.mark_impacts)) return;
-  for_rows(constraints, mirror, [&](WideConstraint& row, const auto& lanes) {
-    if (passes.mark_impacts) mark_impacts(row);
-    store_impulses(row, lanes);
-  });
+  if (passes.count == 0 && passes.mark_impacts) {
+    for (WideConstraint& row : wide_constraints(mirror)) mark_impacts(row);
+  }
+  mirror.is_ahead = mirror.is_ahead || passes.count > 0 || passes.mark_impacts;
+  if (!passes.store || !mirror.is_ahead) return;
+  for_rows(constraints, mirror,
+           [](const WideConstraint& row, const auto& lanes) { store_impulses(row, lanes); });
+  mirror.is_ahead = false;
 }
 
 }  // namespace cs550::CS550_LANES

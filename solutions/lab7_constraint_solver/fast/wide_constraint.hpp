@@ -15,11 +15,12 @@ namespace cs550::CS550_LANES {
 /// Unused lanes hold a constraint without mass.
 struct WideConstraint {
   WideVec3 n, u, r_a, r_b;
-  WideReal separation, friction, restitution, normal_mass;
+  WideReal separation, friction, normal_mass;
   WideMat2 tangent_mass;
-  WideReal bias_rate, mass_scale, impulse_scale, approach_velocity;
+  WideReal bias_rate, mass_scale, impulse_scale;
   WideReal flags;  ///< impact_handled, and whether the last warm start loaded it
   WideReal normal_impulse, tangent_u, tangent_v;
+  WideReal restitution, approach_velocity;  ///< a cache line that soft contacts do not need
 };
 
 /// The flag impact_handled is the first byte of its number, and true is 1. The other flag is in the same number:
