@@ -161,6 +161,11 @@ class UnwrittenStages {
 
 inline constexpr Index most_parts = 8;
 
+/// The positions of a contact's bodies, where that of an immovable one is the position of the other (world).
+struct ContactEnds {
+  Vec3 a, b;
+};
+
 /// The parts of the world, see divide_bodies(); and the numbers of the bodies, see PartNumbering.
 struct BodyParts {
   Index count = 1;
@@ -173,7 +178,9 @@ struct BodyParts {
   std::vector<Index> numbers;                 ///< of each body; empty once they are divided again
   std::vector<Index> bodies_by_number;        ///< of each number
   std::array<Index, most_parts + 1> first{};  ///< number of each part, and the number of bodies
-  std::vector<RigidBody> other_bodies;        ///< working storage: the world's in the other order
+  // Working storage:
+  std::vector<RigidBody> other_bodies;  ///< the world's in the other order
+  std::vector<ContactEnds> contacts;    ///< with points
 
   /// Where the arrays of a substep have a body.
   Index number_of(Index body) const { return renumbered ? numbers[body] : body; }
@@ -233,7 +240,9 @@ struct SolveUnit {
   Index first_place = 0;  ///< of the constraints
   Index end_place = 0;
   std::vector<ContactGroup> groups;
-  std::array<ReadyLinks, max_manifold_points> ready;  ///< working storage, by number of points
+  // Working storage of form_groups(), for each unit, since several threads that write to one array wait for each other:
+  std::array<ReadyLinks, max_manifold_points> ready;  ///< by number of points
+  std::vector<Index> next_of_body;                    ///< the next link of each body
 };
 
 /// Units of a phase share no movable body. A phase waits for the one before it.
@@ -263,7 +272,6 @@ struct SolveOrder {
   std::vector<Index> with_points;  ///< working storage: contacts in the order of the pairs
   std::vector<Index> ranks;        ///< working storage: ranks with colours
   std::vector<LinkState> states;
-  std::vector<Index> next_of_body;        ///< the next link of each body
   std::vector<unsigned> colours_of_body;  ///< a bit for each colour of its links between parts
 };
 

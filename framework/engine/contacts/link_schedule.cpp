@@ -12,9 +12,9 @@ namespace {
 /// then fills whole groups, rather than being a chain.
 class Schedule {
  public:
-  /// @pre order.states and order.next_of_body have room; several threads may schedule units of one phase
-  Schedule(SolveOrder& order, SolveUnit& unit) : order_(order), unit_(unit) {
+  Schedule(SolveOrder& order, SolveUnit& unit, std::size_t bodies) : order_(order), unit_(unit) {
     unit_.groups.clear();
+    unit_.next_of_body.assign(bodies, no_index);
   }
 
   void run() {
@@ -43,8 +43,8 @@ class Schedule {
     auto follower = state(i).followers.begin();
     for (const Index body : {order_.links[i].body_a, order_.links[i].body_b}) {
       if (body == no_index) continue;
-      const Index next = std::exchange(order_.next_of_body[body], i);
-      if (next < i) continue;  // none, or one of a unit before this one
+      const Index next = std::exchange(unit_.next_of_body[body], i);
+      if (next == no_index) continue;
       *follower++ = next;
       ++state(next).waits_for;
       state(i).height = std::max(state(i).height, state(next).height + 1);
@@ -106,6 +106,8 @@ class Schedule {
 
 }  // namespace
 
-void form_groups(SolveOrder& order, SolveUnit& unit) { Schedule(order, unit).run(); }
+void form_groups(SolveOrder& order, SolveUnit& unit, std::size_t bodies) {
+  Schedule(order, unit, bodies).run();
+}
 
 }  // namespace cs550

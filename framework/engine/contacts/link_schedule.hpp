@@ -7,7 +7,8 @@
 namespace cs550 {
 
 /// Puts the links of a unit into groups in which no two share a movable body. Links that do keep their order.
-/// @pre order.states and order.next_of_body have room; several threads may do so for units of one phase
-void form_groups(SolveOrder& order, SolveUnit& unit);
+/// Several threads may do so for units of one phase. @pre order.states has room
+/// @param bodies their number
+void form_groups(SolveOrder& order, SolveUnit& unit, std::size_t bodies);
 
 }  // namespace cs550

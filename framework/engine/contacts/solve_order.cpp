@@ -206,8 +206,8 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
   list_contacts(order);
   if (team == nullptr) unite(order);
   order.states.resize(order.links.size());
-  order.next_of_body.assign(bodies.size(), no_index);
-  for_units(team, order, false, [&](std::size_t i) { form_groups(order, order.units[i]); });
+  for_units(team, order, false,
+            [&](std::size_t i) { form_groups(order, order.units[i], bodies.size()); });
   place_units(order);
   for_units(team, order, false, [&](std::size_t i) { place_points(pairs, order, order.units[i]); });
 }

@@ -25,15 +25,17 @@ Index part_count(Index contacts) {
 
 bool is_movable(const RigidBody& body) { return body.kind == BodyKind::Dynamic; }
 
-/// Calls `visit(a, b)` for every contact with points: its bodies, where an immovable one is replaced by the
-/// other.
-template <class Visit>
-void for_contacts(const PairList& pairs, std::span<const RigidBody> bodies, const Visit& visit) {
+/// Every direction reads all of them twice, so they are side by side in memory.
+/// @param count of the contacts with points
+void list_ends(const PairList& pairs, std::span<const RigidBody> bodies, std::size_t count,
+               std::vector<ContactEnds>& ends) {
+  ends.clear();
+  if (ends.capacity() < count) ends.reserve(2 * count);  // a pile at rest has a few more or less
   for (const PairSummary& pair : pairs.summaries) {
     if (pair.points == 0) continue;
     const RigidBody& a = bodies[pair.body_a];
     const RigidBody& b = bodies[pair.body_b];
-    visit(is_movable(a) ? a : b, is_movable(b) ? b : a);
+    ends.push_back({(is_movable(a) ? a : b).pose.position, (is_movable(b) ? b : a).pose.position});
   }
 }
 
@@ -46,9 +48,9 @@ struct Slices {
   Real start = 0;
   Real per_length = 0;
 
-  /// Bodies outside are in the first or the last one.
-  int of(const RigidBody& body) const {
-    const Real slice = (direction.dot(body.pose.position) - start) * per_length;
+  /// Of a body. One outside is in the first or the last one.
+  int of(const Vec3& position) const {
+    const Real slice = (direction.dot(position) - start) * per_length;
     if (!(slice > 0)) return 0;  // or not a number
     return static_cast<int>(std::min(slice, static_cast<Real>(count - 1)));
   }
@@ -60,15 +62,14 @@ struct Census {
   std::array<Index, Slices::count> cut{};    ///< contacts that a cut after it crosses
 };
 
-Census count_contacts(const PairList& pairs, std::span<const RigidBody> bodies,
-                      const Slices& slices) {
+Census count_contacts(std::span<const ContactEnds> contacts, const Slices& slices) {
   Census census;
-  for_contacts(pairs, bodies, [&](const RigidBody& a, const RigidBody& b) {
+  for (const auto& [a, b] : contacts) {
     const auto [first, last] = std::minmax({slices.of(a), slices.of(b)});
     ++census.up_to[last];
     ++census.cut[first];
     --census.cut[last];
-  });
+  }
   for (int i = 1; i < Slices::count; ++i) {
     census.up_to[i] += census.up_to[i - 1];
     census.cut[i] += census.cut[i - 1];
@@ -83,7 +84,7 @@ struct Cuts {
   Index cost = 0;  ///< see cost_of_cut()
 
   Index part_of(const RigidBody& body, Index parts) const {
-    const int slice = slices.of(body);
+    const int slice = slices.of(body.pose.position);
     Index part = 0;
     while (part + 1 < parts && slice > last_slice[part]) ++part;
     return part;
@@ -98,10 +99,9 @@ Index cost_of_cut(const Census& census, int slice, Index wanted) {
   return std::abs(census.up_to[slice] + cut / 2 - wanted) + 2 * cut;
 }
 
-Cuts cuts_across(const Slices& slices, const PairList& pairs, std::span<const RigidBody> bodies,
-                 Index parts) {
+Cuts cuts_across(const Slices& slices, std::span<const ContactEnds> contacts, Index parts) {
   Cuts cuts{slices};
-  const Census census = count_contacts(pairs, bodies, slices);
+  const Census census = count_contacts(contacts, slices);
   for (Index part = 0; part + 1 < parts; ++part) {
     const Index wanted = census.up_to.back() * (part + 1) / parts;
     const auto cost = [&](int slice) { return cost_of_cut(census, slice, wanted); };
@@ -115,16 +115,14 @@ Cuts cuts_across(const Slices& slices, const PairList& pairs, std::span<const Ri
   return cuts;
 }
 
-Slices slices_along(const Vec3& direction, const PairList& pairs,
-                    std::span<const RigidBody> bodies) {
+Slices slices_along(const Vec3& direction, std::span<const ContactEnds> contacts) {
   Real first = HUGE_VALF;
   Real last = -first;
-  for_contacts(pairs, bodies, [&](const RigidBody& a, const RigidBody& b) {
-    const auto [from, to] =
-        std::minmax({direction.dot(a.pose.position), direction.dot(b.pose.position)});
+  for (const auto& [a, b] : contacts) {
+    const auto [from, to] = std::minmax({direction.dot(a), direction.dot(b)});
     first = std::min(first, from);
     last = std::max(last, to);
-  });
+  }
   const Real extent = last - first;
   return {direction, first, extent > 0 ? static_cast<Real>(Slices::count) / extent : 0};
 }
@@ -150,14 +148,13 @@ StaticVector<Vec3, most_directions> directions_across(const Vec3& gravity) {
 }
 
 /// Those across the direction in which they are cheapest.
-Cuts best_cuts(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
-               Index parts) {
+Cuts best_cuts(std::span<const ContactEnds> contacts, const Vec3& gravity, Index parts) {
   Cuts best;
   best.cost = std::numeric_limits<Index>::max();
   for (const Vec3& direction : directions_across(gravity)) {
-    const Slices slices = slices_along(direction, pairs, bodies);
+    const Slices slices = slices_along(direction, contacts);
     if (slices.per_length == 0) continue;
-    const Cuts cuts = cuts_across(slices, pairs, bodies, parts);
+    const Cuts cuts = cuts_across(slices, contacts, parts);
     if (cuts.cost < best.cost) best = cuts;
   }
   return best;
@@ -176,7 +173,8 @@ void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, con
   parts.count = part_count(static_cast<Index>(contacts));
   parts.of_body.assign(bodies.size(), 0);
   if (parts.count == 1) return;
-  const Cuts cuts = best_cuts(pairs, bodies, gravity, parts.count);
+  list_ends(pairs, bodies, static_cast<std::size_t>(contacts), parts.contacts);
+  const Cuts cuts = best_cuts(parts.contacts, gravity, parts.count);
   parts.direction = cuts.slices.direction;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     parts.of_body[i] = cuts.part_of(bodies[i], parts.count);
