@@ -44,8 +44,24 @@ TEST(LabReport, LaterStepsAreOneLineEachUntilTheFirstFailingStepPasses) {
             "      wrong sign\n"
             "  FAILED    0/4  L3.10 C\n"
             "\n4 of 12 points, 1 of 3 tests passed\n"
-            "Fix L3.2 first. Other reports are left out or shortened; --all prints them.\n");
+            "Fix L3.2 first. Other reports are left out; --all prints them.\n");
   EXPECT_NE(printed(verdicts, true).find("      wrong order\n"), std::string::npos);
+}
+
+TEST(LabReport, TheReportsOfOneStepAreShortenedButNotLeftOut) {
+  const std::string check = "  given     a cube\n  expected  1 m/s\n  got       2 m/s\n";
+  const Verdict whole = verdict("A", "L3.1", Kind::Failed, "up\n" + check);
+  const Verdict short_one = verdict("B", "L3.1", Kind::Failed, "down\n" + check);
+  const Verdict later = verdict("C", "L3.2", Kind::Failed, "wrong order");
+  EXPECT_NE(printed({whole, short_one})
+                .find("\nFix L3.1 first. Other reports are shortened; --all prints them.\n"),
+            std::string::npos)
+      << printed({whole, short_one});
+  EXPECT_NE(
+      printed({whole, short_one, later})
+          .find("\nFix L3.1 first. Other reports are left out or shortened; --all prints them.\n"),
+      std::string::npos)
+      << printed({whole, short_one, later});
 }
 
 TEST(LabReport, ARepeatedReasonNamesTheTestThatHasIt) {

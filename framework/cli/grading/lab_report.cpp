@@ -124,7 +124,7 @@ void LabReport::print(const std::vector<Verdict>& verdicts) {
 void LabReport::print_reason(const Verdict& verdict) {
   constexpr int indent = 6;
   if (is_after_first_failure(verdict)) {
-    shortened_ = true;
+    left_out_ = true;
     return;
   }
   const auto [known, is_new] = reported_.emplace(verdict.message, verdict.test.name);
@@ -192,6 +192,12 @@ std::string LabReport::what_to_fix(const std::string& earlier_fault) const {
                      blocked == 1 ? "" : "s");
 }
 
+/// Empty if every report was printed as it is.
+std::string LabReport::fate_of_other_reports() const {
+  if (left_out_) return shortened_ ? "left out or shortened" : "left out";
+  return shortened_ ? "shortened" : "";
+}
+
 void LabReport::print_total(int elsewhere, const std::string& earlier_fault) const {
   int earned = 0;
   int points = 0;
@@ -207,9 +213,8 @@ void LabReport::print_total(int elsewhere, const std::string& earlier_fault) con
                         Colour::Bold)
             << '\n';
   const std::string advice = "Fix " + what_to_fix(earlier_fault) + '.';
-  if (shortened_) {
-    std::cout << indented(advice + " Other reports are left out or shortened; --all prints them.",
-                          0);
+  if (const std::string fate = fate_of_other_reports(); !fate.empty()) {
+    std::cout << indented(advice + " Other reports are " + fate + "; --all prints them.", 0);
   } else if (!earlier_fault.empty()) {
     std::cout << advice << '\n';
   }

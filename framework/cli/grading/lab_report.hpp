@@ -36,6 +36,7 @@ class LabReport {
   std::vector<std::string> causes_to_print(const Verdict& verdict);
   std::vector<std::string> first_new(const std::vector<std::string>& causes);
   std::string what_to_fix(const std::string& earlier_fault) const;
+  std::string fate_of_other_reports() const;
   bool is_after_first_failure(const Verdict& verdict) const;
 
   bool everything_;
@@ -48,7 +49,8 @@ class LabReport {
   std::map<std::string, std::string> endings_;  ///< the first test of a step that ended so
   std::set<std::string> printed_causes_;
   std::set<std::string> explained_steps_;  ///< steps with a whole report
-  bool shortened_ = false;
+  bool left_out_ = false;                  ///< a report was not printed
+  bool shortened_ = false;                 ///< a report was printed in part
 };
 
 /// Prints a hint for a test that did not pass: for its step, or for the step that blocks it.
