@@ -227,6 +227,28 @@ TEST(LabReport, AnEarlierLabThatDoesNotCompileComesAfterAStepThatFailsByItself) 
   EXPECT_NE(report.find("\nFix L4.3 first; lab 3 blocks 1 test.\n"), std::string::npos) << report;
 }
 
+TEST(LabReport, IfNothingFailsTheFirstLabThatBlocksATestIsNext) {
+  const auto blocked_by = [](const std::string& step, const std::string& test) {
+    Verdict blocked = verdict(test, "L5.1", Kind::Blocked, "blocked by " + step);
+    blocked.blocked_by = step;
+    return blocked;
+  };
+  const std::string report = printed({verdict("A", "L5.2", Kind::Passed), blocked_by("L4.3", "B"),
+                                      blocked_by("L3.4", "C"), blocked_by("L3.1", "D")});
+  EXPECT_NE(report.find("passed\nNext: write lab 3. 2 tests wait for it (8 points).\n"),
+            std::string::npos)
+      << report;
+  EXPECT_NE(printed({blocked_by("L4.3", "A")}).find("Next: write lab 4. 1 test waits"),
+            std::string::npos);
+  for (const Verdict& other : {verdict("B", "L5.2", Kind::Failed, "wrong sign"),
+                               blocked_by("L5.3", "B"), verdict("B", "L5.2", Kind::Passed)}) {
+    EXPECT_EQ(printed({other}).find("Next"), std::string::npos) << printed({other});
+  }
+  EXPECT_EQ(printed({blocked_by("L4.3", "A"), verdict("B", "L5.2", Kind::Failed, "wrong sign")})
+                .find("Next"),
+            std::string::npos);
+}
+
 TEST(LabReport, AnEarlierLabThatFailsByItselfIsToBeFixedFirst) {
   const std::vector<Verdict> one = {verdict("A", "L4.1", Kind::Failed, "wrong sign")};
   EXPECT_NE(printed(one, false, {}, "lab 3").find("passed\nFix lab 3 first.\n"), std::string::npos);

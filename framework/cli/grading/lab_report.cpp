@@ -198,6 +198,22 @@ std::string LabReport::fate_of_other_reports() const {
   return shortened_ ? "shortened" : "";
 }
 
+/// If nothing fails, a student can only go on with the first lab that blocks tests.
+void LabReport::print_lab_to_write() const {
+  std::map<int, std::vector<Verdict>> blocked;
+  for (const Verdict& verdict : verdicts_) {
+    if (!verdict.is_blocked_by_other_lab()) continue;
+    blocked[lab_number_of_step(verdict.blocked_by)].push_back(verdict);
+  }
+  if (blocked.empty()) return;
+  const auto& [lab, waiting] = *blocked.begin();
+  int points = 0;
+  for (const Verdict& verdict : waiting) points += verdict.test.points;
+  const bool is_one = waiting.size() == 1;
+  std::cout << fmt::format("Next: write lab {}. {} {} for it ({} points).\n", lab, waiting.size(),
+                           is_one ? "test waits" : "tests wait", points);
+}
+
 void LabReport::print_total(int elsewhere, const std::string& earlier_fault) const {
   int earned = 0;
   int points = 0;
@@ -217,6 +233,8 @@ void LabReport::print_total(int elsewhere, const std::string& earlier_fault) con
     std::cout << indented(advice + " Other reports are " + fate + "; --all prints them.", 0);
   } else if (!earlier_fault.empty()) {
     std::cout << advice << '\n';
+  } else if (first_failing_step_.empty()) {
+    print_lab_to_write();
   }
   if (elsewhere > 0) std::cout << elsewhere << " more points are graded by your instructor.\n";
 }

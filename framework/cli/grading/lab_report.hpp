@@ -25,7 +25,7 @@ class LabReport {
 
   void print(const std::vector<Verdict>& verdicts);
 
-  /// Points and tests passed, and what to fix first.
+  /// Points and tests passed, and what to fix first or, if nothing fails, which lab to write next.
   /// @param elsewhere points that the instructor grades
   /// @param earlier_fault the step or the earlier lab that fails by itself, "L3.1"; may be empty
   void print_total(int elsewhere, const std::string& earlier_fault = "") const;
@@ -37,6 +37,7 @@ class LabReport {
   std::vector<std::string> first_new(const std::vector<std::string>& causes);
   std::string what_to_fix(const std::string& earlier_fault) const;
   std::string fate_of_other_reports() const;
+  void print_lab_to_write() const;
   bool is_after_first_failure(const Verdict& verdict) const;
 
   bool everything_;
