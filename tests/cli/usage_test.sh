@@ -29,6 +29,17 @@ prints "Lab 1: integration"
 refuses lab 99
 prints "cs550: there is no lab 99. The labs:"
 prints "Lab 1: integration"
+# Other spellings of a lab's number: the message is that of lab 3.
+for lab in 3 03 lab3 Lab3 LAB3 L3 l3; do
+  refuses lab "$lab" --step L4.1
+  prints "cs550: lab 3 has no step L4.1"
+  refuses submit "$lab" --out .
+  prints ". is a folder"
+done
+for lab in L lab 3x L3.1 0 L0 -3 +3 lab-3 00000000000000000003; do
+  refuses lab "$lab"
+  prints "cs550: there is no lab $lab. The labs:"
+done
 refuses lab 3 --stpe L3.1
 prints "there is no option --stpe"
 refuses lab 3 L3.1 more
@@ -64,6 +75,8 @@ for arguments in "--camera=bad" "--camera 1,2,3,4" "--snapshot x.jpg" "--gif x.p
   refuses view $arguments
   ! grep -q "Building" "$scratch/printed" || wrong "'view $arguments' built first"
 done
+prints 'there is no scene "wlal"'
+refuses view --lab L3 wlal
 prints 'there is no scene "wlal"'
 # The ending counts, however long the name is.
 for option in "--snapshot $(printf 'a%.0s' $(seq 70)).png" "--gif $(printf 'a%.0s' $(seq 70)).gif"; do

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <stdexcept>
 
 #include "cli/system/build_log.hpp"
@@ -67,6 +68,12 @@ std::string title(const std::string& lab_name) {
   std::string title = "Lab " + lab_name.substr(3, topic - 3) + ": " + lab_name.substr(topic + 1);
   std::replace(title.begin(), title.end(), '_', ' ');
   return title;
+}
+
+std::string plain_lab_number(const std::string& typed) {
+  static const std::regex spelling("(?:L|lab)?0?([1-9][0-9]?)", std::regex::icase);
+  std::smatch found;
+  return std::regex_match(typed, found, spelling) ? found.str(1) : typed;
 }
 
 std::string fault_of_lab_number(const std::string& word) {

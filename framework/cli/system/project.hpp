@@ -21,6 +21,9 @@ std::vector<std::string> lab_names();
 /// A lab's name for people: "Lab 3: hill climbing".
 std::string title(const std::string& lab_name);
 
+/// The number of a lab as the folders spell it: "5" for "05", "lab5" and "L5". Any other word stays as it is.
+std::string plain_lab_number(const std::string& typed);
+
 /// Why a word is not the number of a lab, with a list of the labs; empty when it is one.
 std::string fault_of_lab_number(const std::string& word);
 

@@ -133,6 +133,7 @@ Action declare_view(CLI::App& app) {
   app.allow_extras();
   return [&app] {
     Words arguments = app.remaining();
+    if (std::string* lab = value_of(arguments, "--lab")) *lab = plain_lab_number(*lab);
     // The viewer checks its options itself, but it may take minutes to build.
     if (const std::string fault = fault_of(arguments); !fault.empty()) return misuse(fault);
     if (std::string* test = value_of(arguments, "--failure")) {
