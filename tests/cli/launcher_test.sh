@@ -228,7 +228,12 @@ rm -r "$project/build"
 prints "The project cannot be written to. Building in $scratch/cache/cs550/"
 grep -qF "built in $scratch/cache/cs550/" "$scratch"/cache/cs550/*/build/test.log || wrong "it built elsewhere"
 
-# So does a path that CMake cannot handle.
+# A program that runs the launcher again has the folder of links as its root: the line is not printed twice.
+links=$(echo "$scratch"/cache/cs550/*)
+CS550_ROOT=$links "$links/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed"
+! grep -qF "cannot be written to" "$scratch/printed" || wrong "it repeated why it builds elsewhere"
+
+# It builds elsewhere in a path that CMake cannot handle, too.
 for odd in 'semi;colon' 'quo"te' 'dol$lar' 'hash#' 'back\slash' 'brack[et' 'brack]et' 'aster*isk' 'question?' 'line
 break'; do
   cp -r "$project" "$scratch/$odd"

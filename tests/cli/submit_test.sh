@@ -54,6 +54,20 @@ done
 grep -q '"student": "Ada Lovelace"' unpacked/manifest.json || wrong "the student is missing"
 grep -q '"starter": "1.0 0123456789ab"' unpacked/manifest.json || wrong "the starter's commit is missing"
 
+# Where the name cannot be written, it is used all the same, and one line says why it is not remembered. Not even
+# root can replace a file of the kernel.
+mv "$project/.student" kept_name
+ln -s /proc/sys/kernel/ostype "$project/.student"
+submit --out stored.zip
+! grep -q "remembered" printed || wrong "it wrote a name that was known"
+submit --out unstored.zip --student "Ada Lovelace"
+prints "Warning: the name is not remembered: cannot write $project/.student"
+[ "$(grep -c 'cannot write' printed)" = 1 ] || wrong "the reason is printed twice"
+(mkdir unstored && cd unstored && cmake -E tar xf ../unstored.zip)
+grep -q '"student": "Ada Lovelace"' unstored/manifest.json || wrong "the student is missing"
+rm "$project/.student"
+mv kept_name "$project/.student"
+
 rm compiles
 submit --out broken.zip
 prints "Warning: lab 3 does not compile"

@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 
 #include "cli/command_line.hpp"
 #include "cli/grading/lab_files.hpp"
@@ -15,6 +16,7 @@
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
+#include "cli/system/terminal.hpp"
 #include "cli/verb.hpp"
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
@@ -38,16 +40,26 @@ struct SubmitOptions {
 /// Beside the labs, so that the name is asked for once.
 fs::path file_of_name() { return project_root() / ".student"; }
 
+/// The submission does not need the file, so a project that cannot be written to is no reason to fail.
+void remember_name(const std::string& name) {
+  try {
+    files::write_file(file_of_name(), name + '\n');
+  } catch (const std::runtime_error& failure) {
+    std::cerr << indented(std::string("Warning: the name is not remembered: ") + failure.what(), 0);
+  }
+}
+
 /// The student's name; empty if it is not known and nobody can be asked.
 std::string student_name(const std::string& given) {
-  std::string name = given;
+  std::string known;
   std::ifstream stored(file_of_name());
-  if (name.empty()) std::getline(stored, name);
+  std::getline(stored, known);
+  std::string name = given.empty() ? known : given;
   if (name.empty() && isatty(STDIN_FILENO) != 0) {
     std::cerr << "Your name or student number, as your instructor knows it: ";
     std::getline(std::cin, name);
   }
-  if (!name.empty()) files::write_file(file_of_name(), name + '\n');
+  if (name != known) remember_name(name);
   return name;
 }
 
