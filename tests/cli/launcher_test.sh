@@ -156,8 +156,21 @@ case $first in
   *) echo "WRONG: a second build printed '$first'" >&2; exit 1 ;;
 esac
 flock -u 8
+read -r built <&7
+[ "$built" = "Built everything (test)." ] || { echo "WRONG: the build that waited printed '$built'" >&2; exit 1; }
 read -r last <&7
 [ "$last" = "exit 0" ] || { echo "WRONG: the build that waited printed '$last'" >&2; exit 1; }
+
+# It prints what was built, and how a program is run from the current folder. For a program that builds it prints nothing.
+mkdir -p "$project/build/student/bin"
+printf '#!/bin/sh\n' >"$project/build/student/bin/own_tests"
+chmod +x "$project/build/student/bin/own_tests"
+(cd "$project/labs" && ../cs550 build student own_tests lab3_student) >"$scratch/printed" 2>&1 || wrong "the build failed"
+prints "Built own_tests lab3_student (student). To run own_tests:   $project/build/student/bin/own_tests"
+(cd "$project" && ./cs550 build student own_tests) >"$scratch/printed" 2>&1 || wrong "the build failed"
+grep -qFx "  build/student/bin/own_tests" "$scratch/printed" || wrong "the path is not relative"
+CS550_ROOT=$project "$project/cs550" build student own_tests >"$scratch/printed" 2>&1 || wrong "the build failed"
+! grep -q Built "$scratch/printed" || wrong "it printed what a program built"
 
 # The book is built by one at a time, too.
 mkdir -p "$project/docs" "$project/build/release/bin"
