@@ -172,6 +172,20 @@ grep -qFx "  build/student/bin/own_tests" "$scratch/printed" || wrong "the path 
 CS550_ROOT=$project "$project/cs550" build student own_tests >"$scratch/printed" 2>&1 || wrong "the build failed"
 ! grep -q Built "$scratch/printed" || wrong "it printed what a program built"
 
+# --help builds nothing. Before the first build it prints the arguments; then the program with the options prints them.
+rm -rf "$project/build/release" "$project/build/student/bin/cs550"
+for verb in lab view; do
+  "$project/cs550" $verb --help >"$scratch/printed" 2>&1 || wrong "$verb --help failed"
+  prints "Usage: ./cs550 $verb "
+  prints "Once ./cs550 $verb has run, --help explains each option."
+  ! grep -qE '^.{81}' "$scratch/printed" || wrong "a line of $verb --help has more than 80 columns"
+done
+mkdir -p "$project/build/release/bin"
+printf '#!/bin/sh\necho "the viewer: $*"\n' >"$project/build/release/bin/cs550_viewer"
+chmod +x "$project/build/release/bin/cs550_viewer"
+"$project/cs550" view --help >"$scratch/printed" 2>&1 || wrong "view --help failed"
+[ "$(cat "$scratch/printed")" = "the viewer: --help" ] || wrong "the viewer's help comes from elsewhere"
+
 # The book is built by one at a time, too.
 mkdir -p "$project/docs" "$project/build/release/bin"
 printf '#!/bin/sh\necho "the book"\n' >"$project/docs/build_book.sh"
