@@ -34,7 +34,13 @@ void refuse_values_of_flags(CLI::App& app) {
 
 int answer(const CLI::App& app, const CLI::ParseError& error, const std::string& verb) {
   if (error.get_exit_code() == 0) return app.exit(error);
-  print_error(files::usage_fault(error.what()));
+  const auto verbs = app.get_subcommands();
+  const CLI::App& part = verbs.empty() ? app : *verbs.front();
+  print_error(files::usage_fault(part, error));
+  const auto code = static_cast<CLI::ExitCodes>(error.get_exit_code());
+  if (code == CLI::ExitCodes::RequiredError || code == CLI::ExitCodes::ExtrasError) {
+    std::cerr << Help().make_usage(&part, "./cs550 " + verb);
+  }
   std::cerr << "./cs550 " << verb << " --help explains the options.\n";
   return Misused;
 }

@@ -25,7 +25,8 @@ void print_error(const std::string& message);
 /// Prints why a verb ended early. The library's words about a file become its path and the system's reason.
 void print_failure(const std::exception& failure);
 
-/// Prints the help that was asked for, or what is wrong.
+/// Prints the help that was asked for, or what is wrong: with the arguments of the verb if one is missing or not
+/// expected.
 /// @param verb the verb with the wrong option
 /// @return an ExitCode
 int answer(const CLI::App& app, const CLI::ParseError& error, const std::string& verb);

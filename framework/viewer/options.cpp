@@ -130,8 +130,8 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   CommandLine line;
   CLI::App app("Watch and inspect the engine, in a window or as a picture", "./cs550 view");
   declare(app, line.options);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return with_short_words(files::usage_fault(error.what())) +
+  app.failure_message([](const CLI::App* parsed, const CLI::Error& error) {
+    return with_short_words(files::usage_fault(*parsed, error)) +
            "\n./cs550 view --help explains the options.\n";
   });
   try {

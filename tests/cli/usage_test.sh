@@ -23,6 +23,7 @@ refuses() {
 prints() { tr '\n' ' ' <"$scratch/printed" | grep -qF -- "$1" || wrong "expected in the message: $1"; }
 
 refuses lab
+prints "N is missing: number of the lab (3, lab3 or L3) Usage: ./cs550 lab [OPTIONS] N"
 refuses lab three
 prints "there is no lab three"
 prints "Lab 1: integration"
@@ -41,15 +42,29 @@ for lab in L lab 3x L3.1 0 L0 -3 +3 lab-3 00000000000000000003; do
   prints "cs550: there is no lab $lab. The labs:"
 done
 refuses lab 3 --stpe L3.1
-prints "there is no option --stpe"
+prints "there is no option --stpe. Did you mean --step?"
+refuses lab --stpe=L3.1 3
+prints "there is no option --stpe. Did you mean --step?"
+refuses lab --stpe L3.1 3  # in which L3.1 is taken for the lab
+prints "there is no option --stpe. Did you mean --step?"
+refuses lab 3 --use
+prints "Did you mean --use-solution?"
+refuses lab 3 --fast
+prints "there is no option --fast. Usage: ./cs550 lab [OPTIONS] N"
 refuses lab 3 L3.1 more
-prints "not expected: L3.1 more"
+prints "these arguments are not expected: L3.1 more Usage: ./cs550 lab [OPTIONS] N"
+refuses lab 3 --step
+prints "--step needs a value: --step STEP"
+refuses lab 3 --step L3.1 --step L3.2
+prints "--step can be given only once"
 refuses lab 3 --step l3.9
 prints "lab 3 has no step L3.9"
 refuses lab 3 --step L4.1
 prints "L3.1"
 refuses lab 3 --hint 9
+prints "--hint needs a number from 1 to 3, found 9"
 refuses lab 3 --reset --run
+prints "--reset and --run cannot be used together"
 refuses lab 3 --asan --debug
 refuses lab 3 --run --step L3.1
 refuses lab 3 --use-solution --run
@@ -104,10 +119,11 @@ for verb in "lab 3" progress "submit 3" "view --lab 3"; do
 done
 
 refuses starter
+prints "DIR is missing: "
 refuses starter --release-solutions many copy
-prints "Value many not in range"  # the words about the range depend on the version of CLI11
+prints "--release-solutions needs a number from 0 to 7, found many"
 refuses starter --release-solutions 9 copy
-prints "Value 9 not in range"
+prints "found 9"
 refuses starter --release-solutions -1 copy
 refuses progress --lsit
 refuses view --lab 99
@@ -132,15 +148,23 @@ misuses() {
 }
 misuses
 misuses prgress
-prints "there is no verb 'prgress'"
+prints "there is no verb 'prgress'. Did you mean progress?"
+misuses sub
+prints "there is no verb 'sub'. Did you mean submit?"
+misuses do
+grep -qxF "cs550: there is no verb 'do'." "$scratch/printed" || wrong "two verbs begin with do"
 prints "progress  print your points"
 for odd in '.*' 'd*' 'demo|release' "$long"; do
   misuses "$odd"
   prints "there is no verb '"
   [ "$(grep 'no verb' "$scratch/printed" | wc -c)" -lt 400 ] || wrong "the verb was repeated in full"
 done
-misuses build fast
+misuses build quick
 prints "release student test"
+! grep -q "mean" "$scratch/printed" || wrong "no preset is like quick"
+misuses build studnet
+prints "there is no preset 'studnet'. Did you mean student?"
+if grep -E '^.{81}' "$scratch/printed"; then wrong "a line has more than 80 columns"; fi
 misuses doctor --install editor
 prints "viewer"
 code=0

@@ -231,6 +231,9 @@ TEST(Scene, FindsScenesByNameAndPath) {
   ASSERT_FALSE(none);
   EXPECT_NE(none.error.find("did you mean \"stack10\"?"), std::string::npos) << none.error;
   EXPECT_EQ(fault_of_scene_name("stack11"), none.error);
+  EXPECT_NE(fault_of_scene_name("bunny").find("did you mean \"bunny_and_teapot\"?"),
+            std::string::npos)
+      << "the only one that begins so";
   EXPECT_EQ(fault_of_scene_name("stack10"), "");
   for (const std::string& name : shipped_scenes()) {
     EXPECT_NE(none.error.find(name), std::string::npos) << none.error;

@@ -25,7 +25,7 @@ const std::map<std::string, Names> may_include{
     {"include", {}},
     {"engine", {"include"}},
     {"drawing", {"include", "files"}},
-    {"files", {}},
+    {"files", {"include"}},
     {"serialisation", {"include"}},
     {"isolation", {"serialisation"}},
     {"pages", {"include", "drawing", "serialisation", "isolation"}},

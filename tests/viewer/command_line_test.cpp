@@ -72,7 +72,7 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
       {{"--set", "soultion=1"}, "It has: contacts"},
       {{"--lab", "3", "--set", "step=-2"}, "0 to 60, or last"},
       {{"--lab", "2", "--set", "walk=jump"}, "next, prev, twin, face"},
-      {{"--frames", file("frames")}, "excludes"},
+      {{"--frames", file("frames")}, "cannot be used together"},
       {{"--frames", ""}, "found an empty text"},
       {{"--frames", std::string(300, 'x')}, "found 300 letters"},
       {{"--gif", std::string(300, 'x') + ".gif"}, "found 304 letters"},
@@ -80,6 +80,7 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
       {{"no_such_scene"}, "no_such_scene"},
       {{"no_such_scene", "--student"}, "Give the path of a scene file or one of"},
       {{"--no-such-option"}, "--no-such-option"},
+      {{"--stpes", "3"}, "there is no option --stpes. Did you mean --steps?"},
       {{"--student=5"}, "--student takes no value"},
   };
   for (const Mistake& mistake : mistakes) {

@@ -282,7 +282,7 @@ int run_lab(LabOptions options) {
 
 Action declare_lab(CLI::App& app) {
   const auto options = std::make_shared<LabOptions>();
-  app.add_option("N", options->lab, "number of the lab: 3, lab3 or L3")
+  app.add_option("N", options->lab, "number of the lab (3, lab3 or L3)")
       ->required()
       ->check(fault_of_lab_number)
       ->transform(plain_lab_number);

@@ -6,8 +6,8 @@
 
 #include "cs550/assets.hpp"
 #include "cs550/excerpt.hpp"
+#include "cs550/nearest_word.hpp"
 #include "cs550/not_implemented.hpp"
-#include "engine/scenes/nearest_word.hpp"
 #include "engine/scenes/scene_bodies.hpp"
 #include "engine/scenes/scene_cost.hpp"
 #include "engine/scenes/scene_document.hpp"

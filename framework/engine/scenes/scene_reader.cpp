@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "engine/scenes/nearest_word.hpp"
+#include "cs550/nearest_word.hpp"
 
 namespace cs550 {
 namespace {

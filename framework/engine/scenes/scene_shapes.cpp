@@ -6,7 +6,7 @@
 #include "cs550/excerpt.hpp"
 #include "cs550/mesh_io.hpp"
 #include "cs550/mesh_validation.hpp"
-#include "engine/scenes/nearest_word.hpp"
+#include "cs550/nearest_word.hpp"
 #include "engine/scenes/scene_cost.hpp"
 
 namespace cs550 {
