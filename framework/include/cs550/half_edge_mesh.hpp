@@ -144,7 +144,19 @@ enum class MeshError : std::uint8_t {
   InsideOut,            ///< consistently wound, but clockwise: the enclosed volume is negative
 };
 
-/// The first fault of a list of triangles and the elements at fault. An unused field is no_index.
+/// The first fault of a list of triangles and the elements at fault. Each fault fills these fields,
+/// and the others are no_index:
+/// - NoTriangles, InsideOut: none
+/// - NonFiniteVertex, IsolatedVertex: vertex
+/// - IndexOutOfRange: triangle, and as vertex the index that it contains
+/// - DegenerateTriangle: triangle
+/// - DuplicateTriangle: triangle, other_triangle
+/// - OpenEdge: triangle, edge
+/// - NonManifoldEdge, InconsistentWinding: two triangles of the edge as triangle and other_triangle,
+///   edge
+///
+/// Two triangles or two end points may be in either order. If several elements have the same fault,
+/// any of them may be reported.
 struct MeshIssue {
   MeshError error = MeshError::None;                 ///< the kind of fault
   Index triangle = no_index;                         ///< index in the input list
