@@ -41,7 +41,7 @@ GRADED_TEST(Lab2, OpenEdgesAreNamed, 2, "L2.2") {
     const Triangle gone = soup.triangles[removed];
     soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(removed));
     Story here = story;
-    here.given("a box of twelve triangles, without number", removed);
+    here.given("a box of twelve triangles without triangle " + std::to_string(removed));
     const MeshIssue issue = issue_of(soup);
     const MeshIssue expected{.error = MeshError::OpenEdge, .edge = {gone[0], gone[1]}};
     here.picture(
@@ -96,7 +96,8 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 2, "L2.2") {
     TriangleSoup soup = whole;
     std::swap(soup.triangles[reversed][0], soup.triangles[reversed][1]);
     Story here = story;
-    here.given("a dodecahedron of 36 triangles, reversed the one of number", reversed)
+    here.given("a dodecahedron of 36 triangles, of which triangle " + std::to_string(reversed) +
+               " is reversed")
         .likely(
             "the two sides of an edge must be (a, b) and (b, a): the same pair, in any order, is "
             "not enough");

@@ -114,7 +114,8 @@ GRADED_TEST(Lab2, HullsOfScatteredPointsStaySound, 2, "L2.9") {
     }
     const SoupResult hull = convex_hull(points);
     Story here = story;
-    here.seed(seed).given("hull of 60 points on a grid of seven, moved by up to", noise, "m");
+    here.seed(seed).given("hull of 60 points on a grid of seven, moved by up to " +
+                          Story::show(noise, "m"));
     const HalfEdgeMesh built = require_mesh(hull.soup, here);
     const HalfEdgeMesh mesh = merge_coplanar_faces(built);
     merged_faces += built.face_count() - mesh.face_count();

@@ -21,7 +21,7 @@ GRADED_TEST(Lab2, InsideOutIsRefusedWhereverTheBodyIs, 2, "L2.4") {
         Story here = story;
         here.given("triangles", soup.triangles.size())
             .given("scale", scale)
-            .given("shifted by", Vec3(scale * shift), "m");
+            .given("shifted by " + Story::show(Vec3(scale * shift), "m"));
         require_mesh(right, here);
         TriangleSoup inside_out = right;
         for (Triangle& triangle : inside_out.triangles) std::swap(triangle[1], triangle[2]);
@@ -48,7 +48,7 @@ GRADED_TEST(Lab2, FacesOfKnownSolidsHaveTheirPlanes, 2, "L2.4") {
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Plane& plane = mesh.face(f).plane;
     Story here = story;
-    here.given("dodecahedron about", centre, "m").given("face", f);
+    here.given("dodecahedron about " + Story::show(centre, "m")).given("face", f);
     // Coordinates of 3 m carry 2e-7 m of rounding; a triangle of it has edges above 1 m.
     require(here.expect_near("length of the normal", plane.normal.norm(), 1, 1e-5));
     require(

@@ -53,7 +53,7 @@ GRADED_TEST(Lab3, FirstOfEqualVerticesWins, 2, "L3.1") {
   story.given("vertices 1, 2 and 3 with z = 2, the others lower");
   for (const Real length : {Real(1), Real(1e-3), Real(1e3)}) {
     Story here = story;
-    here.given("direction +z of length", length);
+    here.given("direction +z, length " + Story::show(length));
     const Support answer = support_brute_force(vertices, length * Vec3::UnitZ());
     require(here.expect_equal("most extreme vertex", answer.vertex, Index{1}));
   }

@@ -243,7 +243,7 @@ GRADED_TEST(Lab4, AStaleHintIsNotBelieved, 2, "L4.4") {
     hint.face_a = hint.face_b = {face, 0, 5};
     const SeparatingAxis answer = find_separating_axis(a, b, hint, Real(0.01));
     Story here = about(story, crossed.pair);
-    here.given("hint: a face that separated by 5 m, number", face);
+    here.given("hint: face " + std::to_string(face) + ", which separated by 5 m");
     require_best_axis(here, crossed.pair, answer, Real(0.01), rounding);
   }
   for (Index e_a = 0; e_a < mesh.edge_count(); e_a += 2) {
@@ -255,7 +255,8 @@ GRADED_TEST(Lab4, AStaleHintIsNotBelieved, 2, "L4.4") {
       hint.edges = {e_a, e_b, Vec3::UnitX(), 5};
       const SeparatingAxis answer = find_separating_axis(a, b, hint, Real(0.01));
       Story here = about(story, crossed.pair);
-      here.given("hint: half-edge of A", e_a).given("and of B", e_b);
+      here.given("hint: half-edges " + std::to_string(e_a) + " of A and " + std::to_string(e_b) +
+                 " of B");
       require_best_axis(here, crossed.pair, answer, Real(0.01), rounding);
     }
   }

@@ -59,7 +59,7 @@ GRADED_TEST(Lab4, CubesThatTouchOverlap, 1, "L4.5") {
     const PosedShape a{cube.get(), {Vec3::Zero(), Quat::Identity()}};
     const PosedShape b{cube.get(), {expected.position, Quat::Identity()}};
     Story here = story;
-    here.given("two cubes of 1 m, B at", expected.position, "m");
+    here.given("two cubes of 1 m, B at " + Story::show(expected.position, "m"));
     require(here.expect_equal("they overlap", overlap(a, b), expected.overlaps));
   }
   const CrossedPair crossed = barely_apart();

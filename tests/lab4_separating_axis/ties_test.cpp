@@ -68,7 +68,7 @@ void require_no_chain_of_ties(Story story, Real size) {
   const Real root = std::sqrt(Real(2));
   pair.b.pose.position.x() = Real(0.75) * root * tie;
   pair.b.pose.position.z() += Real(1.5) * root / (root - 1) * tie;
-  story.given("two crossed cubes of side", size, "m")
+  story.given("two crossed cubes of side " + Story::show(size, "m"))
       .given("B's face is better than A's by 0.75 of the tolerance of a tie, the edges by 1.5");
   for (const AxisFeature kind :
        {AxisFeature::None, AxisFeature::FaceA, AxisFeature::FaceB, AxisFeature::Edges}) {

@@ -28,7 +28,8 @@ void require_depth_of_face(Story story, const PosedShape& a, const PosedShape& b
   axis.axis = a.plane(face.face).normal;
   axis.separation = face.separation;
   const Manifold manifold = build_manifold(a, b, axis, 0);
-  story.given("an axis with a query of A's faces only, of separation", face.separation, "m");
+  story.given("an axis with a query of A's faces only, of separation " +
+              Story::show(face.separation, "m"));
   story.picture([&] { return manifold_picture(a, b, manifold, axis.axis); });
   require(story.expect_near("deepest point", static_cast<double>(deepest_separation(manifold)),
                             static_cast<double>(face.separation),
@@ -88,8 +89,8 @@ GRADED_TEST(Lab5, EdgesAreComparedWithTheFaceQuery, 2, "L5.6") {
     const Placed b(fixture_shape("box_1x2x3"), {one.position, turned(one.degrees, one.axis)});
     const SeparatingAxis axis = find_separating_axis(a.body, b.body, {}, 0);
     Story here = story;
-    here.given("a box of 1 m × 2 m × 3 m, 10 to 40 cm deep in a cube of 1 m, at", one.position,
-               "m");
+    here.given("a box of 1 m × 2 m × 3 m, 10 to 40 cm deep in a cube of 1 m, at " +
+               Story::show(one.position, "m"));
     ReferenceCount seen{};
     require_depth(here, a.body, b.body, axis, seen);
     here.expect_equal("manifolds made by edges", seen[static_cast<std::size_t>(AxisFeature::Edges)],

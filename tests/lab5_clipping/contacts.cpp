@@ -220,7 +220,7 @@ bool expect_points(Story story, const PosedShape& a, const PosedShape& b, const 
     }
   }
   if (all_found) return true;
-  story.given("positions may differ by", tolerance, "m");
+  story.given("each position may be off by at most " + Story::show(tolerance, "m"));
   story.picture([&] { return contact_picture(a, b, expected, manifold); });
   return story.expect_equal("contact points, half-way between the anchors (m)", show(got),
                             show(wanted), at);

@@ -38,7 +38,8 @@ GRADED_TEST(Lab5, CrossedEdgesMeetWhereTheyCross, 3, "L5.4") {
 
       Story here = story;
       here.given("two cubes, one's upper edge across the other's lower one, 2 cm deep for 1 m");
-      here.given("side", size, "m").given("B moved along A's edge by", -shift / 2 * size, "m");
+      here.given("side", size, "m")
+          .given("B moved along A's edge by " + Story::show(-shift / 2 * size, "m"));
       require(expect_points(here, a.body, b.body, manifold,
                             {outer.to_world(size * Vec3(0, -shift / 2, peak - depth / 2))},
                             Real(1e-5) * size));

@@ -144,7 +144,8 @@ GRADED_TEST(Lab5, FeaturesSurviveSmallMotion, 1, "L5.3") {
     const Manifold first = face_manifold(a.body, before.body, axis, 0);
     const Manifold second = face_manifold(a.body, after.body, axis, 0);
     Story here = story;
-    here.given("a cube of 1 m on a slab at", place, "m").when("it moves by 1e-4 m and 1e-4 rad");
+    here.given("a cube of 1 m on a slab at " + Story::show(place, "m"))
+        .when("it moves by 1e-4 m and 1e-4 rad");
     require(here.expect_equal("points before", first.points.size(), 4));
     require(here.expect("the names afterwards", sorted_ids(first) == sorted_ids(second),
                         names_of(second), names_of(first)));

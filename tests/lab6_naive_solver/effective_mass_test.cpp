@@ -60,7 +60,7 @@ GRADED_TEST(Lab6, EffectiveMassOfKnownCases, 4, "L6.1") {
   rod.inverse_mass = Real(0.5);
   rod.world_inverse_inertia.diagonal() = Vec3(0, Real(1) / 6, Real(1) / 6);
   Story tip = with_mass_causes(Story("At its tip, a thin rod is only a quarter as hard to move"));
-  tip.given("rod of mass", 2.0f, "kg").given("length", 6.0f, "m").given("blow across the rod");
+  tip.given("a rod of 2 kg and 6 m, hit across it at its tip");
   tip.expect_near("m_e", effective_mass(fixed, rod, x, 3 * x, z), 0.5, 1e-6, "kg");
 }
 

@@ -78,7 +78,9 @@ GRADED_TEST(Lab6, ObliqueImpactOnTheTipOfARod, 4, "L6.3") {
         dense_inverse_mass(before.a, before.b) * jacobian * (-jacobian.dot(velocity) * mass);
     const Vector12 exact = velocity + change;
     Story here = with_causes(Story("After the impulse, V' = V + M⁻¹·Jᵀ·j"));
-    here.seed(random.seed()).given("two random boxes of size", size, "m").given("e", 0);
+    here.seed(random.seed())
+        .given("two random boxes of size " + Story::show(size, "m"))
+        .given("e", 0);
     here.picture([&] { return collision_picture(before, boxes); });
     collide(boxes);
     const auto expected = [&exact](int first) {

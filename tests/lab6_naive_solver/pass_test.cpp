@@ -42,7 +42,9 @@ GRADED_TEST(Lab6, MomentumIsKeptAndEnergyNeverGrows, 4, "L6.4") {
         Collision at = random_collision(random, size, e);
         const Collision before = at;
         Story story("A collision keeps P and L, and gives no energy for e ≤ 1");
-        story.seed(random.seed()).given("two random boxes of size", size, "m").given("e", e);
+        story.seed(random.seed())
+            .given("two random boxes of size " + Story::show(size, "m"))
+            .given("e", e);
         story.likely("equal and opposite: what A gets is the opposite of what B gets")
             .likely("each impulse acts at the contact: A's lever is r_A, B's is r_B")
             .likely("the effective mass is too large: the turning terms or the bracket")
@@ -110,7 +112,9 @@ GRADED_TEST(Lab6, OnePassCannotHoldAStack, 4, "L6.4") {
   Stack stack(boxes);
   stack.fall(speed);
   Story once = story;
-  once.given("boxes of 1 kg", boxes).given("g·h", speed, "m/s").when("one pass, from below");
+  once.given("a tower of " + std::to_string(boxes) + " boxes of 1 kg")
+      .given("g·h", speed, "m/s")
+      .when("one pass, from below");
   resolve_contacts_naive(stack.constraints, stack.bodies);
   for (int k = 1; k <= boxes; ++k) {
     const double left = 1 - std::exp2(-std::min(k, boxes - 1));

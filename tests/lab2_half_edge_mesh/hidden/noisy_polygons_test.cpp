@@ -21,7 +21,7 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
     std::swap(reversed.triangles[chosen][1], reversed.triangles[chosen][2]);
     MeshIssue issue = issue_of(reversed);
     Story here = story;
-    here.given("triangle", chosen, "is reversed");
+    here.given("triangle " + std::to_string(chosen) + " is reversed");
     expect_error(here, issue, MeshError::InconsistentWinding);
     here.expect("it is named", issue.triangle == chosen || issue.other_triangle == chosen);
 
@@ -30,7 +30,7 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
     repeated.triangles.push_back({c, a, b});
     issue = issue_of(repeated);
     here = story;
-    here.given("triangle", chosen, "is there twice");
+    here.given("triangle " + std::to_string(chosen) + " is there twice");
     expect_error(here, issue, MeshError::DuplicateTriangle);
     here.expect_equal("the first", std::min(issue.triangle, issue.other_triangle), chosen);
     here.expect_equal("the second", std::max(issue.triangle, issue.other_triangle), count);
@@ -39,7 +39,7 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
     open.triangles.erase(open.triangles.begin() + chosen);
     issue = issue_of(open);
     here = story;
-    here.given("triangle", chosen, "is missing");
+    here.given("triangle " + std::to_string(chosen) + " is missing");
     expect_error(here, issue, MeshError::OpenEdge);
     for (const Index v : issue.edge) {
       here.expect("the edge lies at the hole", v == a || v == b || v == c);

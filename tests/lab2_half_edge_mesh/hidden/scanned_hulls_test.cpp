@@ -42,7 +42,7 @@ GRADED_TEST(Lab2, HullsOfScannedMeshesStaySound, 2, "L2.9") {
     const SoupResult hull = convex_hull(scan.soup.vertices);
     for (const Real tolerance : {coplanar_tolerance, Real(1e-4), Real(1e-3)}) {
       Story here = story;
-      here.given("hull of the", name).given("tolerance", tolerance);
+      here.given(std::string("hull of the ") + name).given("tolerance", tolerance);
       const HalfEdgeMesh built = require_mesh(hull.soup, here);
       const HalfEdgeMesh mesh = merge_coplanar_faces(built, tolerance);
       require(expect_valid(here, mesh, 5 * tolerance + Real(1e-4)));
