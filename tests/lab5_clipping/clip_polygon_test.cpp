@@ -9,7 +9,23 @@ namespace {
 
 constexpr ClipEdge along_plane{ClipEdge::Source::Reference, 7};
 
+/// How many corners are left of a square of which nothing is cut off.
+int corners_of_untouched_square(Story story) {
+  story.given("the unit square").when("clipped to x ≤ 2: front → front, four times");
+  return clip_polygon(unit_square(), {Vec3::UnitX(), 2}, along_plane).size();
+}
+
 Story with_table_causes(Story story) {
+  const int corners = corners_of_untouched_square(story);
+  if (corners == 3) {
+    return story.likely(
+        "the loop leaves out an edge: a polygon has as many edges as corners, and the last one "
+        "leads back to the first corner");
+  }
+  if (corners == 5) {
+    return story.likely(
+        "the loop visits an edge twice: a polygon has only as many edges as corners");
+  }
   return story
       .likely(
           "\"front\" is the side that is kept: distance ≤ 0, the plane's normal points out of it")
@@ -80,6 +96,12 @@ GRADED_TEST(Lab5, ClippingFollowsTheTable, 4, "L5.1") {
   two_corners_off.given("the triangle (0, 0), (4, 0), (0, 4)").when("clipped to x ≥ 3");
   expect_clipped(two_corners_off, triangle, {-Vec3::UnitX(), -3},
                  {Vec3(3, 0, 0), Vec3(4, 0, 0), Vec3(3, 1, 0)});
+
+  Story last_edge_cut = story;
+  last_edge_cut.given("the triangle (0, 0), (4, 0), (0, 4)")
+      .when("clipped to y ≤ 1, across the edge from the last corner to the first");
+  expect_clipped(last_edge_cut, triangle, {Vec3::UnitY(), 1},
+                 {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(3, 1, 0), Vec3(0, 1, 0)});
 
   Story swallowed = story;
   swallowed.given("the unit square").when("clipped to x ≤ −1: behind → behind, four times");
