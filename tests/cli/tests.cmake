@@ -8,7 +8,8 @@ set(cli "${PROJECT_SOURCE_DIR}/framework/cli")
 target_link_libraries(tests_cli PRIVATE cs550_files)
 target_sources(tests_cli PRIVATE
   "${cli}/grading/crash_report.cpp" "${cli}/grading/graded_run.cpp" "${cli}/grading/graded_tests.cpp"
-  "${cli}/grading/known_causes.cpp" "${cli}/grading/lab_report.cpp" "${cli}/grading/long_tests.cpp" "${cli}/handout/formula_text.cpp" "${cli}/handout/handout.cpp"
+  "${cli}/grading/known_causes.cpp" "${cli}/grading/lab_report.cpp" "${cli}/grading/long_tests.cpp"
+  "${cli}/grading/memory_signs.cpp" "${cli}/handout/formula_text.cpp" "${cli}/handout/handout.cpp"
   "${cli}/system/build_log.cpp" "${cli}/system/draft_folder.cpp" "${cli}/system/files.cpp"
   "${cli}/system/process.cpp" "${cli}/system/project.cpp" "${cli}/system/terminal.cpp")
 

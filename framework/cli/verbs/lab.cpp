@@ -16,6 +16,7 @@
 #include "cli/grading/lab_report.hpp"
 #include "cli/grading/lab_result.hpp"
 #include "cli/grading/long_tests.hpp"
+#include "cli/grading/memory_signs.hpp"
 #include "cli/grading/pictures.hpp"
 #include "cli/handout/handout.hpp"
 #include "cli/system/build_log.hpp"
@@ -122,6 +123,16 @@ void print_warnings() {
   if (!warnings.empty()) std::cout << '\n';
 }
 
+/// Of the failure to mend first, what --asan may explain.
+void print_memory_advice(int lab, const LabResult& result) {
+  const std::optional<Verdict> failure = result.next_failure();
+  if (!failure) return;
+  const std::string advice =
+      memory_advice(built_program("student", graded_target(lab, Grading::Plain)), lab, *failure,
+                    students_limits(false));
+  if (!advice.empty()) std::cout << '\n' << indented(advice, 0);
+}
+
 int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   if (options.debug) {
     if (const auto known = known_failures(options.name, tests)) {
@@ -166,6 +177,7 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   report.print_total(is_whole_lab ? points_graded_elsewhere(options.name) : 0,
                      earlier.empty() ? "" : earlier.front().in_words());
   if (is_remembered) remember(result);
+  if (grading == Grading::Plain) print_memory_advice(options.lab, result);
   finish_pictures(options.lab, result.verdicts);
 
   if (options.debug) return debug_first_failure(options.lab, result);

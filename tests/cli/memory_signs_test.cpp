@@ -1,0 +1,78 @@
+/// When `./cs550 lab` suggests --asan for wrong values.
+#include "cli/grading/memory_signs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using cs550::cli::memory_advice;
+using cs550::cli::Verdict;
+using Kind = cs550::cli::Verdict::Kind;
+
+class MemorySigns : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(root);
+    setenv("CS550_ROOT", root.c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("CS550_ROOT");
+    fs::remove_all(root);
+  }
+
+  /// A graded program whose only test fails with a message that the shell expands.
+  fs::path program_that_reports(const std::string& message) const {
+    const fs::path program = root / "program";
+    std::ofstream(program)
+        << "#!/bin/sh\ncat >\"$3\" <<END\n"
+           R"({"tests": [{"test": "Lab5.Clips", "status": "failed", "seconds": 0,)"
+        << " \"message\": \"" << message << "\"}]}\nEND\n";
+    fs::permissions(program, fs::perms::owner_all);
+    return program;
+  }
+  static Verdict failed(const std::string& message) {
+    return {{"Clips", "L5.1", 4, false}, Kind::Failed, message, 0};
+  }
+
+  const fs::path root = fs::path(testing::TempDir()) /
+                        (std::string("memory_signs_") +
+                         testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(MemorySigns, ValuesThatDependOnFreedMemoryAreAMemoryError) {
+  const fs::path program = program_that_reports("got ${GLIBC_TUNABLES:+garbage}");
+  const std::string advice = memory_advice(program, 5, failed("got 0"));
+  EXPECT_NE(advice.find("Clips gets other values"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("\ntry  ./cs550 lab 5 --asan  which"), std::string::npos) << advice;
+  EXPECT_EQ(std::getenv("GLIBC_TUNABLES"), nullptr);
+}
+
+TEST_F(MemorySigns, AValueThatIsNotANumberMayBeOne) {
+  const std::string report = "  got       (0, -nan, 0)";
+  const std::string advice = memory_advice(program_that_reports(report), 5, failed(report));
+  EXPECT_NE(advice.find("not a number. If no division"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("./cs550 lab 5 --asan"), std::string::npos) << advice;
+}
+
+TEST_F(MemorySigns, OrdinaryWrongValuesAreNone) {
+  const std::string report = "  given     nan in the mesh banana  got       3 m";
+  EXPECT_EQ(memory_advice(program_that_reports(report), 5, failed(report)), "");
+}
+
+TEST_F(MemorySigns, NothingIsRunAgainIfNoValuesWereCompared) {
+  const fs::path program = program_that_reports("got something else");
+  EXPECT_EQ(memory_advice(program, 5, failed("not implemented: L5.1 clip_polygon")), "");
+  Verdict crashed = failed("crashed: Aborted");
+  crashed.ending = "crashed: Aborted";
+  EXPECT_EQ(memory_advice(program, 5, crashed), "");
+  Verdict long_test = failed("got 0");
+  long_test.test.is_long = true;
+  EXPECT_EQ(memory_advice(program, 5, long_test), "");
+}
+
+}  // namespace
