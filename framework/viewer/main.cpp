@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cs550/excerpt.hpp"
+#include "files/indented.hpp"
 #include "files/interruption.hpp"
 #include "files/output_file.hpp"
 #include "pages/make_page.hpp"
@@ -17,6 +18,10 @@ namespace {
 enum ExitCode { Good = 0, Failed = 1, Misused = 2 };
 
 using cs550::viewer::Options;
+
+void print_error(const char* message) {
+  std::cerr << cs550::files::indented("cs550: " + cs550::with_short_words(message), 0);
+}
 
 /// A page with the settings of the command line.
 /// @throws std::invalid_argument for a wrong one
@@ -40,8 +45,8 @@ void list_settings(const Options& options) {
   if (!problem.empty() && page->lab() == 0) {
     const std::string fault = fault_of_scene(options.page());
     if (!fault.empty()) throw std::runtime_error(fault);
-    std::cerr << "The scene cannot be made yet, so these are the default settings:\n  "
-              << cs550::with_short_words(problem) << '\n';
+    std::cerr << "The scene cannot be made yet, so these are the default settings:\n"
+              << cs550::files::indented(cs550::with_short_words(problem), 2);
   }
   cs550::viewer::ControlLister lister;
   page->describe(lister);
@@ -71,10 +76,10 @@ int main(int argc, char** argv) {
   try {
     return run(line.options);
   } catch (const std::invalid_argument& error) {
-    std::cerr << "cs550: " << cs550::with_short_words(error.what()) << '\n';
+    print_error(error.what());
     return Misused;
   } catch (const std::exception& error) {
-    std::cerr << "cs550: " << cs550::with_short_words(error.what()) << '\n';
+    print_error(error.what());
     return Failed;
   }
 }

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "files/indented.hpp"
 #include "files/interruption.hpp"
 #include "viewer/animation.hpp"
 #include "viewer/app.hpp"
@@ -69,7 +70,7 @@ void write_pictures(Studio& studio, const Options& options) {
   if (!studio.problem().empty()) {
     // With a student's code, the picture shows the problem. Otherwise there is nothing to show.
     if (!options.student) throw std::invalid_argument(studio.problem());
-    std::cerr << "cs550: the page reports: " << studio.problem() << '\n';
+    std::cerr << files::indented("cs550: the page reports: " + studio.problem(), 0);
   }
   if (!options.snapshot.empty()) {
     write_png(studio.take(), options.snapshot);

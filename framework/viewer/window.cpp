@@ -16,12 +16,12 @@ namespace cs550::viewer {
 namespace {
 
 /// @throws std::runtime_error that names the alternative
-WindowSystem open_screen() {
+WindowSystem open_screen(const Options& options) {
   try {
     return {};
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(std::string(error.what()) +
-                             "\nA picture needs none: ./cs550 view --snapshot picture.png");
+    throw std::runtime_error(std::string(error.what()) + "\nA picture needs no screen:\n" +
+                             snapshot_command(options));
   }
 }
 
@@ -76,7 +76,7 @@ void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int mod
 }  // namespace
 
 void run_in_window(const Options& options, const Observer& observe) {
-  const WindowSystem system = open_screen();
+  const WindowSystem system = open_screen(options);
   const Window window(options.size, true);
   // Installed before Dear ImGui, which forwards events to earlier callbacks.
   glfwSetKeyCallback(window.get(), hear_key);

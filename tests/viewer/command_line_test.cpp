@@ -1,6 +1,7 @@
 // The command line of the viewer.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -8,11 +9,30 @@
 
 #include "pages/failure/failure_panels.hpp"
 #include "program.hpp"
+#include "viewer/options.hpp"
 
 namespace cs550::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The first line of a text that is wider than a terminal, but for a long word on a line of its own.
+std::string too_wide_line(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const auto continues = [](char byte) { return (byte & 0xC0) == 0x80; };
+    const auto columns = std::ssize(line) - std::count_if(line.begin(), line.end(), continues);
+    const std::size_t word = std::min(line.find_first_not_of(' '), line.size());
+    if (columns > 80 && line.find(' ', word) != std::string::npos) return line;
+  }
+  return {};
+}
+
+/// A wrapped message without its line breaks.
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
 
 class CommandLine : public testing::Test {
  protected:
@@ -88,7 +108,8 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
     arguments.insert(arguments.end(), {"--snapshot", file("none.png")});
     const Outcome outcome = view(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
-    EXPECT_NE(outcome.output.find(mistake.says), std::string::npos) << outcome.output;
+    EXPECT_NE(in_one_line(outcome.output).find(mistake.says), std::string::npos) << outcome.output;
+    EXPECT_EQ(too_wide_line(outcome.output), "");
     EXPECT_FALSE(fs::exists(file("none.png"))) << mistake.arguments.front();
   }
 }
@@ -102,6 +123,29 @@ TEST_F(CommandLine, WrongArgumentsAreRefusedWithoutAScreenToo) {
     const Outcome outcome = run_program(command);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
   }
+}
+
+TEST_F(CommandLine, ThePictureToTakeWithoutAScreenIsOfWhatWasTyped) {
+  const auto advice = [](const std::vector<std::string>& arguments) {
+    std::vector<const char*> words{"viewer"};
+    for (const std::string& word : arguments) words.push_back(word.c_str());
+    const auto line = viewer::read_command_line(static_cast<int>(words.size()), words.data());
+    return viewer::snapshot_command(line.options);
+  };
+  EXPECT_EQ(advice({}), "./cs550 view --snapshot wall.png");
+  EXPECT_EQ(advice({"bounce", "--set", "quality=game"}),
+            "./cs550 view bounce --set quality=game --snapshot bounce.png");
+  EXPECT_EQ(advice({"--student", "--lab", "4"}),
+            "./cs550 view --student --lab 4 --snapshot lab4.png");
+  std::ofstream(file("Lab3.Climb.svg"));
+  EXPECT_EQ(advice({"--failure", file("Lab3.Climb.svg")}),
+            "./cs550 view --failure Lab3.Climb --snapshot Lab3.Climb.png");
+  std::ofstream(file("my scene.json"));
+  EXPECT_EQ(advice({file("my scene.json")}),
+            "./cs550 view '" + file("my scene.json") + "' --snapshot 'my scene.png'");
+  EXPECT_EQ(advice({"--set", "gravity=0,0,-3", "--set", "substeps=12", "--set", "time_step=0.01"}),
+            "./cs550 view --set gravity=0,0,-3 --set substeps=12 --set time_step=0.01 \\\n"
+            "    --snapshot wall.png");
 }
 
 TEST_F(CommandLine, AFileThatCannotBeWrittenIsNamed) {

@@ -195,10 +195,12 @@ TEST(Window, IsOpenedUsedResizedAndClosed) {
 }
 
 TEST(Window, WithoutAScreenSaysHowToTakeAPicture) {
-  const Outcome outcome = run_program(
-      {"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", CS550_VIEWER_PROGRAM, "bounce"});
+  const Outcome outcome = run_program({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
+                                       CS550_VIEWER_PROGRAM, "bounce", "--steps", "9"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.output.find("--snapshot"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("\n./cs550 view bounce --steps 9 --snapshot bounce.png\n"),
+            std::string::npos)
+      << outcome.output;
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "files/indented.hpp"
+
 namespace cs550::cli {
 
 enum class Colour { Red, Green, Yellow, Bold, Faint };
@@ -19,9 +21,7 @@ enum class Colour { Red, Green, Yellow, Bold, Faint };
 /// The text in a colour; plain when standard output is no terminal, or NO_COLOR is set.
 std::string coloured(std::string_view text, Colour colour);
 
-/// Every line of the text with `spaces` spaces before it, ending in a newline; empty for no text.
-/// A line longer than 80 columns is broken between two words.
-std::string indented(std::string_view text, std::size_t spaces);
+using files::indented;
 
 /// The text filled up to `width` columns with spaces.
 std::string padded(const std::string& text, std::size_t width);

@@ -18,7 +18,7 @@ std::unique_ptr<GlContext> open_any() {
   } catch (const std::runtime_error& error) {
     throw std::runtime_error("a picture can be drawn neither without a screen (" + egl_problem +
                              ") nor in a hidden window (" + error.what() +
-                             ").\nInstall the packages libegl1, libgl1 and libgl1-mesa-dri: "
+                             ").\nInstall the packages libegl1, libgl1 and libgl1-mesa-dri:\n"
                              "./cs550 doctor --install viewer");
   }
 }
