@@ -1,6 +1,7 @@
 // The steps that the pages of labs show, and settings at the ends of their ranges.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -55,6 +56,24 @@ TEST(LabPage, WhereThereAreNoStepsTheLastOneStaysTheLastOne) {
   ControlLister lister;
   page->describe(lister);
   EXPECT_NE(lister.text().find("step=last"), std::string::npos) << lister.text();
+}
+
+TEST(LabPage, AWalkBeginsOnAFaceTowardsTheEye) {
+  for (const char* solid : {"solid=box", "solid=prism", "solid=icosahedron"}) {
+    for (const char* merged : {"merged=on", "merged=off"}) {
+      const std::unique_ptr<Page> page = lab_page(2, {solid, merged});
+      const std::vector<drawing::Polygon>& polygons = page->content().drawing.polygons;
+      const auto face = std::find_if(polygons.begin(), polygons.end(), [](const auto& polygon) {
+        return polygon.role == drawing::Role::Reference;
+      });
+      ASSERT_NE(face, polygons.end()) << solid;
+      const Vec3 normal = (face->corners[1] - face->corners[0])
+                              .cross(face->corners[2] - face->corners[0])
+                              .normalized();
+      const Vec3 eye = fitted(page->first_view(), Vec3::Zero(), Real(1.15)).eye();
+      EXPECT_GT(normal.dot((eye - face->corners[0]).normalized()), 0.5) << solid << ' ' << merged;
+    }
+  }
 }
 
 TEST(LabPage, ARunEndsWithItsDuration) {

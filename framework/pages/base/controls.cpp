@@ -23,10 +23,14 @@ std::string range_text(const SettingRange& range, const Control& control) {
   return short_number(range.least) + " to " + short_number(range.most) + unit;
 }
 
-constexpr const char* last_step_name = "last";
+/// The range of a whole number, without a −1 that has a name.
+std::string whole_range_text(const SettingRange& range, const Control& control) {
+  if (control.minus_one == nullptr) return range_text(range, control);
+  return range_text({0, range.most}, control) + ", or " + control.minus_one;
+}
 
-std::string step_range_text(int most, const Control& control) {
-  return range_text({0, static_cast<Real>(most)}, control) + ", or " + last_step_name;
+bool is_named(const Control& control, int value) {
+  return value == -1 && control.minus_one != nullptr;
 }
 
 std::string alternatives(std::span<const char* const> names) {
@@ -85,14 +89,8 @@ int ControlSetter::to_whole(const SettingRange& range, const std::string& expect
 void ControlSetter::whole(const Control& control, int& value, int least, int most) {
   if (!is_meant(control)) return;
   const SettingRange range = accepted(control, least, most);
-  value = to_whole(range, "a whole number, " + range_text(range, control));
-}
-
-void ControlSetter::step(const Control& control, int& value, int most) {
-  if (!is_meant(control)) return;
-  value = text_ == last_step_name ? last_step
-                                  : to_whole({last_step, static_cast<Real>(most)},
-                                             "a whole number, " + step_range_text(most, control));
+  const bool is_name = control.minus_one != nullptr && text_ == control.minus_one;
+  value = is_name ? -1 : to_whole(range, "a whole number, " + whole_range_text(range, control));
 }
 
 void ControlSetter::number(const Control& control, Real& value, Real least, Real most) {
@@ -166,11 +164,8 @@ void ControlLister::add(const Control& control, const std::string& value,
 }
 
 void ControlLister::whole(const Control& control, int& value, int least, int most) {
-  add(control, std::to_string(value), range_text(accepted(control, least, most), control));
-}
-void ControlLister::step(const Control& control, int& value, int most) {
-  add(control, value == last_step ? last_step_name : std::to_string(value),
-      step_range_text(most, control));
+  add(control, is_named(control, value) ? control.minus_one : std::to_string(value),
+      whole_range_text(accepted(control, least, most), control));
 }
 void ControlLister::number(const Control& control, Real& value, Real least, Real most) {
   add(control, short_number(value), range_text(accepted(control, least, most), control));

@@ -17,6 +17,8 @@ struct Control {
   const char* unit;   ///< "m", "1/s", or empty
   /// The range that --set accepts, if it is more than a slider offers.
   std::optional<SettingRange> accepted = {};
+  /// What −1 is called if it is the least whole number: "last". Null if it is a number.
+  const char* minus_one = nullptr;
 };
 
 /// As the displayed step of a walk: its last one, however long the walk is. It is called "last".
@@ -37,7 +39,8 @@ class ControlVisitor {
   /// @{
   virtual void whole(const Control& control, int& value, int least, int most) = 0;
   /// The displayed step of a walk: 0 to most, or last_step.
-  virtual void step(const Control& control, int& value, int most) {
+  void step(Control control, int& value, int most) {
+    control.minus_one = "last";
     whole(control, value, last_step, most);
   }
   virtual void number(const Control& control, Real& value, Real least, Real most) = 0;
@@ -59,7 +62,6 @@ class ControlSetter final : public ControlVisitor {
   explicit ControlSetter(const std::string& assignment);
 
   void whole(const Control& control, int& value, int least, int most) override;
-  void step(const Control& control, int& value, int most) override;
   void number(const Control& control, Real& value, Real least, Real most) override;
   void vector(const Control& control, Vec3& value, Real most) override;
   void toggle(const Control& control, bool& value) override;
@@ -87,7 +89,6 @@ class ControlSetter final : public ControlVisitor {
 class ControlLister final : public ControlVisitor {
  public:
   void whole(const Control& control, int& value, int least, int most) override;
-  void step(const Control& control, int& value, int most) override;
   void number(const Control& control, Real& value, Real least, Real most) override;
   void vector(const Control& control, Vec3& value, Real most) override;
   void toggle(const Control& control, bool& value) override;

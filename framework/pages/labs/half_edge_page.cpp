@@ -1,4 +1,7 @@
 // Lab 2: a walk over half-edges, before and after merging, and defects of triangles and meshes.
+#include <cmath>
+#include <utility>
+
 #include "cs550/half_edge_mesh.hpp"
 #include "cs550/mesh_validation.hpp"
 #include "cs550/primitives.hpp"
@@ -18,11 +21,18 @@ enum Fault { None, Hole, Flipped, InsideOut };
 constexpr std::array<const char*, 4> move_names{"next", "prev", "twin", "face"};
 enum Move { Next, Prev, Twin, FaceEdge };
 
+constexpr Real first_yaw = Real(-1.1);
+constexpr Real first_pitch = Real(0.5);
+
+/// As the half-edge where a walk begins: one that the first view shows from the front, however the student's
+/// code numbers them. It is called "front".
+constexpr int edge_in_front = -1;
+
 struct HalfEdgeSettings {
   int solid = 1;
   bool merged = true;
   int fault = None;
-  int edge = 22;
+  int edge = edge_in_front;
   std::vector<int> walk;
   int step = last_step;
 
@@ -31,7 +41,8 @@ struct HalfEdgeSettings {
 
 void describe(HalfEdgeSettings& settings, ControlVisitor& visit) {
   visit.section("Walk");
-  visit.whole({"edge", "begin at half-edge", ""}, settings.edge, 0, 119);
+  visit.whole({.name = "edge", .label = "begin at half-edge", .unit = "", .minus_one = "front"},
+              settings.edge, edge_in_front, 119);
   visit.moves({"walk", "walk", ""}, settings.walk, move_names);
   visit.step({"step", "shown step", ""}, settings.step, 100);
   visit.section("Mesh");
@@ -61,6 +72,23 @@ TriangleSoup triangles_of(const HalfEdgeSettings& settings) {
     for (Triangle& triangle : soup.triangles) std::swap(triangle[0], triangle[1]);
   }
   return soup;
+}
+
+/// Of the edges between two faces that look towards the eye, the half-edge that does so most.
+Index find_edge_in_front(const HalfEdgeMesh& mesh) {
+  const Vec3 toward_eye(std::cos(first_pitch) * std::cos(first_yaw),
+                        std::cos(first_pitch) * std::sin(first_yaw), std::sin(first_pitch));
+  const auto facing = [&](Index e) {
+    return mesh.face(mesh.edge(e).face).plane.normal.dot(toward_eye);
+  };
+  const auto rank = [&](Index e) {
+    return std::pair(std::min(facing(e), facing(e ^ 1)), facing(e));
+  };
+  Index best = 0;
+  for (Index e = 1; e < mesh.edge_count(); ++e) {
+    if (rank(e) > rank(best)) best = e;
+  }
+  return best;
 }
 
 /// The half-edge at the end of a walk. Links of unfinished code may be invalid.
@@ -133,7 +161,9 @@ std::string count_text(const HalfEdgeMesh& mesh) {
 void show_walk(const HalfEdgeSettings& settings, const HalfEdgeMesh& mesh, Content& content) {
   content.step_count = static_cast<int>(settings.walk.size()) + 1;
   const int step = shown_step(settings.step, content.step_count);
-  const Index start = std::min<Index>(settings.edge, mesh.edge_count() - 1);
+  const Index start = settings.edge == edge_in_front
+                          ? find_edge_in_front(mesh)
+                          : std::min<Index>(settings.edge, mesh.edge_count() - 1);
   const Index edge = walk(mesh, start, {settings.walk.data(), static_cast<std::size_t>(step)});
   content.drawing = without_faces(drawing::draw_half_edge(mesh, edge), drawing::Role::Faint);
   content.drawing.legend = legend_of_walk();
@@ -178,7 +208,7 @@ std::unique_ptr<Page> make_half_edge_page(Isolation isolation) {
   parts.story =
       "A half-edge stores its next, prev, twin, vertex and face: enough to reach every other one. "
       "Merging turns coplanar triangles into one polygon; faulty triangles are rejected.";
-  parts.first_view = seen_from(Real(-1.1), Real(0.5));
+  parts.first_view = seen_from(first_yaw, first_pitch);
   parts.describe = describe;
   parts.show = show;
   return std::make_unique<LabPage<HalfEdgeSettings>>(parts, isolation);

@@ -39,11 +39,8 @@ void ControlWidgets::slider(const Control& control, int& value, int least, int m
 }
 
 void ControlWidgets::whole(const Control& control, int& value, int least, int most) {
-  slider(control, value, least, most, number_format(control, "%d"));
-}
-
-void ControlWidgets::step(const Control& control, int& value, int most) {
-  slider(control, value, last_step, most, value == last_step ? "last" : "%d");
+  const bool is_named = value == -1 && control.minus_one != nullptr;
+  slider(control, value, least, most, is_named ? control.minus_one : number_format(control, "%d"));
 }
 
 void ControlWidgets::number(const Control& control, Real& value, Real least, Real most) {

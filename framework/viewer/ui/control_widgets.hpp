@@ -15,7 +15,6 @@ class ControlWidgets final : public ControlVisitor {
 
   void section(const char* title) override;
   void whole(const Control& control, int& value, int least, int most) override;
-  void step(const Control& control, int& value, int most) override;
   void number(const Control& control, Real& value, Real least, Real most) override;
   void vector(const Control& control, Vec3& value, Real most) override;
   void toggle(const Control& control, bool& value) override;
