@@ -124,8 +124,8 @@ inline constexpr Real edge_preference = Real(5e-3);
 ///   to edge_preference, the edges replace the face if their separation is not below that of the
 ///   query. Otherwise the manifold has one point: the deepest vertex of the query, with its
 ///   projection onto the face, named as a vertex on that face. Bodies that are apart keep their
-///   clipped points instead, if there are any. Bodies are apart if axis.separation > 0. At exactly 0
-///   they touch, which counts as overlapping, as in overlap().
+///   clipped points instead, if there are any. Bodies are apart if axis.separation > 0. At
+///   exactly 0 they touch, which counts as overlapping, as in overlap().
 ///
 /// Any query may be empty. An empty query has a separation of 0 and no features, so test the query
 /// before comparing its separation. The edge query is empty if no arcs cross, as for aligned boxes;

@@ -152,8 +152,8 @@ enum class MeshError : std::uint8_t {
 /// - DegenerateTriangle: triangle
 /// - DuplicateTriangle: triangle, other_triangle
 /// - OpenEdge: triangle, edge
-/// - NonManifoldEdge, InconsistentWinding: two triangles of the edge as triangle and other_triangle,
-///   edge
+/// - NonManifoldEdge, InconsistentWinding: edge, and two of its triangles as triangle and
+///   other_triangle
 ///
 /// Two triangles or two end points may be in either order. If several elements have the same fault,
 /// any of them may be reported.
