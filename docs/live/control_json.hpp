@@ -20,7 +20,7 @@ constexpr std::string_view why_unavailable(std::string_view setting) {
 }
 
 /// Lists every setting that the browser can offer: {kind, name, label, unit, value}, and least and
-/// most or names as the kind needs.
+/// most or names as the kind needs; and minus_one, what −1 is called, if it has a name.
 class ControlJson final : public pages::ControlVisitor {
  public:
   void section(const char* title) override {
@@ -28,7 +28,9 @@ class ControlJson final : public pages::ControlVisitor {
   }
   void whole(const Control& control, int& value, int least, int most) override {
     if (!why_unavailable(control.name).empty()) return;
-    add("whole", control, value).update({{"least", least}, {"most", most}});
+    nlohmann::json& added = add("whole", control, value);
+    added.update({{"least", least}, {"most", most}});
+    if (control.minus_one != nullptr) added["minus_one"] = control.minus_one;
   }
   void number(const Control& control, Real& value, Real least, Real most) override {
     add("number", control, value).update({{"least", least}, {"most", most}});

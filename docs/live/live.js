@@ -314,7 +314,7 @@ class LiveFigure {
     } else {
       const values = control.kind === 'vector' ? [...control.value] : [control.value];
       const ranges = values.map(value => this.range(control, value));
-      const shown = each => (control.name === 'step' && Number(each) === LAST_STEP ? 'last' : short(each));
+      const shown = each => (Number(each) === -1 && control.minus_one || short(each));
       const output = element('output', {textContent: values.map(shown).join(', ')});
       ranges.forEach((range, i) => {
         range.oninput = () => {
