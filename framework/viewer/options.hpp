@@ -54,10 +54,6 @@ struct CommandLine {
   std::optional<int> exit_code;  ///< 0 after --help, 2 for wrong usage
 };
 
-/// The command that takes a picture of what the options show: what was typed, with --snapshot. Lines of at
-/// most 80 columns if its words allow it, for a shell.
-std::string snapshot_command(const Options& options);
-
 /// Parses the command line; reports errors and how to fix them on standard error.
 CommandLine read_command_line(int argc, const char* const* argv);
 

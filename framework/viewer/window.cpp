@@ -11,6 +11,7 @@
 #include <string>
 
 #include "viewer/gl/glfw_window.hpp"
+#include "viewer/snapshot_command.hpp"
 
 namespace cs550::viewer {
 namespace {

@@ -10,6 +10,7 @@
 #include "pages/failure/failure_panels.hpp"
 #include "program.hpp"
 #include "viewer/options.hpp"
+#include "viewer/snapshot_command.hpp"
 
 namespace cs550::test {
 namespace {
