@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/scratch_project.hpp"
 #include "cli/system/build_log.hpp"
 
 namespace {
@@ -14,21 +15,13 @@ namespace {
 namespace fs = std::filesystem;
 using namespace cs550::cli;
 
-class BuildLog : public testing::Test {
+class BuildLog : public ScratchProject {
  protected:
   void SetUp() override {
+    ScratchProject::SetUp();
     fs::create_directories(root / "build");
-    setenv("CS550_ROOT", root.c_str(), 1);
-  }
-  void TearDown() override {
-    unsetenv("CS550_ROOT");
-    fs::remove_all(root);
   }
   void write(const std::string& text) const { std::ofstream(root / "build/student.log") << text; }
-
-  const fs::path root =
-      fs::path(testing::TempDir()) /
-      (std::string("build_log_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(BuildLog, WarningsAreOfTheStudentsOwnFilesAndEachIsNamedOnce) {

@@ -12,6 +12,7 @@
 
 #include "cli/grading/crash_report.hpp"
 #include "cli/grading/graded_run.hpp"
+#include "cli/scratch_project.hpp"
 
 namespace {
 
@@ -23,21 +24,7 @@ using Kind = cs550::cli::Verdict::Kind;
 
 constexpr std::chrono::seconds patience{60};
 
-class GradedRun : public testing::Test {
- protected:
-  void SetUp() override {
-    fs::create_directories(root);
-    setenv("CS550_ROOT", root.c_str(), 1);
-  }
-  void TearDown() override {
-    unsetenv("CS550_ROOT");
-    fs::remove_all(root);
-  }
-
-  const fs::path root =
-      fs::path(testing::TempDir()) /
-      (std::string("graded_run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-};
+using GradedRun = cs550::cli::ScratchProject;
 
 TEST_F(GradedRun, GivesEveryTestItsVerdictInTheOrderOfTheTests) {
   // Two tests crash. The other tests of the same process still count.

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string>
 
+#include "cli/scratch_project.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -14,17 +16,8 @@ using cs550::cli::memory_advice;
 using cs550::cli::Verdict;
 using Kind = cs550::cli::Verdict::Kind;
 
-class MemorySigns : public testing::Test {
+class MemorySigns : public cs550::cli::ScratchProject {
  protected:
-  void SetUp() override {
-    fs::create_directories(root);
-    setenv("CS550_ROOT", root.c_str(), 1);
-  }
-  void TearDown() override {
-    unsetenv("CS550_ROOT");
-    fs::remove_all(root);
-  }
-
   /// A graded program whose only test fails with a message that the shell expands.
   fs::path program_that_reports(const std::string& message) const {
     const fs::path program = root / "program";
@@ -38,10 +31,6 @@ class MemorySigns : public testing::Test {
   static Verdict failed(const std::string& message) {
     return {{"Clips", "L5.1", 4, false}, Kind::Failed, message, 0};
   }
-
-  const fs::path root = fs::path(testing::TempDir()) /
-                        (std::string("memory_signs_") +
-                         testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(MemorySigns, ValuesThatDependOnFreedMemoryAreAMemoryError) {

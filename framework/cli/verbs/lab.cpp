@@ -296,8 +296,8 @@ Action declare_lab(CLI::App& app) {
   const auto options = std::make_shared<LabOptions>();
   app.add_option("N", options->lab, "number of the lab (3, lab3 or L3)")
       ->required()
-      ->check(fault_of_lab_number)
-      ->transform(plain_lab_number);
+      ->transform(plain_lab_number)
+      ->check(fault_of_lab_number);
   auto* step =
       app.add_option("--step", options->step, "run the tests of one step only: L3.2 or 3.2")
           ->option_text("STEP");

@@ -213,8 +213,8 @@ int run_submit(const SubmitOptions& options) {
 Action declare_submit(CLI::App& app) {
   const auto options = std::make_shared<SubmitOptions>();
   app.add_option("N", options->lab, "number of the lab; by default every lab that was begun")
-      ->check(fault_of_lab_number)
-      ->transform(plain_lab_number);
+      ->transform(plain_lab_number)
+      ->check(fault_of_lab_number);
   app.add_option("--out", options->out, "zip file to write; by default labN.zip or labs.zip")
       ->option_text("FILE")
       ->check(files::fault_of_path)
