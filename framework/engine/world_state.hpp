@@ -414,7 +414,7 @@ struct WorldState {
   Real slop() const { return settings.slop * settings.length_unit; }
 };
 
-/// As many bodies as one block has. What one sweep over them leaves in the cache the next one finds there.
+/// The bodies of a block: so few that the next sweep still finds in the nearest cache what the last one left there.
 inline constexpr std::size_t few_bodies = 32;
 
 /// Calls `work(first, last)` for a few bodies at a time.

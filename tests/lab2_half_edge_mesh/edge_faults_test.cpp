@@ -96,8 +96,8 @@ GRADED_TEST(Lab2, CrowdedAndReversedEdgesAreNamed, 2, "L2.2") {
     TriangleSoup soup = whole;
     std::swap(soup.triangles[reversed][0], soup.triangles[reversed][1]);
     Story here = story;
-    here.given("a dodecahedron of 36 triangles, of which triangle " + std::to_string(reversed) +
-               " is reversed")
+    here.given("a dodecahedron of 36 triangles with triangle " + std::to_string(reversed) +
+               " reversed")
         .likely(
             "the two sides of an edge must be (a, b) and (b, a): the same pair, in any order, is "
             "not enough");

@@ -9,7 +9,7 @@ namespace {
 
 constexpr ClipEdge along_plane{ClipEdge::Source::Reference, 7};
 
-/// How many corners are left of a square of which nothing is cut off.
+/// The number of corners of the clipped square where it lies wholly behind the plane.
 int corners_of_untouched_square(Story story) {
   story.given("the unit square").when("clipped to x ≤ 2: front → front, four times");
   return clip_polygon(unit_square(), {Vec3::UnitX(), 2}, along_plane).size();
