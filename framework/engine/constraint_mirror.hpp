@@ -39,8 +39,8 @@ struct ConstraintMirror {
   bool stale = true;
   bool stale_numbers = true;   ///< enough if they still have the same bodies and places
   bool stale_impulses = true;  ///< enough if only impulses or marks have changed
-  /// Whether the constraints lack impulses and marks of the last passes. None of the above may be set meanwhile, but
-  /// `stale` for constraints that nobody needs any more.
+  /// Whether the constraints lack impulses and marks of the last passes. Neither `stale_numbers` nor `stale_impulses` may
+  /// be set meanwhile.
   bool is_ahead = false;
   std::vector<Index> starts;  ///< constraints with which a group has to begin; may be empty
   std::vector<PairGroup> groups;
@@ -55,16 +55,22 @@ struct ConstraintMirror {
 struct ConstraintMirrors {
   std::vector<ConstraintMirror> of_units;
 
-  /// See ConstraintMirror::stale.
+  /// For new constraints: nobody needs the impulses of the former ones any more.
   void set_stale() {
-    for (ConstraintMirror& mirror : of_units) mirror.stale = true;
+    for (ConstraintMirror& mirror : of_units) {
+      mirror.stale = true;
+      mirror.is_ahead = false;
+    }
   }
+  /// See ConstraintMirror.
+  /// @{
   void set_stale_numbers() {
     for (ConstraintMirror& mirror : of_units) mirror.stale_numbers = true;
   }
   void set_stale_impulses() {
     for (ConstraintMirror& mirror : of_units) mirror.stale_impulses = true;
   }
+  /// @}
 };
 
 }  // namespace cs550

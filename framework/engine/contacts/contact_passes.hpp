@@ -12,7 +12,8 @@
 namespace cs550 {
 
 /// warm_start() for every constraint, if asked for, then solve_contacts() for each pass, then mark_impact() for
-/// every constraint, if asked for.
+/// every constraint, if asked for. The form here changes the constraints themselves. A faster one may leave impulses and
+/// marks in the mirror (`is_ahead`) until passes with `store` copy them.
 /// @param mirror of the constraints; remembers the loads of the last warm start until it is stale
 void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constraints,
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes);

@@ -13,7 +13,6 @@ namespace {
 class Schedule {
  public:
   Schedule(SolveOrder& order, SolveUnit& unit, std::size_t bodies) : order_(order), unit_(unit) {
-    unit_.groups.clear();
     unit_.next_of_body.assign(bodies, no_index);
   }
 
@@ -107,6 +106,8 @@ class Schedule {
 }  // namespace
 
 void form_groups(SolveOrder& order, SolveUnit& unit, std::size_t bodies) {
+  unit.groups.clear();
+  if (unit.first_contact == unit.end_contact) return;  // as between most parts
   Schedule(order, unit, bodies).run();
 }
 

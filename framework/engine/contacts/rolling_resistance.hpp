@@ -14,6 +14,7 @@ namespace cs550 {
 /// @param mirror of the constraints, up to date and with the groups of the order, see keep_groups(); used by
 ///               the fast form only
 /// @param order of the constraints
+/// @param constraints the fast form finds their impulses in the mirror
 /// @param lever m
 void resist_rolling(ConstraintMirror& mirror, const SolveOrder& order,
                     std::span<const ContactConstraint> constraints, std::span<SolverBody> bodies,

@@ -124,16 +124,17 @@ void find_new_keys_of(const WorldState& world, Index body, PairSearch& search) {
 
 /// Searches for the pairs of all bodies that have moved, by several threads if there are any.
 std::span<const PairSearch> search_for_pairs(WorldState& world) {
-  constexpr std::size_t few_bodies = 32;
+  constexpr std::size_t bodies_per_search = 32;
   const std::span<const Index> moved = world.moved;
-  const std::size_t count = (moved.size() + few_bodies - 1) / few_bodies;
+  const std::size_t count = (moved.size() + bodies_per_search - 1) / bodies_per_search;
   if (world.searches.size() < count) world.searches.resize(count);
   for_blocks(world.team, count, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       PairSearch& search = world.searches[i];
       search.keys.clear();
-      const std::size_t begin = i * few_bodies;
-      for (const Index body : moved.subspan(begin, std::min(few_bodies, moved.size() - begin))) {
+      const std::size_t begin = i * bodies_per_search;
+      for (const Index body :
+           moved.subspan(begin, std::min(bodies_per_search, moved.size() - begin))) {
         if (world.slots[body].alive) find_new_keys_of(world, body, search);
       }
     }

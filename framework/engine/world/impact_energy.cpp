@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contacts/contact_constraints.hpp"
 #include "engine/islands/forest.hpp"
 #include "engine/world/overlap_recovery.hpp"
 
@@ -137,6 +138,7 @@ void note_energy_before_impacts(WorldState& world) {
 }
 
 void begin_impacts(WorldState& world, std::span<const SolverBody> bodies) {
+  read_back_impulses(world);
   world.impacts.bodies.assign(bodies.begin(), bodies.end());
   std::vector<Vec3>& impulses = world.impacts.impulses;
   impulses.clear();

@@ -137,6 +137,7 @@ void end_push(WorldState& world) {
 
 void return_friction(WorldState& world) {
   if (!world.recovery.any) return;
+  read_back_impulses(world);
   world.mirrors.set_stale_numbers();
   for (std::size_t i = 0; i < world.constraints.size(); ++i) {
     world.constraints[i].friction = world.recovery.constraints[i].friction;

@@ -92,7 +92,7 @@ class PartSubsteps {
     if (unit == 0 && integrates) timer.emplace(world_.stats, Stage::Integrate);
     switch (task.work) {
       case PartWork::ApplyForces:
-        return for_few_bodies(unit, [&](std::size_t first, std::size_t last) {
+        return for_bodies_of(unit, [&](std::size_t first, std::size_t last) {
           integrate_momenta(bodies(first, last), biased_.h);
           gather_dynamic(first, last);
         });
@@ -103,7 +103,7 @@ class PartSubsteps {
       case PartWork::ResistRolling:
         return resist_rolling(world_, unit);
       case PartWork::Move:
-        return for_few_bodies(unit, [&](std::size_t first, std::size_t last) {
+        return for_bodies_of(unit, [&](std::size_t first, std::size_t last) {
           add_momentum_changes(bodies(first, last), solver_bodies(first, last));
           integrate_poses(bodies(first, last), solver_bodies(first, last), biased_.h,
                           world_.settings.rotation);
@@ -115,7 +115,7 @@ class PartSubsteps {
       case PartWork::RelaxPasses:
         return run_passes(unit, relaxing_, task.passes);
       case PartWork::KeepMomenta:
-        return for_few_bodies(unit, [&](std::size_t first, std::size_t last) {
+        return for_bodies_of(unit, [&](std::size_t first, std::size_t last) {
           add_momentum_changes(bodies(first, last), solver_bodies(first, last));
         });
     }
@@ -123,9 +123,9 @@ class PartSubsteps {
 
  private:
   template <class Work>
-  void for_few_bodies(std::size_t part, const Work& work) {
-    cs550::for_few_bodies(static_cast<std::size_t>(world_.parts.first[part]),
-                          static_cast<std::size_t>(world_.parts.first[part + 1]), work);
+  void for_bodies_of(std::size_t part, const Work& work) {
+    for_few_bodies(static_cast<std::size_t>(world_.parts.first[part]),
+                   static_cast<std::size_t>(world_.parts.first[part + 1]), work);
   }
   std::span<RigidBody> bodies(std::size_t first, std::size_t last) {
     return std::span(world_.bodies).subspan(first, last - first);

@@ -111,7 +111,7 @@ void run_passes(ConstraintMirror& mirror, std::span<ContactConstraint> constrain
                 std::span<SolverBody> bodies, const ContactStep& step, const Passes& passes) {
   if (mirror.stale) {
     find_groups(constraints, bodies, mirror);
-    mirror.numbers.resize(mirror.rows.size() * numbers_per_row);
+    mirror.numbers.resize(mirror.rows.size() * lines_per_row);
     for (WideConstraint& row : wide_constraints(mirror)) row.flags = all_lanes(0);
     mirror.stale = false;
     mirror.stale_numbers = true;

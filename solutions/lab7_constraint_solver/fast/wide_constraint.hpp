@@ -47,10 +47,11 @@ inline WideMask has(const WideReal& flags, int bit) {
   return mask_by_part([&](std::size_t i) { return (bits_of(flags, i) & bit) != 0; });
 }
 
-inline constexpr std::size_t numbers_per_row = sizeof(WideConstraint) / sizeof(LaneNumbers);
+inline constexpr std::size_t lines_per_row = sizeof(WideConstraint) / sizeof(LaneNumbers);
 
 /// The rows of a mirror.
 inline std::span<WideConstraint> wide_constraints(ConstraintMirror& mirror) {
+  static_assert(sizeof(WideConstraint) == lines_per_row * sizeof(LaneNumbers));
   static_assert(alignof(WideConstraint) <= alignof(LaneNumbers));
   return {reinterpret_cast<WideConstraint*>(mirror.numbers.data()), mirror.rows.size()};
 }
