@@ -224,6 +224,7 @@ void ContactConstraint::mark_impact() { impact_handled = impact_handled || norma
 void read_back_impulses(WorldState& world, std::size_t unit) {
   ConstraintMirror& mirror = world.mirrors.of_units[unit];
   if (!mirror.is_ahead) return;
+  // Without a pass. Whoever fills the mirror knows where the impulses are in it.
   run_passes(mirror, constraints_of(world, world.solve_order.units[unit]), world.solver_bodies, {},
              {.store = true});
 }
@@ -249,26 +250,32 @@ void arrange_contacts(WorldState& world) {
   });
 }
 
-void make_constraints(WorldState& world) {
+void begin_constraints(WorldState& world) {
   begin_substeps(world);
   world.constraints.resize(world.solve_order.place_of_point.size());
   world.mirrors.set_stale();
-  for_constraints_of_contacts_in_blocks(world, [&](Index i, std::span<const Index> places) {
-    const Contact& contact = world.pairs.contacts[i];
-    const auto [body_a, body_b] = bodies_of(world, contact);
-    const Pose& a = world.bodies[body_a].pose;
-    const Pose& b = world.bodies[body_b].pose;
-    const ActingPoint acting_point(world, body_a, body_b);
-    auto place = places.begin();
-    for (const ContactPoint& point : contact.manifold.points) {
-      const Levers levers =
-          acting_point.between(a.to_world(point.anchor_a), b.to_world(point.anchor_b));
-      ContactConstraint& constraint = world.constraints[*place++];
-      constraint = make_constraint(contact, point, levers);
-      constraint.body_a = body_a;
-      constraint.body_b = body_b;
-    }
-  });
+}
+
+void make_constraints(WorldState& world, Index index) {
+  const Contact& contact = world.pairs.contacts[index];
+  const auto [body_a, body_b] = bodies_of(world, contact);
+  const Pose& a = world.bodies[body_a].pose;
+  const Pose& b = world.bodies[body_b].pose;
+  const ActingPoint acting_point(world, body_a, body_b);
+  auto place = world.solve_order.places_of(index).begin();
+  for (const ContactPoint& point : contact.manifold.points) {
+    const Levers levers =
+        acting_point.between(a.to_world(point.anchor_a), b.to_world(point.anchor_b));
+    ContactConstraint& constraint = world.constraints[*place++];
+    constraint = make_constraint(contact, point, levers);
+    constraint.body_a = body_a;
+    constraint.body_b = body_b;
+  }
+}
+
+void make_constraints(WorldState& world) {
+  for_constraints_of_contacts_in_blocks(
+      world, [&](Index contact, std::span<const Index>) { make_constraints(world, contact); });
 }
 
 void forget_turns(WorldState& world) {

@@ -12,8 +12,14 @@ namespace cs550 {
 
 /// Finds the solve order of a step's contacts, and from time to time the parts of the bodies.
 void arrange_contacts(WorldState& world);
-/// Measures the bodies, forgets their displacements, and makes the constraints of a step. @pre arrange_contacts()
+/// Measures the bodies, forgets their displacements, and makes room for the constraints of a step.
+/// @pre arrange_contacts()
+void begin_constraints(WorldState& world);
+/// Makes the constraints of a contact, without masses, or of all contacts. @pre begin_constraints()
+/// @{
+void make_constraints(WorldState& world, Index contact);
 void make_constraints(WorldState& world);
+/// @}
 
 /// Notes how far bodies have turned since the step began, and turn within a substep. Call it once they have moved.
 /// @param first, last the bodies from `first` to `last` − 1

@@ -48,7 +48,7 @@ void detect_collisions(WorldState& world, Real h);
 
 /// The parameters of a substep. @param h substep (s)
 ContactStep contact_step(const WorldSettings& settings, Real h);
-/// Gives the constraints their masses and first impulses.
+/// Makes the constraints, with masses and first impulses. @pre begin_constraints()
 void prepare(WorldState& world, const ContactStep& step);
 /// Moves the bodies by one substep and solves their contacts.
 void substep(WorldState& world, const ContactStep& step);

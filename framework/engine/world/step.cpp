@@ -95,7 +95,7 @@ void advance(WorldState& world, Real h) {
   {
     const PartNumbering numbering(world);
     apply_gravity(world);
-    run_stage(world, Stage::Prepare, make_constraints);
+    run_stage(world, Stage::Prepare, begin_constraints);
     begin_audit(world);
     run_substeps(world, step, substeps);
     end_audit(world, h);

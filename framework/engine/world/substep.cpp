@@ -125,10 +125,7 @@ void relax_and_bounce(WorldState& world, const ContactStep& step) {
     end_push(world);
     with_solver_bodies(world, [&](std::span<SolverBody> bodies) {
       refresh_masses_of_thin_bodies(world, step);
-      if (world.impacts.any) {
-        read_back_impulses(world);
-        begin_impacts(world, bodies);
-      }
+      if (world.impacts.any) begin_impacts(world, bodies);
       restart_after_push(world, bodies, step);
       relax(world, bodies, step);
       if (!world.any_bounces) return;
@@ -198,12 +195,14 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 
 void prepare(WorldState& world, const ContactStep& step) {
   forget_turns(world);
-  if (world.settings.solver == SolverKind::Naive || world.constraints.empty()) return;
+  if (world.constraints.empty()) return;
+  if (world.settings.solver == SolverKind::Naive) return make_constraints(world);
   gather_solver_bodies(world);
   keep_groups(world.solve_order, world.mirrors, world.team);
   world.cold_start.is_pair_cold.assign(world.pairs.size(), 0);
   for_groups_in_blocks(world,
                        [&](const ContactGroup& contacts, std::span<ContactConstraint> constraints) {
+                         for (const Index contact : contacts) make_constraints(world, contact);
                          prepare_contacts(constraints, world.solver_bodies, step);
                          for (const Index contact : contacts) {
                            limit_carried_impulses(world, step, contact);

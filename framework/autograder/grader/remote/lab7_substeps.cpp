@@ -11,6 +11,7 @@
 #include "autograder/grader/remote/answer_indices.hpp"
 #include "autograder/grader/substeps_archive.hpp"
 #include "cs550/integration.hpp"
+#include "engine/contacts/contact_constraints.hpp"
 #include "engine/world/stages.hpp"
 
 namespace cs550 {
@@ -83,6 +84,7 @@ bool ask(WorldState& world, const ContactStep& step, int count) {
 void run_substeps(WorldState& world, const ContactStep& step, int count) {
   const bool calls_the_submission = !world.constraints.empty();
   if (!calls_the_submission || world.settings.audit_momentum) return run_here(world, step, count);
+  make_constraints(world);  // the answer may not change their bodies
   if (!is_checked(world)) {
     if (!ask(world, step, count)) run_here(world, step, count);
     return;
