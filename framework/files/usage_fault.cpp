@@ -43,13 +43,22 @@ std::string letters_of(const std::string& option) {
   return option.substr(std::min(option.find_first_not_of('-'), option.size()));
 }
 
+/// Whether an option may be suggested for what was typed. Those that replace a student's files need more than
+/// some likeness.
+bool may_be_meant(const std::string& typed, const std::string& option) {
+  const bool replaces_files = option == "reset" || option == "use-solution";
+  return !replaces_files || begins_with(option, typed) || edit_distance(typed, option) == 1;
+}
+
 std::string no_such_option(const std::string& word, const std::vector<Argument>& arguments) {
   const std::string typed = word.substr(0, word.find('='));
+  const std::string letters = letters_of(typed);
   std::vector<std::string> options;
   for (const Argument& argument : arguments) {
-    if (is_option(argument.name)) options.push_back(letters_of(argument.name));
+    const std::string option = letters_of(argument.name);
+    if (is_option(argument.name) && may_be_meant(letters, option)) options.push_back(option);
   }
-  const std::string nearest = nearest_word(letters_of(typed), options);
+  const std::string nearest = nearest_word(letters, options);
   return "there is no option " + typed +
          (nearest.empty() ? "." : ". Did you mean --" + nearest + "?");
 }

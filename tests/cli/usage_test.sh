@@ -49,6 +49,13 @@ refuses lab --stpe L3.1 3  # in which L3.1 is taken for the lab
 prints "there is no option --stpe. Did you mean --step?"
 refuses lab 3 --use
 prints "Did you mean --use-solution?"
+# A guess must not lead to the loss of the student's files.
+for typed in --test --solution --list; do
+  refuses lab 5 $typed NAME
+  ! grep -q "mean" "$scratch/printed" || wrong "no option is like $typed"
+done
+refuses lab 5 --rseet
+prints "Did you mean --reset?"
 refuses lab 3 --fast
 prints "there is no option --fast. Usage: ./cs550 lab [OPTIONS] N"
 refuses lab 3 L3.1 more
@@ -151,6 +158,12 @@ misuses prgress
 prints "there is no verb 'prgress'. Did you mean progress?"
 misuses sub
 prints "there is no verb 'sub'. Did you mean submit?"
+misuses lba
+prints "there is no verb 'lba'. Did you mean lab?"
+for verb in list next reset; do
+  misuses $verb
+  ! grep -q "mean" "$scratch/printed" || wrong "no verb is like $verb"
+done
 misuses do
 grep -qxF "cs550: there is no verb 'do'." "$scratch/printed" || wrong "two verbs begin with do"
 prints "progress  print your points"

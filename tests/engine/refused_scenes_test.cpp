@@ -426,7 +426,7 @@ TEST(Scene, RefusesUnknownKeysAndNamesTheNearest) {
   expect_refused(with_body(R"({"shape": {"kind": "box", "half_extent": [1, 1, 1]}})"),
                  {"\"half_extents\" is missing", "did you mean \"half_extent\"?"});
   expect_refused(R"({"schema": 1, "world": {"gravitiy": [0, 0, 0]}})", {"/world", "\"gravity\""});
-  expect_refused(R"({"schema": 1, "body": []})", {"/body", "\"bodies\""});
+  expect_refused(R"({"schema": 1, "bodys": []})", {"/bodys", "\"bodies\""});
 }
 
 TEST(Scene, RefusesFilesThatAreNoSceneAtAll) {
