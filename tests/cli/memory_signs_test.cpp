@@ -18,6 +18,10 @@ using Kind = cs550::cli::Verdict::Kind;
 
 class MemorySigns : public cs550::cli::ScratchProject {
  protected:
+  void SetUp() override {
+    ScratchProject::SetUp();
+    unsetenv("GLIBC_TUNABLES");
+  }
   /// A graded program whose only test fails with a message that the shell expands.
   fs::path program_that_reports(const std::string& message) const {
     const fs::path program = root / "program";
@@ -34,11 +38,32 @@ class MemorySigns : public cs550::cli::ScratchProject {
 };
 
 TEST_F(MemorySigns, ValuesThatDependOnFreedMemoryAreAMemoryError) {
-  const fs::path program = program_that_reports("got ${GLIBC_TUNABLES:+garbage}");
+  const fs::path program = program_that_reports("got 0${GLIBC_TUNABLES:+garbage}");
   const std::string advice = memory_advice(program, 5, failed("got 0"));
-  EXPECT_NE(advice.find("Clips gets other values"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("Clips gets other values if freed memory"), std::string::npos) << advice;
   EXPECT_NE(advice.find("\ntry  ./cs550 lab 5 --asan  which"), std::string::npos) << advice;
   EXPECT_EQ(std::getenv("GLIBC_TUNABLES"), nullptr);
+}
+
+TEST_F(MemorySigns, ValuesThatAreTheSameInEveryRunAreNone) {
+  EXPECT_EQ(memory_advice(program_that_reports("got 0"), 5, failed("got 0")), "");
+}
+
+TEST_F(MemorySigns, ValuesThatDependOnEarlierTestsAreNone) {
+  const std::string advice = memory_advice(program_that_reports("got 1"), 5, failed("got 0"));
+  EXPECT_NE(advice.find("Clips gets other values if it runs alone"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("static or global variable"), std::string::npos) << advice;
+  EXPECT_EQ(advice.find("--asan"), std::string::npos) << advice;
+}
+
+TEST_F(MemorySigns, ValuesThatChangeWithEachRunMayBeRandomNumbers) {
+  for (const std::string report : {"got $$", "got 1${GLIBC_TUNABLES:+garbage}"}) {
+    const std::string advice = memory_advice(program_that_reports(report), 5, failed("got 0"));
+    EXPECT_NE(advice.find("Clips gets other values each time it runs"), std::string::npos)
+        << advice;
+    EXPECT_NE(advice.find("may use random numbers"), std::string::npos) << advice;
+    EXPECT_NE(advice.find("./cs550 lab 5 --asan"), std::string::npos) << advice;
+  }
 }
 
 TEST_F(MemorySigns, AValueThatIsNotANumberMayBeOne) {

@@ -12,27 +12,32 @@
 namespace cs550::cli {
 namespace {
 
-/// While this object lives, programs that are started fill memory that they free, where the C library is
-/// glibc. Its caches of small blocks would leave most of a block as it was.
-class FilledFreedMemory {
+/// While this object lives, a variable of the environment has another value, also in programs that are started.
+class Setting {
  public:
-  FilledFreedMemory() {
-    if (const char* tunables = std::getenv(name)) former_ = tunables;
-    setenv(name, "glibc.malloc.tcache_count=0:glibc.malloc.perturb=165", 1);
+  Setting(const char* name, const std::string& value) : name_(name) {
+    if (const char* former = std::getenv(name)) former_ = former;
+    setenv(name, value.c_str(), 1);
   }
-  ~FilledFreedMemory() {
+  ~Setting() {
     if (former_) {
-      setenv(name, former_->c_str(), 1);
+      setenv(name_, former_->c_str(), 1);
     } else {
-      unsetenv(name);
+      unsetenv(name_);
     }
   }
-  FilledFreedMemory(const FilledFreedMemory&) = delete;
-  FilledFreedMemory& operator=(const FilledFreedMemory&) = delete;
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
 
  private:
-  static constexpr const char* name = "GLIBC_TUNABLES";
+  const char* name_;
   std::optional<std::string> former_;
+};
+
+/// Makes glibc fill memory that is freed. Its caches of small blocks would leave most of a block as it was.
+class FilledFreedMemory {
+ private:
+  Setting tunables_{"GLIBC_TUNABLES", "glibc.malloc.tcache_count=0:glibc.malloc.perturb=165"};
 };
 
 bool compared_values(const Verdict& verdict) {
@@ -45,15 +50,29 @@ bool got_nan(const std::string& report) {
   return std::regex_search(report, line);
 }
 
-/// Whether the report of a test is another one if freed memory has other contents. A machine that is too
-/// busy to run the test proves nothing.
-bool depends_on_freed_memory(const std::filesystem::path& program, int lab, const Verdict& failure,
-                             const Limits& limits) {
+/// What a failed test reports when it runs again, in a process of its own. Nothing if the machine is too busy to
+/// run it.
+std::optional<std::string> repeated_report(const std::filesystem::path& program, int lab,
+                                           const Verdict& failure, const Limits& limits) {
   constexpr std::chrono::seconds patience{5};
-  const FilledFreedMemory filled;
   const Verdict again =
       run_graded_tests(program, lab, {failure.test}, patience, {}, limits).front();
-  return again.ending.rfind("stopped", 0) != 0 && again.message != failure.message;
+  if (again.ending.rfind("stopped", 0) == 0) return std::nullopt;
+  return again.message;
+}
+
+enum class Cause { Unknown, EarlierTests, MemoryOrChance, Memory };
+
+/// What changes the values of a failed test.
+Cause cause_of_change(const std::filesystem::path& program, int lab, const Verdict& failure,
+                      const Limits& limits) {
+  const std::optional<std::string> alone = repeated_report(program, lab, failure, limits);
+  if (!alone) return Cause::Unknown;
+  const FilledFreedMemory other_contents;
+  const std::optional<std::string> filled = repeated_report(program, lab, failure, limits);
+  const bool changes_alone = *alone != failure.message;
+  if (filled && *filled != *alone) return changes_alone ? Cause::MemoryOrChance : Cause::Memory;
+  return changes_alone ? Cause::EarlierTests : Cause::Unknown;
 }
 
 }  // namespace
@@ -61,23 +80,28 @@ bool depends_on_freed_memory(const std::filesystem::path& program, int lab, cons
 std::string memory_advice(const std::filesystem::path& program, int lab, const Verdict& failure,
                           const Limits& limits) {
   if (!compared_values(failure)) return {};
-  std::string sign;
-  if (!failure.test.is_long && depends_on_freed_memory(program, lab, failure, limits)) {
-    sign =
-        " gets other values if freed memory has other contents. So the code reads memory that "
-        "was freed or never set";
-  } else if (got_nan(failure.message)) {
-    sign =
-        " got a value that is not a number. If no division or root explains it, the code may "
-        "read memory that was freed or never set";
-  } else {
-    return {};
+  const std::string& test = failure.test.name;
+  const std::string asan =
+      fmt::format("try  ./cs550 lab {} --asan  which prints the line of a memory error\n", lab);
+  const std::string memory =
+      "memory that was freed or never set, for example through a std::span or pointer to a "
+      "temporary";
+  switch (failure.test.is_long ? Cause::Unknown : cause_of_change(program, lab, failure, limits)) {
+    case Cause::Memory:
+      return test + " gets other values if freed memory has other contents. So the code reads " +
+             memory + ":\n" + asan;
+    case Cause::MemoryOrChance:
+      return test + " gets other values each time it runs. The code may use random numbers, or " +
+             "read " + memory + ":\n" + asan;
+    case Cause::EarlierTests:
+      return test + " gets other values if it runs alone. A static or global variable may keep " +
+             "its value from one test to the next.\n";
+    case Cause::Unknown:
+      break;
   }
-  return failure.test.name + sign +
-         fmt::format(
-             ", for example through a std::span or pointer to a temporary:\n"
-             "try  ./cs550 lab {} --asan  which prints the line of a memory error\n",
-             lab);
+  if (!got_nan(failure.message)) return {};
+  return test + " got a value that is not a number. If no division or root explains it, the code " +
+         "may read " + memory + ":\n" + asan;
 }
 
 }  // namespace cs550::cli
