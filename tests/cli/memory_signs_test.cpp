@@ -66,6 +66,23 @@ TEST_F(MemorySigns, ValuesThatChangeWithEachRunMayBeRandomNumbers) {
   }
 }
 
+TEST_F(MemorySigns, ThePicturesOfTheReportedFailuresStay) {
+  const std::string picture = "build/results/pictures/Lab5.Clips.svg";
+  fs::create_directories((root / picture).parent_path());
+  std::ofstream(root / picture) << "reported";
+  const fs::path program = program_that_reports(
+      "  got       0\\n  picture   $(echo repeated >$CS550_PICTURES/Lab5.Clips.svg; echo "
+      "$CS550_PICTURES/Lab5.Clips.svg)");
+  EXPECT_EQ(memory_advice(program, 5, failed("  got       0\n  picture   " + picture)), "");
+  std::string kept;
+  std::ifstream(root / picture) >> kept;
+  EXPECT_EQ(kept, "reported");
+  EXPECT_EQ(std::getenv("CS550_PICTURES"), nullptr);
+  for (const fs::directory_entry& left : fs::directory_iterator(root / "build/results")) {
+    EXPECT_EQ(left.path().filename(), "pictures");
+  }
+}
+
 TEST_F(MemorySigns, AValueThatIsNotANumberMayBeOne) {
   const std::string report = "  got       (0, -nan, 0)";
   const std::string advice = memory_advice(program_that_reports(report), 5, failed(report));

@@ -8,6 +8,8 @@
 #include <regex>
 
 #include "cli/grading/graded_run.hpp"
+#include "cli/system/draft_folder.hpp"
+#include "cli/system/project.hpp"
 
 namespace cs550::cli {
 namespace {
@@ -40,6 +42,18 @@ class FilledFreedMemory {
   Setting tunables_{"GLIBC_TUNABLES", "glibc.malloc.tcache_count=0:glibc.malloc.perturb=165"};
 };
 
+/// The tests that run meanwhile do not replace the pictures of the failures that were reported.
+class OtherPictures {
+ public:
+  OtherPictures() { remove_abandoned_drafts(wanted()); }
+
+ private:
+  static std::filesystem::path wanted() { return project_root() / "build/results/repeated"; }
+
+  DraftFolder folder_{wanted()};
+  Setting pictures_{"CS550_PICTURES", folder_.path()};
+};
+
 bool compared_values(const Verdict& verdict) {
   return verdict.kind == Verdict::Kind::Failed && verdict.ending.empty() &&
          verdict.message.rfind("not implemented: ", 0) != 0;
@@ -50,15 +64,22 @@ bool got_nan(const std::string& report) {
   return std::regex_search(report, line);
 }
 
+/// A report without the line that names its picture.
+std::string without_picture(const std::string& report) {
+  static const std::regex line(R"((^|\n) *picture +[^\n]*)");
+  return std::regex_replace(report, line, "");
+}
+
 /// What a failed test reports when it runs again, in a process of its own. Nothing if the machine is too busy to
 /// run it.
 std::optional<std::string> repeated_report(const std::filesystem::path& program, int lab,
                                            const Verdict& failure, const Limits& limits) {
   constexpr std::chrono::seconds patience{5};
+  const OtherPictures other;
   const Verdict again =
       run_graded_tests(program, lab, {failure.test}, patience, {}, limits).front();
   if (again.ending.rfind("stopped", 0) == 0) return std::nullopt;
-  return again.message;
+  return without_picture(again.message);
 }
 
 enum class Cause { Unknown, EarlierTests, MemoryOrChance, Memory };
@@ -70,7 +91,7 @@ Cause cause_of_change(const std::filesystem::path& program, int lab, const Verdi
   if (!alone) return Cause::Unknown;
   const FilledFreedMemory other_contents;
   const std::optional<std::string> filled = repeated_report(program, lab, failure, limits);
-  const bool changes_alone = *alone != failure.message;
+  const bool changes_alone = *alone != without_picture(failure.message);
   if (filled && *filled != *alone) return changes_alone ? Cause::MemoryOrChance : Cause::Memory;
   return changes_alone ? Cause::EarlierTests : Cause::Unknown;
 }
