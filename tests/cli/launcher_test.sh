@@ -17,7 +17,9 @@ cat >"$scratch/bin/cmake" <<'FAKE'
 FAKE
 chmod +x "$scratch/bin/cmake"
 export CONFIGURED="$scratch/configured" PATH="$scratch/bin:$PATH" XDG_CACHE_HOME="$scratch/cache"
-unset CS550_ROOT  # ./cs550 test sets it, and a launcher that a program of the project calls prints less
+# ./cs550 test sets CS550_ROOT, and a launcher that a program of the project calls prints less. The user may have set
+# CS550_BUILD_DIR.
+unset CS550_ROOT CS550_BUILD_DIR
 
 wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
 prints() { tr '\n' ' ' <"$scratch/printed" | grep -qF "$1" || wrong "expected in the output: $1"; }

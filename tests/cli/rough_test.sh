@@ -9,6 +9,7 @@ set -eu
 root=$1 scratch=$2 kills=${3:-200} seed=${4:-550}
 RANDOM=$seed
 echo "seed $seed, $kills kills"
+unset CS550_ROOT CS550_BUILD_DIR  # the copy builds in its own folder
 rm -rf "$scratch"
 mkdir -p "$scratch"
 copy="$scratch/a student's (own) cöpy"

@@ -4,6 +4,7 @@
 # folder's long name makes a message too long if it holds the whole path instead of what was typed.
 set -eu
 program=$1 root=$2 scratch=$3
+unset CS550_BUILD_DIR  # in which the launcher would make links to the project
 rm -rf "$scratch"
 folder=$scratch/a_folder_with_a_name_that_alone_fills_most_of_a_line/out
 mkdir -p "$folder"
