@@ -166,10 +166,16 @@ read -r last <&7
 
 # It prints what was built, and how a program is run from the current folder. For a program that builds it prints nothing.
 mkdir -p "$project/build/student/bin"
-printf '#!/bin/sh\n' >"$project/build/student/bin/own_tests"
+printf '#!/bin/sh\necho "own tests"\n' >"$project/build/student/bin/own_tests"
 chmod +x "$project/build/student/bin/own_tests"
 (cd "$project/labs" && ../cs550 build student own_tests lab3_student) >"$scratch/printed" 2>&1 || wrong "the build failed"
-prints "Built own_tests lab3_student (student). To run own_tests:   $project/build/student/bin/own_tests"
+prints "Built own_tests lab3_student (student). To run own_tests:   '$scratch/a project"
+# The printed command runs, also in a path with spaces, and in the program's own folder.
+for folder in labs build/student/bin; do
+  (cd "$project/$folder" && "$project/cs550" build student own_tests) >"$scratch/printed" 2>&1 || wrong "the build failed"
+  command=$(tail -n 1 "$scratch/printed")
+  [ "$(cd "$project/$folder" && eval "$command")" = "own tests" ] || wrong "in $folder the command does not run: $command"
+done
 (cd "$project" && ./cs550 build student own_tests) >"$scratch/printed" 2>&1 || wrong "the build failed"
 grep -qFx "  build/student/bin/own_tests" "$scratch/printed" || wrong "the path is not relative"
 CS550_ROOT=$project "$project/cs550" build student own_tests >"$scratch/printed" 2>&1 || wrong "the build failed"
