@@ -107,7 +107,9 @@ runs_after_build() {
 compiled() { for lab in 3 4; do : >"$built/test/lab${lab}_student_code.dir/labs/topic.cpp.o"; done; }
 objects() { (cd "$built/test" && echo lab*_student_code.dir/labs/*.o); }
 
-mkdir -p "$project/framework/cmake" "$project/framework/files" "$project/labs"
+mkdir -p "$project/framework/cmake" "$project/framework/files" "$project/framework/include/cs550" "$project/labs"
+: >"$project/framework/include/cs550/excerpt.hpp"
+: >"$project/framework/include/cs550/nearest_word.hpp"
 : >"$project/CMakeLists.txt"
 build_state "$project"
 CS550_BUILD_DIR=$scratch/linked
@@ -115,6 +117,16 @@ export CS550_BUILD_DIR
 "$project/cs550" help >/dev/null
 build_state "$(echo "$CS550_BUILD_DIR"/cs550-*)"
 unset CS550_BUILD_DIR
+
+# The launcher knows the headers that the command line includes from elsewhere. The demo is another program.
+sources=$(sed -n "/^cli_sources='/,/'\$/p" "$root/cs550")
+for header in $(cd "$root/framework" && find cli files -path cli/demo -prune -o -type f -exec \
+  sed -n 's|^#include "\(cs550/.*\)"|\1|p' {} + | sort -u); do
+  case $sources in
+    *" framework/include/$header"*) ;;
+    *) wrong "cli_sources lacks framework/include/$header" ;;
+  esac
+done
 
 # Errors name files relative to the project, and CMake's messages are left out.
 : >"$project/broken"
