@@ -257,6 +257,12 @@ prints "$links/CMakeLists.txt is not a link to $project/CMakeLists.txt"
 [ "$(cat "$links/CMakeLists.txt")" = "the user's" ] || wrong "it replaced a file in its own folder"
 rm "$links/CMakeLists.txt"
 
+# The name for submissions is only used from the project itself.
+echo Ada >"$project/.student"
+echo Grace >"$links/.student"
+builds_in "$links"
+rm "$project/.student"
+
 # A folder of the project, and one in which CMake cannot build, are refused.
 for refused in "$project" "$project/framework" "$scratch/glob*"; do
   code=0

@@ -75,6 +75,11 @@ prints "Warning: lab 3 does not compile"
 # The folder of links in which a project is built that cannot be written to.
 mkdir links
 ln -s ../project/labs ../project/tests ../project/.starters ../project/cs550 links
+mv "$project/.student" kept_name
+CS550_ROOT="$scratch/links" "$program" submit 3 --out linked.zip --student Ada >printed 2>&1 || wrong "submit failed"
+[ "$(cat "$project/.student")" = Ada ] || wrong "the name is not in the project"
+[ ! -e links/.student ] || wrong "the name is in the folder of links"
+mv kept_name "$project/.student"
 for time in first second; do
   CS550_ROOT="$scratch/links" "$program" submit 3 --out linked.zip >printed 2>&1 || wrong "the $time submission failed"
 done

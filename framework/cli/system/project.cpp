@@ -27,10 +27,12 @@ fs::path project_root() {
                            " is not inside the repository: run ./cs550 there");
 }
 
+fs::path behind_links(const fs::path& root) { return fs::canonical(root / "cs550").parent_path(); }
+
 bool has_uncommitted_changes(const fs::path& root) {
-  // With CS550_BUILD_DIR the root is a folder of links, and Git takes what is behind one as removed.
-  const fs::path folder = fs::canonical(root / "CMakeLists.txt").parent_path();
-  return !output_of({"git", "status", "--porcelain", "--untracked-files=no"}, folder).empty();
+  // Git takes what is behind a link as removed.
+  return !output_of({"git", "status", "--porcelain", "--untracked-files=no"}, behind_links(root))
+              .empty();
 }
 
 int lab_number(const std::string& lab_name) { return std::stoi(lab_name.substr(3)); }

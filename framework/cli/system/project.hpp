@@ -12,6 +12,9 @@ namespace cs550::cli {
 /// the current one that is a root. Throws std::runtime_error when there is none.
 std::filesystem::path project_root();
 
+/// The project's own folder. Its root may be a folder of links to it, as with CS550_BUILD_DIR.
+std::filesystem::path behind_links(const std::filesystem::path& root);
+
 /// Whether files of the project differ from its last commit. Throws std::runtime_error when Git cannot tell.
 bool has_uncommitted_changes(const std::filesystem::path& root);
 

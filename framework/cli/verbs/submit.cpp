@@ -37,8 +37,8 @@ struct SubmitOptions {
   bool force = false;
 };
 
-/// Beside the labs, so that the name is asked for once.
-fs::path file_of_name() { return project_root() / ".student"; }
+/// In the project itself, so that the name is asked for once, wherever the project is built.
+fs::path file_of_name() { return behind_links(project_root()) / ".student"; }
 
 /// The submission does not need the file, so a project that cannot be written to is no reason to fail.
 void remember_name(const std::string& name) {
