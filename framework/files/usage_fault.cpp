@@ -93,7 +93,8 @@ std::string out_of_range(const std::string& words) {
   const std::optional<Phrase> name = split_at(words, ": Value ");
   const std::optional<Phrase> value = name ? split_at(name->after, " not in range ") : std::nullopt;
   if (!value) return "";
-  return name->before + " needs a number from " + bounds(value->after) + ", found " + value->before;
+  return name->before + " needs a whole number from " + bounds(value->after) + ", found " +
+         value->before;
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ misused --quality best "'best' is neither accurate nor game"
 misused --csv "" "--csv: expected the path of a file or folder, found an empty text"
 misused --csv "$(printf 'x%.0s' $(seq 300))" "found 300 letters"
 misused --threads=2 --no-picture=5 "--no-picture takes no value"
-misused --threads 0 "--threads needs a number from 1 to 16, found 0"
+misused --threads 0 "--threads needs a whole number from 1 to 16, found 0"
 
 # The picture is of the run: a project whose viewer prints its arguments and fails. Without a viewer there is none.
 mkdir -p project/build/release/bin

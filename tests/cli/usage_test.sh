@@ -70,7 +70,7 @@ prints "lab 3 has no step L3.9"
 refuses lab 3 --step L4.1
 prints "L3.1"
 refuses lab 3 --hint 9
-prints "--hint needs a number from 1 to 3, found 9"
+prints "--hint needs a whole number from 1 to 3, found 9"
 refuses lab 3 --reset --run
 prints "--reset and --run cannot be used together"
 refuses lab 3 --asan --debug
@@ -129,7 +129,9 @@ done
 refuses starter
 prints "DIR is missing: "
 refuses starter --release-solutions many copy
-prints "--release-solutions needs a number from 0 to 7, found many"
+prints "--release-solutions needs a whole number from 0 to 7, found many"
+refuses starter --release-solutions 2.5 copy
+prints "--release-solutions needs a whole number from 0 to 7, found 2.5"
 refuses starter --release-solutions 9 copy
 prints "found 9"
 refuses starter --release-solutions -1 copy
