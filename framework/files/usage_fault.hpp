@@ -28,7 +28,13 @@ std::string usage_fault(const UsageReport& report);
 /// The same, of an App of CLI11, which only the programs include: it is an expensive header.
 template <class App, class Error>
 std::string usage_fault(const App& app, const Error& error) {
-  UsageReport report{error.what(), {}, app.remaining()};
+  UsageReport report{error.what(), {}, {}};
+  // What follows -- is with the program, not with the verb.
+  for (const App* part = &app; part != nullptr; part = part->get_parent()) {
+    for (const std::string& word : part->remaining()) {
+      if (word != "--") report.unused.push_back(word);
+    }
+  }
   for (const auto* option : app.get_options()) {
     report.arguments.push_back(
         {option->get_name(), option->get_option_text(), option->get_description()});

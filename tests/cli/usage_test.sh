@@ -61,6 +61,10 @@ refuses lab 3 --fast
 prints "there is no option --fast. Usage: ./cs550 lab [OPTIONS] N"
 refuses lab 3 L3.1 more
 prints "these arguments are not expected: L3.1 more Usage: ./cs550 lab [OPTIONS] N"
+refuses lab 3 -- x y
+prints "these arguments are not expected: x y Usage: ./cs550 lab [OPTIONS] N"
+refuses lab 3 L3.1 -- x
+prints "these arguments are not expected: L3.1 x Usage"
 refuses lab 3 --step
 prints "--step needs a value: --step STEP"
 refuses lab 3 --step L3.1 --step L3.2
