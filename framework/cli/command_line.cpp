@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "cli/system/exit_code.hpp"
 #include "cli/system/terminal.hpp"
@@ -24,6 +25,14 @@ void print_failure(const std::exception& failure) {
 
 std::string Help::make_option_opts(const CLI::Option* option) const {
   return option->get_option_text().empty() ? "" : ' ' + option->get_option_text();
+}
+
+std::string Help::make_usage(const CLI::App* app, std::string name) const {
+  std::string usage = "Usage: " + std::move(name) + " [OPTIONS]";
+  for (const CLI::Option* option : app->get_options()) {
+    if (option->get_positional()) usage += ' ' + make_option_usage(option);
+  }
+  return usage + (app->get_require_subcommand_min() > 0 ? " SUBCOMMAND\n" : "\n");
 }
 
 void refuse_values_of_flags(CLI::App& app) {

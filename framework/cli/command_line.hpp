@@ -9,11 +9,13 @@
 
 namespace cs550::cli {
 
-/// CLI11's help without what it adds to an option: types, ranges, exclusions.
+/// CLI11's help without what it adds to an option: types, ranges, exclusions. Its line of usage differs from
+/// version to version.
 class Help : public CLI::Formatter {
  public:
   Help() { column_width(20); }
   std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_usage(const CLI::App* app, std::string name) const override;
 };
 
 /// Makes a flag with a value, as in `--list=no`, an error.
