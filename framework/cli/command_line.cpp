@@ -35,9 +35,17 @@ std::string Help::make_usage(const CLI::App* app, std::string name) const {
   return usage + (app->get_require_subcommand_min() > 0 ? " SUBCOMMAND\n" : "\n");
 }
 
-void refuse_values_of_flags(CLI::App& app) {
+void check_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
-    if (option->get_expected_min() == 0) option->disable_flag_override();
+    if (option->get_expected_min() == 0) {
+      option->disable_flag_override();
+    } else if (option->nonpositional()) {
+      option->transform([option](std::string value) {
+        const bool is_option = value.rfind("--", 0) == 0;
+        if (is_option) throw CLI::ArgumentMismatch::TypedAtLeast(option->get_name(), 1, "value");
+        return value;
+      });
+    }
   }
 }
 
@@ -57,7 +65,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error, const std::string&
 int run_verb(CLI::App& app, const std::string& verb, int argc, char** argv,
              const std::function<int()>& action) {
   app.formatter(std::make_shared<Help>());
-  refuse_values_of_flags(app);
+  check_values(app);
   try {
     app.parse(argc, argv);
     const int exit_code = action();

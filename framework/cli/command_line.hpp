@@ -18,8 +18,9 @@ class Help : public CLI::Formatter {
   std::string make_usage(const CLI::App* app, std::string name) const override;
 };
 
-/// Makes a flag with a value, as in `--list=no`, an error.
-void refuse_values_of_flags(CLI::App& app);
+/// Makes two things an error: a flag with a value, as in `--list=no`, and an option in the place of a value,
+/// as in `--step --hint`.
+void check_values(CLI::App& app);
 
 /// Prints a message on standard error in lines of at most 80 columns.
 void print_error(const std::string& message);

@@ -32,7 +32,7 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs) {
     CLI::App* part = app.add_subcommand(verb.name, verb.summary);
     actions[part] = verb.declare(*part);
-    refuse_values_of_flags(*part);
+    check_values(*part);
   }
   try {
     app.parse(argc, argv);

@@ -67,6 +67,10 @@ refuses lab 3 L3.1 -- x
 prints "these arguments are not expected: L3.1 x Usage"
 refuses lab 3 --step
 prints "--step needs a value: --step STEP"
+refuses lab 3 --step --hint
+prints "--step needs a value: --step STEP"
+refuses submit 3 --out --force
+prints "--out needs a value: --out FILE"
 refuses lab 3 --step L3.1 --step L3.2
 prints "--step can be given only once"
 refuses lab 3 --step l3.9
