@@ -109,6 +109,21 @@ done
 prints 'there is no scene "wlal"'
 refuses view --lab L3 wlal
 prints 'there is no scene "wlal"'
+# An option that the viewer does not have comes first: its value is not taken for a scene.
+refuses view --stduent --lab 3
+prints "there is no option --stduent. Did you mean --student?"
+prints "./cs550 view --help explains the options."
+refuses view -lab 3
+prints "there is no option -lab. Did you mean --lab?"
+refuses view --lba 5
+prints "there is no option --lba. Did you mean --lab?"
+refuses view wall --szie=90x90 --lab 99
+prints "there is no option --szie. Did you mean --size?"
+refuses view --lab 3 --snapshot --list
+prints "--snapshot needs a value: --snapshot FILE"
+refuses view --lab 3 --steps
+prints "--steps needs a value: --steps N"
+! grep -q "Building" "$scratch/printed" || wrong "the viewer was built first"
 # The ending counts, however long the name is.
 for option in "--snapshot $(printf 'a%.0s' $(seq 70)).png" "--gif $(printf 'a%.0s' $(seq 70)).gif"; do
   refuses view $option wlal

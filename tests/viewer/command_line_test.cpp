@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
 #include <sstream>
 
+#include "cli/system/viewer_options.hpp"
 #include "pages/failure/failure_panels.hpp"
 #include "program.hpp"
 #include "viewer/options.hpp"
@@ -113,6 +116,27 @@ TEST_F(CommandLine, WrongValuesAreRefusedWithWhatIsWrongAndHowToMendIt) {
     EXPECT_EQ(too_wide_line(outcome.output), "");
     EXPECT_FALSE(fs::exists(file("none.png"))) << mistake.arguments.front();
   }
+}
+
+/// The options of --help, with the names of their values.
+std::set<std::string> options_in(const std::string& help) {
+  static const std::regex line(
+      R"(\n  (?:(-[a-z]),)?(--[a-z-]+)(?: ([A-Z][A-Za-z=]*|on\|off))?(?= |\n))");
+  std::set<std::string> options;
+  for (std::sregex_iterator found(help.begin(), help.end(), line), end; found != end; ++found) {
+    if ((*found)[1].matched) options.insert((*found)[1]);
+    const std::string value = (*found)[3];
+    options.insert((*found)[2].str() + (value.empty() ? "" : " " + value));
+  }
+  return options;
+}
+
+TEST_F(CommandLine, ItsOptionsAreKnownBeforeTheViewerIsBuilt) {
+  std::set<std::string> known;
+  for (const files::Argument& option : cli::viewer_options) {
+    known.insert(option.name + (option.value.empty() ? "" : " " + option.value));
+  }
+  EXPECT_EQ(known, options_in(view({"--help"}).output));
 }
 
 TEST_F(CommandLine, WrongArgumentsAreRefusedWithoutAScreenToo) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iostream>
 #include <sstream>
 
 #include "cli/command_line.hpp"
@@ -10,9 +11,11 @@
 #include "cli/system/process.hpp"
 #include "cli/system/project.hpp"
 #include "cli/system/viewer.hpp"
+#include "cli/system/viewer_options.hpp"
 #include "cli/verb.hpp"
 #include "cs550/excerpt.hpp"
 #include "files/path_argument.hpp"
+#include "files/usage_fault.hpp"
 
 namespace cs550::cli {
 
@@ -88,24 +91,53 @@ std::string fault_of_scene(const std::string& name) {
          scenes.string();
 }
 
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word.front() == '-' && word != "--";
+}
+
+/// The viewer's option that a word names, as in "--lab" and "--lab=4"; null if there is none.
+const files::Argument* option_of(const std::string& word) {
+  const auto found = std::find_if(
+      viewer_options.begin(), viewer_options.end(),
+      [name = word.substr(0, word.find('='))](const auto& option) { return option.name == name; });
+  return found == viewer_options.end() ? nullptr : &*found;
+}
+
+/// Whether the next word is the value of this one.
+bool takes_next_word(const std::string& word) {
+  const files::Argument* option = option_of(word);
+  return option != nullptr && !option->value.empty() && word.find('=') == std::string::npos;
+}
+
+/// The first option that the viewer does not have, or that lacks its value; empty if there is none.
+std::string fault_of_options(const Words& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!is_option(words[i])) continue;
+    if (option_of(words[i]) == nullptr) return files::usage_fault({"", viewer_options, {words[i]}});
+    if (!takes_next_word(words[i])) continue;
+    const bool has_value = i + 1 < words.size() && words[i + 1].rfind("--", 0) != 0;
+    if (!has_value) {
+      return files::usage_fault({words[i] + ": 1 required value missing", viewer_options, {}});
+    }
+    ++i;
+  }
+  return "";
+}
+
 /// The first word that is neither an option nor the value of one; null if there is none.
 const std::string* scene_of(const Words& words) {
-  const auto takes_value = [](const std::string& word) {
-    return word.rfind("--", 0) == 0 && word.find('=') == std::string::npos && word != "--student" &&
-           word != "--list" && word != "--help";
-  };
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (takes_value(words[i])) {
+    if (takes_next_word(words[i])) {
       ++i;
-    } else if (words[i].rfind('-', 0) != 0) {
+    } else if (!is_option(words[i]) && words[i] != "--") {
       return &words[i];
     }
   }
   return nullptr;
 }
 
-/// The first mistake that is found without the viewer; empty if there is none.
-std::string fault_of(Words words) {
+/// The first wrong value that is found without the viewer; empty if there is none.
+std::string fault_of_values(Words words) {
   std::string fault;
   if (const std::string* lab = value_of(words, "--lab")) fault = fault_of_lab_number(*lab);
   if (const std::string* camera = value_of(words, "--camera"); camera && fault.empty()) {
@@ -135,13 +167,19 @@ Action declare_view(CLI::App& app) {
     Words arguments = app.remaining();
     if (std::string* lab = value_of(arguments, "--lab")) *lab = plain_lab_number(*lab);
     // The viewer checks its options itself, but it may take minutes to build.
-    if (const std::string fault = fault_of(arguments); !fault.empty()) return misuse(fault);
+    if (!arguments.empty() && arguments.back() == "--failure") {
+      return misuse("--failure needs the name of a failing test that has a picture" +
+                    existing_pictures());
+    }
+    if (const std::string fault = fault_of_options(arguments); !fault.empty()) {
+      misuse(fault);
+      std::cerr << "./cs550 view --help explains the options.\n";
+      return static_cast<int>(Misused);
+    }
+    if (const std::string fault = fault_of_values(arguments); !fault.empty()) return misuse(fault);
     if (std::string* test = value_of(arguments, "--failure")) {
       if (const std::string fault = fault_of_failure(*test); !fault.empty()) return misuse(fault);
       *test = picture_of(*test);
-    } else if (!arguments.empty() && arguments.back() == "--failure") {
-      return misuse("--failure needs the name of a failing test that has a picture" +
-                    existing_pictures());
     }
     const auto student = std::find(arguments.begin(), arguments.end(), "--student");
     const bool wants_student = student != arguments.end();
