@@ -78,6 +78,11 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     print_error(error.what());
     return Misused;
+  } catch (const cs550::viewer::NoScreen& error) {
+    print_error(error.what());
+    // As it is: a line break inside the quotes of a word would change the word.
+    std::cerr << "A picture needs no screen:\n" << error.instead() << '\n';
+    return Failed;
   } catch (const std::exception& error) {
     print_error(error.what());
     return Failed;

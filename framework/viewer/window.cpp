@@ -16,13 +16,11 @@
 namespace cs550::viewer {
 namespace {
 
-/// @throws std::runtime_error that names the alternative
 WindowSystem open_screen(const Options& options) {
   try {
     return {};
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(std::string(error.what()) + "\nA picture needs no screen:\n" +
-                             snapshot_command(options));
+    throw NoScreen(error.what(), snapshot_command(options));
   }
 }
 

@@ -150,6 +150,11 @@ TEST_F(CommandLine, WrongArgumentsAreRefusedWithoutAScreenToo) {
   }
 }
 
+/// A command for a shell in one line.
+std::string unbroken(const std::string& command) {
+  return std::regex_replace(command, std::regex(R"( \\\n *)"), " ");
+}
+
 TEST_F(CommandLine, ThePictureToTakeWithoutAScreenIsOfWhatWasTyped) {
   const auto advice = [](const std::vector<std::string>& arguments) {
     std::vector<const char*> words{"viewer"};
@@ -166,11 +171,26 @@ TEST_F(CommandLine, ThePictureToTakeWithoutAScreenIsOfWhatWasTyped) {
   EXPECT_EQ(advice({"--failure", file("Lab3.Climb.svg")}),
             "./cs550 view --failure Lab3.Climb --snapshot Lab3.Climb.png");
   std::ofstream(file("my scene.json"));
-  EXPECT_EQ(advice({file("my scene.json")}),
+  EXPECT_EQ(unbroken(advice({file("my scene.json")})),
             "./cs550 view '" + file("my scene.json") + "' --snapshot 'my scene.png'");
   EXPECT_EQ(advice({"--set", "gravity=0,0,-3", "--set", "substeps=12", "--set", "time_step=0.01"}),
             "./cs550 view --set gravity=0,0,-3 --set substeps=12 --set time_step=0.01 \\\n"
             "    --snapshot wall.png");
+}
+
+/// Whatever the length of its words: a line break inside quotes would name another file.
+TEST_F(CommandLine, TheCommandWithoutAScreenCanBeCopied) {
+  const std::string scene = file("a scene " + std::string(120, 'x') + " of long words.json");
+  std::ofstream(scene) << R"({"name": "empty", "bodies": []})";
+  const Outcome outcome =
+      run_program({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", CS550_VIEWER_PROGRAM, scene});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const std::size_t message_end = outcome.output.find("A picture needs no screen:\n");
+  ASSERT_NE(message_end, std::string::npos) << outcome.output;
+  EXPECT_NE(unbroken(outcome.output).find("./cs550 view '" + scene + "' --snapshot 'a scene "),
+            std::string::npos)
+      << outcome.output;
+  EXPECT_EQ(too_wide_line(outcome.output.substr(0, message_end)), "");
 }
 
 TEST_F(CommandLine, AFileThatCannotBeWrittenIsNamed) {
