@@ -76,6 +76,18 @@ TEST(LabPage, AWalkBeginsOnAFaceTowardsTheEye) {
   }
 }
 
+TEST(LabPage, EverySolidOfLab2IsInTheFirstViewAsAWhole) {
+  for (const char* solid : {"box", "prism", "tetrahedron", "icosahedron"}) {
+    const std::unique_ptr<Page> page = lab_page(2, {std::string("solid=") + solid});
+    const Focus& focus = page->content().focus;
+    ASSERT_EQ(page->content().solids.size(), 1U) << solid;
+    for (const Vec3& vertex : page->content().solids[0].mesh->vertices) {
+      EXPECT_LT((vertex - focus.center).norm(), focus.radius)
+          << solid << ", " << vertex.transpose();
+    }
+  }
+}
+
 TEST(LabPage, ARunEndsWithItsDuration) {
   for (const char* seconds : {"seconds=5", "seconds=0.5", "seconds=7", "seconds=20"}) {
     const std::unique_ptr<Page> page = lab_page(1, {seconds});

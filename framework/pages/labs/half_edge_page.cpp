@@ -51,6 +51,13 @@ void describe(HalfEdgeSettings& settings, ControlVisitor& visit) {
   visit.choice({"fault", "fault in the input", ""}, settings.fault, fault_names);
 }
 
+/// In the middle of the picture. That of tetrahedron_soup() has the corner of its right angles there.
+TriangleSoup centred_tetrahedron(Real side) {
+  TriangleSoup soup = tetrahedron_soup(side);
+  for (Vec3& vertex : soup.vertices) vertex -= Vec3::Constant(side / 4);
+  return soup;
+}
+
 TriangleSoup triangles_of(const HalfEdgeSettings& settings) {
   TriangleSoup soup;
   switch (settings.solid) {
@@ -61,7 +68,7 @@ TriangleSoup triangles_of(const HalfEdgeSettings& settings) {
       soup = prism_soup(6, Real(0.8), Real(0.5));
       break;
     case 2:
-      soup = tetrahedron_soup(Real(1.4));
+      soup = centred_tetrahedron(Real(1.35));
       break;
     default:
       soup = icosphere_soup(0, Real(0.9));
