@@ -53,7 +53,15 @@ TEST_F(MemorySigns, ValuesThatDependOnEarlierTestsAreNone) {
   const std::string advice = memory_advice(program_that_reports("got 1"), 5, failed("got 0"));
   EXPECT_NE(advice.find("Clips gets other values if it runs alone"), std::string::npos) << advice;
   EXPECT_NE(advice.find("static or global variable"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("a local one may be read before it is set"), std::string::npos) << advice;
   EXPECT_EQ(advice.find("--asan"), std::string::npos) << advice;
+}
+
+TEST_F(MemorySigns, AValueThatIsNotANumberMayBeOneWhateverElseDependsOnEarlierTests) {
+  const fs::path program = program_that_reports("  got       0");
+  const std::string advice = memory_advice(program, 5, failed("  got       nan"));
+  EXPECT_NE(advice.find("not a number"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("./cs550 lab 5 --asan"), std::string::npos) << advice;
 }
 
 TEST_F(MemorySigns, ValuesThatChangeWithEachRunMayBeRandomNumbers) {

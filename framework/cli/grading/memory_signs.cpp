@@ -115,8 +115,9 @@ std::string memory_advice(const std::filesystem::path& program, int lab, const V
       return test + " gets other values each time it runs. The code may use random numbers, or " +
              "read " + memory + ":\n" + asan;
     case Cause::EarlierTests:
+      if (got_nan(failure.message)) break;
       return test + " gets other values if it runs alone. A static or global variable may keep " +
-             "its value from one test to the next.\n";
+             "its value from one test to the next, or a local one may be read before it is set.\n";
     case Cause::Unknown:
       break;
   }
