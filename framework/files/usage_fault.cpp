@@ -56,7 +56,8 @@ std::string no_such_option(const std::string& word, const std::vector<Argument>&
   std::vector<std::string> options;
   for (const Argument& argument : arguments) {
     const std::string option = letters_of(argument.name);
-    if (is_option(argument.name) && may_be_meant(letters, option)) options.push_back(option);
+    const bool has_letters = begins_with(argument.name, "--");
+    if (has_letters && may_be_meant(letters, option)) options.push_back(option);
   }
   const std::string nearest = nearest_word(letters, options);
   return "there is no option " + typed +
@@ -123,9 +124,11 @@ std::string usage_fault(const UsageReport& report) {
     return pair->before + " and " + pair->after + " cannot be used together";
   }
   if (const std::string fault = out_of_range(words); !fault.empty()) return fault;
-  if (!report.unused.empty()) {
-    return std::string(report.unused.size() == 1 ? "this argument is" : "these arguments are") +
-           " not expected: " + joined(report.unused);
+  std::vector<std::string> unexpected = report.unused;
+  unexpected.insert(unexpected.end(), report.after_dashes.begin(), report.after_dashes.end());
+  if (!unexpected.empty()) {
+    return std::string(unexpected.size() == 1 ? "this argument is" : "these arguments are") +
+           " not expected: " + joined(unexpected);
   }
   return words;
 }

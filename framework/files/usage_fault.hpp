@@ -17,8 +17,9 @@ struct Argument {
 /// What the library that parses command lines reports, and what it knows.
 struct UsageReport {
   std::string words;
-  std::vector<Argument> arguments;  ///< that the command line may have
-  std::vector<std::string> unused;  ///< words that it did not expect
+  std::vector<Argument> arguments;             ///< that the command line may have
+  std::vector<std::string> unused;             ///< words that it did not expect
+  std::vector<std::string> after_dashes = {};  ///< words after "--", which it did not expect either
 };
 
 /// What is wrong, in our words where the library has none for a reader. An option that does not exist
@@ -29,10 +30,11 @@ std::string usage_fault(const UsageReport& report);
 template <class App, class Error>
 std::string usage_fault(const App& app, const Error& error) {
   UsageReport report{error.what(), {}, {}};
-  // What follows -- is with the program, not with the verb.
-  for (const App* part = &app; part != nullptr; part = part->get_parent()) {
-    for (const std::string& word : part->remaining()) {
-      if (word != "--") report.unused.push_back(word);
+  if (!app.get_allow_extras()) report.unused = app.remaining();
+  // The library keeps what follows -- with the program, not with the verb.
+  if (const App* program = app.get_parent()) {
+    for (const std::string& word : program->remaining()) {
+      if (word != "--") report.after_dashes.push_back(word);
     }
   }
   for (const auto* option : app.get_options()) {

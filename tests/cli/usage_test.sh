@@ -65,6 +65,8 @@ refuses lab 3 -- x y
 prints "these arguments are not expected: x y Usage: ./cs550 lab [OPTIONS] N"
 refuses lab 3 L3.1 -- x
 prints "these arguments are not expected: L3.1 x Usage"
+refuses lab 3 -- --hint
+prints "this argument is not expected: --hint"
 refuses lab 3 --step
 prints "--step needs a value: --step STEP"
 refuses lab 3 --step --hint
@@ -117,6 +119,14 @@ refuses view -lab 3
 prints "there is no option -lab. Did you mean --lab?"
 refuses view --lba 5
 prints "there is no option --lba. Did you mean --lab?"
+refuses view --ha
+! grep -q "mean" "$scratch/printed" || wrong "--ha may be anything"
+refuses view wall -- x
+prints "this argument is not expected: x"
+refuses view --student=no
+prints "--student takes no value"
+refuses view --steps= wall
+prints "--steps needs a value: --steps N"
 refuses view wall --szie=90x90 --lab 99
 prints "there is no option --szie. Did you mean --size?"
 refuses view --lab 3 --snapshot --list

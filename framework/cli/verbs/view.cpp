@@ -109,17 +109,27 @@ bool takes_next_word(const std::string& word) {
   return option != nullptr && !option->value.empty() && word.find('=') == std::string::npos;
 }
 
-/// The first option that the viewer does not have, or that lacks its value; empty if there is none.
+bool lacks_value(const Words& words, std::size_t option) {
+  const std::size_t equals = words[option].find('=');
+  if (equals != std::string::npos) return equals + 1 == words[option].size();
+  return option + 1 == words.size() || words[option + 1].rfind("--", 0) == 0;
+}
+
+std::string fault_of_option(const Words& words, std::size_t place) {
+  const std::string& word = words[place];
+  const files::Argument* option = option_of(word);
+  if (option == nullptr) return files::usage_fault({"", viewer_options, {word}});
+  if (option->value.empty()) return word == option->name ? "" : option->name + " takes no value";
+  if (!lacks_value(words, place)) return "";
+  return files::usage_fault({option->name + ": 1 required value missing", viewer_options, {}});
+}
+
+/// The first fault of an option; empty if there is none.
 std::string fault_of_options(const Words& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!is_option(words[i])) continue;
-    if (option_of(words[i]) == nullptr) return files::usage_fault({"", viewer_options, {words[i]}});
-    if (!takes_next_word(words[i])) continue;
-    const bool has_value = i + 1 < words.size() && words[i + 1].rfind("--", 0) != 0;
-    if (!has_value) {
-      return files::usage_fault({words[i] + ": 1 required value missing", viewer_options, {}});
-    }
-    ++i;
+    if (const std::string fault = fault_of_option(words, i); !fault.empty()) return fault;
+    if (takes_next_word(words[i])) ++i;
   }
   return "";
 }
