@@ -79,6 +79,14 @@ mv "$project/.student" kept_name
 CS550_ROOT="$scratch/links" "$program" submit 3 --out linked.zip --student Ada >printed 2>&1 || wrong "submit failed"
 [ "$(cat "$project/.student")" = Ada ] || wrong "the name is not in the project"
 [ ! -e links/.student ] || wrong "the name is in the folder of links"
+# If it cannot be written there, it is.
+rm "$project/.student"
+mkdir "$project/.student"
+CS550_ROOT="$scratch/links" "$program" submit 3 --out linked.zip --student Grace >printed 2>&1 || wrong "submit failed"
+[ "$(cat links/.student)" = Grace ] || wrong "the name is not in the folder of links"
+CS550_ROOT="$scratch/links" "$program" submit 3 --out linked.zip >printed 2>&1 </dev/null || wrong "submit failed"
+! grep -q "no name\|Warning: the name" printed || wrong "the name in the folder of links was forgotten"
+rm -r links/.student "$project/.student"
 mv kept_name "$project/.student"
 for time in first second; do
   CS550_ROOT="$scratch/links" "$program" submit 3 --out linked.zip >printed 2>&1 || wrong "the $time submission failed"

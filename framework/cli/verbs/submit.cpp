@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 #include <fstream>
 #include <iostream>
@@ -37,23 +38,38 @@ struct SubmitOptions {
   bool force = false;
 };
 
-/// In the project itself, so that the name is asked for once, wherever the project is built.
-fs::path file_of_name() { return behind_links(project_root()) / ".student"; }
+/// In the project itself, so that the name is asked for once, wherever the project is built; and among the links to
+/// it, for a project that cannot be written to.
+std::array<fs::path, 2> files_of_name() {
+  const fs::path root = project_root();
+  return {behind_links(root) / ".student", root / ".student"};
+}
 
-/// The submission does not need the file, so a project that cannot be written to is no reason to fail.
+/// The submission does not need the file, so that it cannot be written is no reason to fail.
 void remember_name(const std::string& name) {
-  try {
-    files::write_file(file_of_name(), name + '\n');
-  } catch (const std::runtime_error& failure) {
-    std::cerr << indented(std::string("Warning: the name is not remembered: ") + failure.what(), 0);
+  std::string failures;
+  for (const fs::path& file : files_of_name()) {
+    try {
+      return files::write_file(file, name + '\n');
+    } catch (const std::runtime_error& failure) {
+      failures = failure.what();
+    }
   }
+  std::cerr << indented("Warning: the name is not remembered: " + failures, 0);
+}
+
+std::string remembered_name() {
+  std::string name;
+  for (const fs::path& file : files_of_name()) {
+    std::ifstream stored(file);
+    if (std::getline(stored, name)) return name;
+  }
+  return "";
 }
 
 /// The student's name; empty if it is not known and nobody can be asked.
 std::string student_name(const std::string& given) {
-  std::string known;
-  std::ifstream stored(file_of_name());
-  std::getline(stored, known);
+  const std::string known = remembered_name();
   std::string name = given.empty() ? known : given;
   if (name.empty() && isatty(STDIN_FILENO) != 0) {
     std::cerr << "Your name or student number, as your instructor knows it: ";
