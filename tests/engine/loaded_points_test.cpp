@@ -20,7 +20,7 @@ constexpr Real depth = Real(0.002);
 class CubeOnFloor {
  public:
   CubeOnFloor(bool floor_is_a, bool floor_owns_plane, const Pose& place)
-      : floor_is_a_(floor_is_a), floor_owns_plane_(floor_owns_plane), place_(place) {
+      : floor_is_a_(floor_is_a), place_(place) {
     raise_cube(-depth);
     manifold.normal = place.rotate(floor_is_a ? Vec3::UnitZ() : Vec3(-Vec3::UnitZ()));
     manifold.tangent = place.rotate(Vec3::UnitX());
@@ -61,7 +61,6 @@ class CubeOnFloor {
   ShapePtr floor_shape_ = box_shape({3, 3, Real(0.5)});
   ShapePtr cube_shape_ = box_shape(Vec3::Constant(Real(0.5)));
   bool floor_is_a_;
-  bool floor_owns_plane_;
   Pose place_;
   PosedShape floor_{floor_shape_.get(), Pose{}};
   PosedShape cube_{cube_shape_.get(), Pose{}};
