@@ -20,21 +20,23 @@ namespace {
 /// masses change a little in every step.
 constexpr double allowed_growth = 2;
 
-/// λ²/2m and ½·λᵀ·M⁻¹·λ, where M is the 2 × 2 mass of the tangents. Its L·D·Lᵀ factors keep every number in the range
-/// of Real: λ/m is a velocity.
-Real impulse_energy(const ContactConstraint& constraint) {
-  Real doubled = 0;
+double impulse_energy(const ContactConstraint& constraint) {
+  double energy = 0;
   if (constraint.normal_mass > 0) {
-    doubled += constraint.normal_impulse * (constraint.normal_impulse / constraint.normal_mass);
+    const double impulse = constraint.normal_impulse;
+    energy += impulse * impulse / (2 * static_cast<double>(constraint.normal_mass));
   }
-  const Real uu = constraint.tangent_mass(0, 0);
-  if (!(uu > 0)) return doubled / 2;
-  const Real shear = constraint.tangent_mass(0, 1) / uu;
-  const Real vv = constraint.tangent_mass(1, 1) - shear * constraint.tangent_mass(0, 1);
-  if (!(vv > 0)) return doubled / 2;
-  const Real u = constraint.tangent_impulse.x();
-  const Real v = constraint.tangent_impulse.y() - shear * u;
-  return (doubled + u * (u / uu) + v * (v / vv)) / 2;
+  // ½·λᵀ·M⁻¹·λ of the symmetric 2 × 2 matrix M.
+  const double uu = constraint.tangent_mass(0, 0);
+  const double uv = constraint.tangent_mass(0, 1);
+  const double vv = constraint.tangent_mass(1, 1);
+  const double determinant = uu * vv - uv * uv;
+  if (determinant > 0) {
+    const double u = constraint.tangent_impulse.x();
+    const double v = constraint.tangent_impulse.y();
+    energy += (vv * u * u - 2 * uv * u * v + uu * v * v) / (2 * determinant);
+  }
+  return energy;
 }
 
 /// That of impulses which push bodies apart at the speed of recovery from penetration.
