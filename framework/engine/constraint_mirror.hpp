@@ -55,7 +55,7 @@ struct ConstraintMirror {
 struct ConstraintMirrors {
   std::vector<ConstraintMirror> of_units;
 
-  /// For new constraints: nobody needs the impulses of the former ones any more.
+  /// Call it for new constraints. It drops the impulses of the former ones.
   void set_stale() {
     for (ConstraintMirror& mirror : of_units) {
       mirror.stale = true;

@@ -38,24 +38,24 @@ struct SubmitOptions {
   bool force = false;
 };
 
-/// In the project itself, so that the name is asked for once, wherever the project is built; and among the links to
-/// it, for a project that cannot be written to.
+/// Where the name may be remembered: in the project itself, so that it is asked for once, wherever the project is
+/// built; or, if the project cannot be written to, in the folder of links to it.
 std::array<fs::path, 2> files_of_name() {
   const fs::path root = project_root();
   return {behind_links(root) / ".student", root / ".student"};
 }
 
-/// The submission does not need the file, so that it cannot be written is no reason to fail.
+/// A submission does not need the file. If it cannot be written, a warning is enough.
 void remember_name(const std::string& name) {
-  std::string failures;
+  std::string last_failure;
   for (const fs::path& file : files_of_name()) {
     try {
       return files::write_file(file, name + '\n');
     } catch (const std::runtime_error& failure) {
-      failures = failure.what();
+      last_failure = failure.what();
     }
   }
-  std::cerr << indented("Warning: the name is not remembered: " + failures, 0);
+  std::cerr << indented("Warning: the name is not remembered: " + last_failure, 0);
 }
 
 std::string remembered_name() {

@@ -224,7 +224,7 @@ void ContactConstraint::mark_impact() { impact_handled = impact_handled || norma
 void read_back_impulses(WorldState& world, std::size_t unit) {
   ConstraintMirror& mirror = world.mirrors.of_units[unit];
   if (!mirror.is_ahead) return;
-  // Without a pass. Whoever fills the mirror knows where the impulses are in it.
+  // No passes: this only copies impulses and marks from the mirror, whose layout run_passes() alone knows.
   run_passes(mirror, constraints_of(world, world.solve_order.units[unit]), world.solver_bodies, {},
              {.store = true});
 }

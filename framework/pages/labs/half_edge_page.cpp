@@ -51,7 +51,7 @@ void describe(HalfEdgeSettings& settings, ControlVisitor& visit) {
   visit.choice({"fault", "fault in the input", ""}, settings.fault, fault_names);
 }
 
-/// In the middle of the picture. That of tetrahedron_soup() has the corner of its right angles there.
+/// A tetrahedron in the middle of the picture, where tetrahedron_soup() has the corner of its right angles.
 TriangleSoup centred_tetrahedron(Real side) {
   TriangleSoup soup = tetrahedron_soup(side);
   for (Vec3& vertex : soup.vertices) vertex -= Vec3::Constant(side / 4);

@@ -84,7 +84,7 @@ bool ask(WorldState& world, const ContactStep& step, int count) {
 void run_substeps(WorldState& world, const ContactStep& step, int count) {
   const bool calls_the_submission = !world.constraints.empty();
   if (!calls_the_submission || world.settings.audit_momentum) return run_here(world, step, count);
-  make_constraints(world);  // the answer may not change their bodies
+  make_constraints(world);  // take_output() keeps their bodies
   if (!is_checked(world)) {
     if (!ask(world, step, count)) run_here(world, step, count);
     return;
