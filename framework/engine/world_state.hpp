@@ -220,15 +220,15 @@ struct LinkRow {
 /// Working storage of the schedule, for each link.
 struct LinkState {
   Index waits_for = 0;  ///< links that must come before and have no group yet
-  Index height = 0;     ///< links in the longest chain that waits for this one
+  Index chain = 0;      ///< cost of the longest chain that begins with this one: see form_groups()
   std::array<Index, 2> followers = {no_index, no_index};  ///< the next link of each body
   Index below = no_index;  ///< the next link of a stack of ready ones
 };
 
-/// The links that wait for no other, in a stack for each height.
+/// The links that wait for no other, in a stack for each cost of the chains that they begin.
 struct ReadyLinks {
-  std::vector<Index> tops;  ///< of each height, the link on top
-  Index height = 0;         ///< of the highest; the stacks above it are empty
+  std::vector<Index> tops;  ///< of each cost, the link on top
+  Index longest = 0;        ///< chain; the stacks of longer ones are empty
   std::size_t count = 0;
 };
 

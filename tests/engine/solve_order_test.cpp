@@ -190,6 +190,25 @@ TEST(SolveOrder, TowersFillTheirGroups) {
   EXPECT_EQ(order.units[0].groups.size(), (contacts.size() + lane_count - 1) / lane_count);
 }
 
+// Groups of single points alone would leave the tower for the end, with one contact in each group.
+TEST(SolveOrder, ATowerIsSolvedBesideBoxesOnASingleCorner) {
+  constexpr Index tower = 10;
+  constexpr Index others = 80;
+  constexpr Index floor = tower + others;
+  std::vector<Contact> contacts;
+  contacts.reserve(floor);
+  for (Index box = 0; box < tower; ++box) {
+    contacts.push_back(contact_between(box, box == 0 ? floor : box - 1, 4));
+  }
+  for (Index box = tower; box < floor; ++box) contacts.push_back(contact_between(box, floor, 1));
+  SolveOrder order;
+  arrange_constraints(pairs_of(contacts), bodies_of_kinds(floor, 1), Vec3::Zero(), order);
+  // Each contact of the tower has a group of its own, whose other lanes the boxes fill.
+  constexpr auto lanes = static_cast<Index>(lane_count);
+  constexpr Index left = others - (lanes - 1) * tower;
+  EXPECT_EQ(order.units[0].groups.size(), tower + (left + lanes - 1) / lanes);
+}
+
 TEST(SolveOrder, AnOrderThatIsUsedAgainIsThatOfTheseContacts) {
   const std::vector<RigidBody> bodies = bodies_of_kinds(3, 1);
   const std::vector<Contact> chain{contact_between(0, 3, 4), contact_between(0, 1, 2),

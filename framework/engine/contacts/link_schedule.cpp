@@ -8,8 +8,11 @@ namespace cs550 {
 namespace {
 
 /// Puts the links of a unit into groups of those that wait for no other (list scheduling). Links that share a
-/// movable body wait for each other. Those that hold up the longest chains come first: what is left at the end
+/// movable body wait for each other. Those that begin the longest chains come first: what is left at the end
 /// then fills whole groups, rather than being a chain.
+///
+/// A group has as many rows as its longest link has points. Links of the same number of points therefore fill it best,
+/// but while the chosen ones are not the first of the longest chain, that chain waits.
 class Schedule {
  public:
   Schedule(SolveOrder& order, SolveUnit& unit, std::size_t bodies) : order_(order), unit_(unit) {
@@ -17,82 +20,98 @@ class Schedule {
   }
 
   void run() {
-    Index highest = 0;
+    Index longest = 0;
     for (Index i = unit_.end_contact - 1; i >= unit_.first_contact; --i) {
       state(i) = {};
       tie_to_followers(i);
-      highest = std::max(highest, state(i).height);
+      longest = std::max(longest, state(i).chain);
+      cost_left_ += cost(i);
     }
     for (ReadyLinks& links : unit_.ready) {
-      links.tops.assign(static_cast<std::size_t>(highest) + 1, no_index);
-      links.height = 0;
+      links.tops.assign(static_cast<std::size_t>(longest) + 1, no_index);
+      links.longest = 0;
     }
     for (Index i = unit_.end_contact - 1; i >= unit_.first_contact; --i) {
       if (state(i).waits_for == 0) make_ready(i);
     }
-    while (const std::size_t points = longest_of_next_group()) form_group(points);
+    while (const std::size_t points = points_of_next_group()) form_group(points);
   }
 
  private:
   LinkState& state(Index link) { return order_.states[link]; }
   ReadyLinks& ready(std::size_t points) { return unit_.ready[points - 1]; }
 
+  /// The rows of a link, and one for bringing its bodies into lanes and back.
+  Index cost(Index link) const { return order_.links[link].points + 1; }
+
   /// @pre done for all links of the unit after this one
   void tie_to_followers(Index i) {
     auto follower = state(i).followers.begin();
+    Index chain = 0;
     for (const Index body : {order_.links[i].body_a, order_.links[i].body_b}) {
       if (body == no_index) continue;
       const Index next = std::exchange(unit_.next_of_body[body], i);
       if (next == no_index) continue;
       *follower++ = next;
       ++state(next).waits_for;
-      state(i).height = std::max(state(i).height, state(next).height + 1);
+      chain = std::max(chain, state(next).chain);
     }
+    state(i).chain = chain + cost(i);
   }
 
   void make_ready(Index link) {
     ReadyLinks& links = ready(static_cast<std::size_t>(order_.links[link].points));
-    const Index height = state(link).height;
-    state(link).below = std::exchange(links.tops[height], link);
-    links.height = std::max(links.height, height);
+    const Index chain = state(link).chain;
+    state(link).below = std::exchange(links.tops[chain], link);
+    links.longest = std::max(links.longest, chain);
     ++links.count;
   }
 
   /// Passes over the stacks that have become empty. @pre there is a link
-  Index height_of(ReadyLinks& links) {
-    while (links.tops[links.height] == no_index) --links.height;
-    return links.height;
+  Index longest_chain(ReadyLinks& links) {
+    while (links.tops[links.longest] == no_index) --links.longest;
+    return links.longest;
   }
 
-  Index take_highest(ReadyLinks& links) {
-    Index& top = links.tops[height_of(links)];
+  Index take_longest(ReadyLinks& links) {
+    Index& top = links.tops[longest_chain(links)];
     --links.count;
     return std::exchange(top, state(top).below);
   }
 
-  /// The number of points of the highest link that is ready, if possible among as many as fill a group:
-  /// a lane that has run out of points idles. @returns 0 if no link is left
-  std::size_t longest_of_next_group() {
-    for (const std::size_t enough : {lane_count, std::size_t(1)}) {
-      std::size_t best = 0;
-      for (std::size_t points = max_manifold_points; points > 0; --points) {
-        if (ready(points).count < enough) continue;
-        if (best == 0 || height_of(ready(points)) > height_of(ready(best))) best = points;
-      }
-      if (best > 0) return best;
+  /// The number of points of the ready link with the longest chain, among those of which `enough` have as many points.
+  /// @returns 0 if there is none
+  std::size_t points_of_longest_chain(std::size_t enough) {
+    std::size_t best = 0;
+    for (std::size_t points = max_manifold_points; points > 0; --points) {
+      if (ready(points).count < enough) continue;
+      if (best == 0 || longest_chain(ready(points)) > longest_chain(ready(best))) best = points;
     }
-    return 0;
+    return best;
+  }
+
+  /// The number of points of the longest links of the next group: those of a whole group, or of the longest chain if
+  /// that would take more than half of the time of all links that are left, in whole groups.
+  /// @returns 0 if no link is left
+  std::size_t points_of_next_group() {
+    const std::size_t longest = points_of_longest_chain(1);
+    if (longest == 0) return 0;
+    constexpr auto lanes = static_cast<Index>(lane_count);
+    if (longest_chain(ready(longest)) > cost_left_ / lanes / 2) return longest;
+    const std::size_t of_whole_group = points_of_longest_chain(lane_count);
+    return of_whole_group > 0 ? of_whole_group : longest;
   }
 
   /// Links of that many points, then of fewer.
   void form_group(std::size_t points) {
     StaticVector<Index, lane_count> taken;
     for (; points > 0; --points) {
-      while (!taken.full() && ready(points).count > 0) taken.push_back(take_highest(ready(points)));
+      while (!taken.full() && ready(points).count > 0) taken.push_back(take_longest(ready(points)));
     }
     ContactGroup& group = unit_.groups.emplace_back();
     for (const Index link : taken) {
       group.push_back(order_.links[link].contact);
+      cost_left_ -= cost(link);
       for (const Index follower : state(link).followers) {
         if (follower != no_index && --state(follower).waits_for == 0) make_ready(follower);
       }
@@ -101,6 +120,7 @@ class Schedule {
 
   SolveOrder& order_;
   SolveUnit& unit_;
+  Index cost_left_ = 0;  ///< of all links that are in no group yet
 };
 
 }  // namespace
