@@ -32,7 +32,7 @@ struct Engine {
   std::function<std::unique_ptr<Simulation>(const BenchScene& scene, int effort)> start;
 };
 
-/// This engine, first with its default settings. @param threads that share the work of a step
+/// This engine, first with its default settings. @param threads that share the work of every step
 std::vector<Engine> own_engines(int threads = 1);
 /// The engines of the package group `peers` that were there when this program was built, on one thread.
 std::vector<Engine> peer_engines();

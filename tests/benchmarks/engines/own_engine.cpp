@@ -38,6 +38,7 @@ std::vector<Engine> own_engines(int threads) {
   WorldSettings accurate = accurate_settings();
   WorldSettings game = game_settings();
   accurate.threads = game.threads = threads;
+  accurate.adaptive_threads = game.adaptive_threads = false;
   return {own_engine("this engine, accurate", accurate, {4, 6, 9, 12}),
           own_engine("this engine, game", game, {2, 3, 4, 6})};
 }

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <memory>
-#include <thread>
 
 namespace cs550::bench {
 namespace {
@@ -25,38 +23,10 @@ double thread_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-double clock_seconds() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
-
-template <class Clock>
-double seconds_per_step(Simulation& simulation, int steps, const Clock& clock) {
-  const double start = clock();
-  for (int i = 0; i < steps; ++i) simulation.step(step_length);
-  return (clock() - start) / steps;
-}
-
 double seconds_per_step(Simulation& simulation, int steps) {
-  return seconds_per_step(simulation, steps, thread_seconds);
-}
-
-/// Time per step of copies of a scene that run at once, until the last of them has ended.
-double seconds_per_step_of_copies(const BenchScene& scene, const Engine& engine, int copies,
-                                  int steps) {
-  std::vector<std::unique_ptr<Simulation>> simulations;
-  simulations.reserve(static_cast<std::size_t>(copies));
-  for (int i = 0; i < copies; ++i) simulations.push_back(engine.start(scene, engine.usual_effort));
-  std::vector<std::thread> threads;
-  threads.reserve(simulations.size());
-  const double start = clock_seconds();
-  for (const auto& simulation : simulations) {
-    threads.emplace_back([&simulation, steps] {
-      for (int i = 0; i < steps; ++i) simulation->step(step_length);
-    });
-  }
-  for (std::thread& thread : threads) thread.join();
-  return (clock_seconds() - start) / steps;
+  const double start = thread_seconds();
+  for (int i = 0; i < steps; ++i) simulation.step(step_length);
+  return (thread_seconds() - start) / steps;
 }
 
 Quality quality_of(const BenchScene& scene, const Simulation& simulation) {
@@ -99,32 +69,6 @@ SceneComparison compare(const NamedScene& scene, std::span<const Engine> engines
   std::vector<Contender> contenders;
   for (const Engine& engine : engines) contenders.push_back({&engine, engine.usual_effort});
   return {scene.name, scene.title, run_in_turn(scene, contenders, duration, announce)};
-}
-
-std::vector<ThreadGain> compare_threads(const NamedScene& named, int threads,
-                                        const Duration& duration, const Announce& announce) {
-  const BenchScene scene = named.make();
-  const std::vector<Engine> alone = own_engines();
-  const std::vector<Engine> shared = own_engines(threads);
-  const auto measure = [&](const Engine& engine, int count, double& smallest) {
-    announce(fmt::format("{}, {}, threads: {}", named.name, engine.name, count));
-    const auto simulation = engine.start(scene, engine.usual_effort);
-    smallest = std::min(smallest, seconds_per_step(*simulation, duration.steps, clock_seconds));
-  };
-  std::vector<ThreadGain> gains;
-  for (std::size_t i = 0; i < alone.size(); ++i) {
-    ThreadGain gain{named.name, alone[i].name, threads, HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    for (int round = 0; round < duration.rounds; ++round) {
-      measure(alone[i], 1, gain.seconds_alone);
-      measure(shared[i], threads, gain.seconds_shared);
-      announce(fmt::format("{}, {}, copies: {}", named.name, alone[i].name, threads));
-      gain.seconds_copies =
-          std::min(gain.seconds_copies,
-                   seconds_per_step_of_copies(scene, alone[i], threads, duration.steps));
-    }
-    gains.push_back(gain);
-  }
-  return gains;
 }
 
 Frontier trace_frontier(const NamedScene& scene, std::span<const Engine> engines,

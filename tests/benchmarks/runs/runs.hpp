@@ -29,7 +29,7 @@ SceneRun run_scene(const BenchScene& scene, const Engine& engine, int effort, in
 SceneComparison compare(const NamedScene& scene, std::span<const Engine> engines,
                         const Duration& duration, const Announce& announce);
 
-/// This engine with each of its settings, by one thread and by several.
+/// This engine with each of its settings, by one thread and by several: medians of the rounds.
 std::vector<ThreadGain> compare_threads(const NamedScene& scene, int threads,
                                         const Duration& duration, const Announce& announce);
 

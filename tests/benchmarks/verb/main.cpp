@@ -181,7 +181,8 @@ void declare(CLI::App& app, BenchOptions& options) {
   app.add_flag("--list", options.list, "print the names of the benchmarks; measure nothing");
   app.add_option("--json", options.json, "write all figures to a file")->option_text("FILE");
   app.add_flag("--plot", options.plot, "measure error against time too; save pictures");
-  app.add_option("--rounds", options.rounds, "measure N times and keep the smallest times")
+  app.add_option("--rounds", options.rounds,
+                 "measure N times; keep the smallest times\n(--threads: the medians)")
       ->option_text("N")
       ->check(CLI::Range(1, 100));
   app.add_option("--threads", options.threads,
