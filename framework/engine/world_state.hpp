@@ -377,6 +377,7 @@ struct WorldState {
   UnwrittenStages unwritten;
   StepStats stats;
   MomentumAudit audit;
+  MomentumAudit audit_before;  ///< this step
   std::int64_t step_count = 0;
   double time = 0;
   Real substep_length = 0;  ///< of the last step (s), for which the contact points' impulses are

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 #include "engine/counted_allocations.hpp"
 #include "engine/islands/sleeping.hpp"
 #include "engine/sleeping_worlds.hpp"
+#include "engine/world/stages.hpp"
 
 namespace cs550 {
 namespace {
@@ -60,6 +62,20 @@ TEST(Sleeping, HullsInAHeapSleepWithinSeconds) {
 }
 
 // ---- What must not sleep ----------------------------------------------------------------------
+
+// One that lab 1 breaks in every step begins each of them at the same place. Asleep, it would no longer be reported.
+TEST(Sleeping, ABodyThatIsRestoredIsNotAtRest) {
+  WorldState state;
+  state.settings.sleeping = true;
+  state.bodies.resize(1);
+  state.bodies_before = state.bodies;
+  state.bodies[0].pose.position.setConstant(std::numeric_limits<Real>::quiet_NaN());
+  state.sleeping.bodies.resize(1);
+  state.sleeping.bodies[0].settled = true;
+  restore_broken_bodies(state);
+  EXPECT_EQ(state.bodies[0].pose.position, Vec3(0, 0, 0));
+  EXPECT_FALSE(state.sleeping.bodies[0].settled);
+}
 
 /// Compares a run with sleeping to one without. Until a body sleeps both are the same to the last bit.
 void expect_same_run(const std::function<World(const WorldSettings&)>& make, int steps) {

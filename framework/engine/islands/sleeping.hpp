@@ -6,7 +6,7 @@
 /// A sleeping body has no velocity, and is skipped wherever bodies move. Its pairs with other sleeping
 /// bodies and with immovable ones at rest are kept in a list of their own, with their manifolds and
 /// impulses, so that no later stage meets them. No pair that is solved has a sleeping body. Without
-/// settings.sleeping these functions do nothing.
+/// settings.sleeping, bodies that still sleep are woken and none is put to sleep.
 
 #include "engine/islands/rest.hpp"
 #include "engine/world_state.hpp"

@@ -7,6 +7,7 @@
 
 #include "cs550/clipping.hpp"
 #include "cs550/separating_axis.hpp"
+#include "engine/pairs/axis_promise.hpp"
 #include "engine/pairs/minkowski_difference.hpp"
 
 namespace cs550 {
@@ -123,6 +124,7 @@ bool retest_features(const WorldState& world, std::size_t pair, Real margin,
   if ((b.pose.position - a.pose.position).squaredNorm() > near * near) return false;
 
   now.axis = query_features_again(a, b, world.pairs.axes[pair]);
+  if (world.settings.check_stages && broken_promise(now.axis, a.mesh(), b.mesh())) return false;
   const Real separation = now.axis.separation;
   if (now.axis.feature == AxisFeature::None || separation > margin) return false;
   now.manifold = build_manifold(a, b, now.axis, margin);

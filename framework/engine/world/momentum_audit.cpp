@@ -42,7 +42,9 @@ Eigen::Vector3d outer_impulse(const WorldState& world, Real h) {
 }  // namespace
 
 void begin_audit(WorldState& world) {
-  if (world.settings.audit_momentum) world.audit.unexplained -= total_momentum(world);
+  if (!world.settings.audit_momentum) return;
+  world.audit_before = world.audit;
+  world.audit.unexplained -= total_momentum(world);
 }
 
 void audit_substep(WorldState& world, Real h) {

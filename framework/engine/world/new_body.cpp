@@ -8,7 +8,7 @@ namespace cs550 {
 
 namespace {
 
-void require(bool holds, const char* what) {
+void require_of_body(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("a body needs ") + what);
 }
 
@@ -19,18 +19,19 @@ constexpr Real largest_friction = Real(1e6);
 bool is_bounded(const Vec3& velocity) { return velocity.norm() <= Real(1e18); }
 
 void check_definition(const BodyDef& def) {
-  require(def.shape != nullptr, "a shape");
-  require(def.pose.position.allFinite(), "a finite position");
-  require(std::abs(def.pose.orientation.norm() - 1) < Real(1e-3),
-          "a unit quaternion as its orientation");
-  require(is_bounded(def.linear_velocity) && is_bounded(def.angular_velocity),
-          "finite velocities, each of at most 1e18");
+  require_of_body(def.shape != nullptr, "a shape");
+  require_of_body(def.pose.position.allFinite(), "a finite position");
+  require_of_body(std::abs(def.pose.orientation.norm() - 1) < Real(1e-3),
+                  "a unit quaternion as its orientation");
+  require_of_body(is_bounded(def.linear_velocity) && is_bounded(def.angular_velocity),
+                  "finite velocities, each of at most 1e18");
   if (def.mass) {
-    require(std::isfinite(*def.mass) && *def.mass > 0, "a positive, finite mass");
+    require_of_body(std::isfinite(*def.mass) && *def.mass > 0, "a positive, finite mass");
   }
-  require(std::isfinite(def.density) && def.density > 0, "a positive, finite density");
-  require(def.friction >= 0 && def.friction <= largest_friction, "a friction from 0 to 1e6");
-  require(def.restitution >= 0 && def.restitution <= 1, "a restitution from 0 to 1");
+  require_of_body(std::isfinite(def.density) && def.density > 0, "a positive, finite density");
+  require_of_body(def.friction >= 0 && def.friction <= largest_friction,
+                  "a friction from 0 to 1e6");
+  require_of_body(def.restitution >= 0 && def.restitution <= 1, "a restitution from 0 to 1");
 }
 
 /// Whether the moments of inertia and their reciprocals are within the range of Real.
@@ -43,11 +44,12 @@ bool can_turn(const RigidBody& body) {
 constexpr Real largest_mass = Real(1e18);
 
 void check_range(const RigidBody& body) {
-  require(can_turn(body),
-          "a mass with which its moments of inertia and their reciprocals are finite");
-  require(body.mass <= largest_mass, "a mass of at most 1e18 kg");
-  require(std::isfinite(kinetic_energy(body)),
-          "velocities with which its kinetic energy and the square of its momentum are finite");
+  require_of_body(can_turn(body),
+                  "a mass with which its moments of inertia and their reciprocals are finite");
+  require_of_body(body.mass <= largest_mass, "a mass of at most 1e18 kg");
+  require_of_body(
+      std::isfinite(kinetic_energy(body)),
+      "velocities with which its kinetic energy and the square of its momentum are finite");
 }
 
 /// Beyond rounding, so that a pose that another body has is taken as it is.

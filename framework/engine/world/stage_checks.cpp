@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "cs550/clipping.hpp"
+#include "engine/islands/rest.hpp"
+#include "engine/pairs/axis_promise.hpp"
 #include "engine/pairs/near_pairs.hpp"
 #include "engine/pairs/temporal_coherence.hpp"
 #include "engine/world/stages.hpp"
@@ -10,13 +13,8 @@ namespace cs550 {
 
 namespace {
 
-/// The rounding of a normalised vector or quaternion, with a margin for one product of such.
-constexpr Real unit_tolerance = Real(1e-3);
-
 /// Of a query, relative to the sizes of both bodies: several roundings to float.
 constexpr Real query_rounding = Real(1e-6);
-
-bool is_unit(const Vec3& v) { return std::abs(v.norm() - 1) < unit_tolerance; }
 
 void report(WorldState& world, Stage stage, int lab, Index body, const std::string& promise) {
   world.problems.push_back({stage, lab, body, world.step_count,
@@ -38,29 +36,6 @@ const char* broken_promise(const RigidBody& body) {
   }
   if (std::abs(body.pose.orientation.norm() - 1) > unit_tolerance) {
     return "the orientation is not a unit quaternion";
-  }
-  return nullptr;
-}
-
-bool in_range(Index index, Index count) { return index >= 0 && index < count; }
-
-bool in_range(const FaceQuery& query, const HalfEdgeMesh& faces_of,
-              const HalfEdgeMesh& vertices_of) {
-  return !query || (in_range(query.face, faces_of.face_count()) &&
-                    in_range(query.vertex, vertices_of.vertex_count()));
-}
-
-/// The promise that lab 4 broke for this axis, or nullptr.
-const char* broken_promise(const SeparatingAxis& axis, const HalfEdgeMesh& a,
-                           const HalfEdgeMesh& b) {
-  if (!std::isfinite(axis.separation)) return "the separation is not finite";
-  if (!is_unit(axis.axis)) return "the axis is not a unit vector";
-  if (!in_range(axis.face_a, a, b) || !in_range(axis.face_b, b, a)) {
-    return "a face query names a face or vertex that does not exist";
-  }
-  if (axis.edges && (!in_range(axis.edges.edge_a, a.edge_count()) ||
-                     !in_range(axis.edges.edge_b, b.edge_count()))) {
-    return "the edge query names an edge that does not exist";
   }
   return nullptr;
 }
@@ -100,6 +75,20 @@ const char* broken_promise(const WorldState& world, std::size_t pair, Real margi
                                          : "a contact was kept although the bodies moved";
 }
 
+/// The impulses of a step that is undone may not be numbers, and the next one would begin with them.
+/// @param restored of each body, whether it is
+void forget_impulses(PairList& pairs, const std::vector<char>& restored) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairSummary& pair = pairs.summaries[i];
+    if (!restored[pair.body_a] && !restored[pair.body_b]) continue;
+    for (ContactPoint& point : pairs.contacts[i].manifold.points) {
+      point.normal_impulse = 0;
+      point.tangent_impulse.setZero();
+    }
+    pairs.impulse_energy[i] = 0;
+  }
+}
+
 }  // namespace
 
 void check_bodies(WorldState& world, Stage stage, int lab) {
@@ -115,6 +104,7 @@ void check_bodies(WorldState& world, Stage stage, int lab) {
 }
 
 void restore_broken_bodies(WorldState& world) {
+  std::vector<char> restored;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     RigidBody& body = world.bodies[i];
     if (broken_promise(body) == nullptr) continue;
@@ -122,7 +112,14 @@ void restore_broken_bodies(WorldState& world) {
     body.force.setZero();  // which have acted
     body.torque.setZero();
     body.asleep = false;  // a body that sleeps keeps its promises
+    // It seems to rest, since it begins each step where it began the last one.
+    if (world.settings.sleeping) restart_window(body, world.sleeping.bodies[i]);
+    restored.resize(world.bodies.size());
+    restored[i] = 1;
   }
+  if (restored.empty()) return;
+  forget_impulses(world.pairs, restored);
+  if (world.settings.audit_momentum) world.audit = world.audit_before;
 }
 
 void check_axes(WorldState& world) {

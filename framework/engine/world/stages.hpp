@@ -63,7 +63,8 @@ void run_substeps_by_part(WorldState& world, const ContactStep& step, int count)
 void run_substeps(WorldState& world, const ContactStep& step, int count);
 
 /// Checks of what a stage promised. Broken promises are reported in problems(), and their effect is
-/// undone, that on bodies when the step ends.
+/// undone. When the step ends, broken bodies return to where they were, without the impulses of their contacts, and the
+/// audit leaves out the step.
 /// @{
 /// @param stage, lab what has just changed the bodies. A body is reported once in a step.
 void check_bodies(WorldState& world, Stage stage, int lab);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "engine/body_sweeps.hpp"
@@ -24,8 +25,9 @@ void turn(RigidBody& body, Real h, RotationMethod method, int turns) {
 
 }  // namespace
 
+/// That of a thin needle rounds to less than nothing where its smallest inverse inertia is below the rounding of the largest.
 Real turning_energy(const RigidBody& body) {
-  return Real(0.5) * body.angular_velocity.dot(body.angular_momentum);
+  return std::max(Real(0.5) * body.angular_velocity.dot(body.angular_momentum), Real(0));
 }
 
 void turn_and_move(RigidBody& body, Real h, RotationMethod method) {
