@@ -23,6 +23,13 @@ std::vector<ShapePtr> cubes(bool shared) {
   return shapes;
 }
 
+/// The same cubes, where `count` shapes take turns.
+std::vector<ShapePtr> cubes_of_shapes(std::size_t count) {
+  std::vector<ShapePtr> shapes = cubes(false);
+  for (std::size_t i = count; i < shapes.size(); ++i) shapes[i] = shapes[i - count];
+  return shapes;
+}
+
 WorldState state_with(const std::vector<ShapePtr>& shapes) {
   WorldState state;
   for (const ShapePtr& shape : shapes) state.definitions.push_back(body_at(shape, Vec3::Zero()));
@@ -48,6 +55,9 @@ World falling_pairs(const std::vector<ShapePtr>& shapes) {
 TEST(QueryPrefetch, PaysIfManyBodiesHaveShapesOfTheirOwn) {
   EXPECT_TRUE(pays_to_prefetch(state_with(cubes(false))));
   EXPECT_FALSE(pays_to_prefetch(state_with(cubes(true))));
+  EXPECT_FALSE(pays_to_prefetch(state_with(cubes_of_shapes(64))));
+  EXPECT_FALSE(pays_to_prefetch(state_with(cubes_of_shapes(600))));
+  EXPECT_TRUE(pays_to_prefetch(state_with(cubes_of_shapes(780))));
   EXPECT_FALSE(pays_to_prefetch(state_with({})));
 }
 

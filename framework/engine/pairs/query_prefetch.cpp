@@ -1,5 +1,7 @@
 #include "engine/pairs/query_prefetch.hpp"
 
+#include <bitset>
+#include <cstdint>
 #include <vector>
 
 #include "engine/threads/thread_team.hpp"
@@ -37,17 +39,24 @@ void for_shapes(const WorldState& world, std::span<const PairQuery> queries, con
   }
 }
 
+/// About how many shapes the bodies have: two of them may count as one. An exact count would take longer than it saves.
+std::size_t count_shapes(std::span<const BodyDef> bodies) {
+  constexpr int bits = 15;
+  std::bitset<1 << bits> seen;
+  for (const BodyDef& body : bodies) {
+    // Spreads addresses that are a multiple of some size apart.
+    const std::uint64_t hash =
+        reinterpret_cast<std::uintptr_t>(body.shape.get()) * 0x9E3779B97F4A7C15;
+    seen.set(hash >> (64 - bits));
+  }
+  return seen.count();
+}
+
 }  // namespace
 
 bool pays_to_prefetch(const WorldState& world) {
-  constexpr int many_shapes = 700;  // of 32 vertices: 4 MB
-  int shapes = 0;
-  const ConvexShape* last = nullptr;
-  for (const BodyDef& body : world.definitions) {
-    if (body.shape.get() != last) ++shapes;
-    last = body.shape.get();
-  }
-  return shapes > many_shapes;
+  constexpr std::size_t many_shapes = 700;  // of 32 vertices: 4 MB
+  return world.definitions.size() > many_shapes && count_shapes(world.definitions) > many_shapes;
 }
 
 void prefetch_meshes(const WorldState& world, std::span<const PairQuery> queries) {

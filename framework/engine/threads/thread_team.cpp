@@ -15,7 +15,8 @@ namespace cs550 {
 /// 0.7 µs later on a virtual machine.
 void ActiveWait::pause() {
   constexpr int patience = 20'000;
-  if (++pauses_ > patience) std::this_thread::yield();
+  if (pauses_ == patience) return std::this_thread::yield();
+  ++pauses_;
 }
 
 /// Whoever reads a new value of one member then finds that the number is not the former one.
