@@ -20,8 +20,8 @@ void gather_solver_bodies(WorldState& world);
 /// add_momentum_changes() for all bodies.
 void write_back_solver_bodies(WorldState& world);
 
-/// Runs `solve(bodies)` on SolverBody[] and writes it back. Nothing else does. Without constraints there is nothing
-/// to solve. @pre the array is that of the bodies
+/// Runs `solve(bodies)` on SolverBody[] and writes it back. Only threads that solve a part each do so themselves. Without
+/// constraints there is nothing to solve. @pre the array is that of the bodies
 template <class Solve>
 void with_solver_bodies(WorldState& world, const Solve& solve) {
   if (world.constraints.empty()) return;
