@@ -296,9 +296,9 @@ struct PartTask {
 
 /// What a body's mass and inertia say about its shape.
 struct BodySize {
-  /// About the ratio of the largest to the smallest radius of gyration, squared: 9 for a cube, 2500 for a
-  /// needle of 1 : 50. A needle that turns by its thinness moves its ends by its own thickness: the lever of a
-  /// contact there about the needle's axis, and with it the effective mass, is another one.
+  /// tr I · tr I⁻¹: 9 for a cube, 2500 for a needle of 1 : 50. A needle that turns by its thinness, one over the root of
+  /// this, moves its ends by half its thickness: the lever of a contact there about the needle's axis, and with it the
+  /// effective mass, is another one.
   Real squared_slenderness = 1;
   /// A cube of 1 m is 1.4 m long by this measure (m²). Immovable bodies have no limit.
   Real squared_length = HUGE_VALF;

@@ -83,7 +83,7 @@ GRADED_TEST(Lab7, SlidingBoxesStopAfterTheirStoppingDistance, 1, "L7.8") {
       run_world(world, story, 1.5);
       const double distance = 9 / (2 * 0.4 * gravity);
       const Vec3 expected = static_cast<Real>(distance / 3) * def.linear_velocity;
-      // Half of a substep of 1/240 s at 3 m/s: 0.5 % of the distance, and as much for the tilt.
+      // Half of a substep of 1/360 s at 3 m/s: 0.4 % of the distance, and as much for the tilt.
       require(story.expect_near("distance moved", world.body(box).pose.position - def.pose.position,
                                 expected, 0.01 * distance, "m"));
       require(story.expect_near("velocity in the end", world.body(box).linear_velocity,

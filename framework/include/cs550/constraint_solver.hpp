@@ -33,7 +33,7 @@ enum class ContactModel : std::uint8_t {
 struct ContactStep {
   Real h = 0;                               ///< duration of the substep (s)
   bool use_bias = true;                     ///< false in relax passes
-  bool backwards = false;                   ///< solve in reverse order; true in every second step
+  bool backwards = false;                   ///< solve in reverse order, as in every second step
   ContactModel model = ContactModel::Soft;  ///< how penetration is corrected
   Softness soft;                            ///< for contacts between two movable bodies
   Softness soft_static;                     ///< for contacts with an immovable body
@@ -79,7 +79,7 @@ Real constraint_mass(const ContactJacobian& jacobian, const SolverBody& a, const
 ContactBias contact_bias(const ContactConstraint& constraint, Real separation,
                          const ContactStep& step);
 
-/// **L7.4** Computes what stays constant during a step, for every constraint: normal_mass;
+/// **L7.4** Computes what hardly changes during a step, for every constraint: normal_mass;
 /// tangent_mass, the inverse of the 2 × 2 matrix JM⁻¹Jᵀ of the two rows for u and v; and softness,
 /// which is soft_static if at least one of the bodies is immovable (inverse_mass of 0). For two
 /// immovable bodies both masses are zero.

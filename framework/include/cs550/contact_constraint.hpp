@@ -23,7 +23,8 @@ struct Softness {
 /// @param h substep (s)
 Softness soft_contact(Real hertz, Real damping_ratio, Real h);
 
-/// One contact point as the contact solvers see it. The geometry is that at the start of the step.
+/// One contact point as the contact solvers see it. The geometry is that at the start of the step, unless a
+/// thin body has turned far since: its levers then follow.
 struct ContactConstraint {
   Index body_a = no_index;  ///< index in the array of SolverBody
   Index body_b = no_index;  ///< index in the array of SolverBody
@@ -31,7 +32,7 @@ struct ContactConstraint {
   Vec3 u = {0, 0, 0};       ///< unit, first tangent, world frame; the second is v = n × u
   Vec3 r_a = {0, 0, 0};     ///< contact from A's centre of mass, world frame (m)
   Vec3 r_b = {0, 0, 0};     ///< contact from B's centre of mass, world frame (m)
-  Real separation = 0;      ///< along n, at the start of the step (m)
+  Real separation = 0;      ///< along n, without the bodies' displacements (m)
   Real friction = 0;        ///< μ
   Real restitution = 0;     ///< e
 
