@@ -72,7 +72,8 @@ void print_runs(const std::vector<SceneRun>& runs, std::ostream& out) {
 
 void print_thread_gains(const std::vector<ThreadGain>& gains, std::ostream& out) {
   if (gains.empty()) return;
-  out << heading(fmt::format("One thread and {}, time by the clock, medians", gains.front().threads))
+  out << heading(
+             fmt::format("One thread and {}, time by the clock, medians", gains.front().threads))
       << "At most: as many copies of the scene at once, which share nothing.\n"
       << "                              ms/step  shared   gain at most\n";
   for (const ThreadGain& gain : gains) {
