@@ -228,7 +228,7 @@ struct LinkState {
 /// The links that wait for no other, in a stack for each cost of the chains that they begin.
 struct ReadyLinks {
   std::vector<Index> tops;  ///< of each cost, the link on top
-  Index longest = 0;        ///< chain; the stacks of longer ones are empty
+  Index longest = 0;        ///< cost of the longest chain; the stacks above it are empty
   std::size_t count = 0;
 };
 

@@ -79,20 +79,20 @@ class Schedule {
     return std::exchange(top, state(top).below);
   }
 
-  /// The number of points of the ready link with the longest chain, among those of which `enough` have as many points.
-  /// @returns 0 if there is none
-  std::size_t points_of_longest_chain(std::size_t enough) {
+  /// Looks for the ready link with the longest chain, and returns how many points it has. A number of points that fewer than
+  /// `fewest` ready links have is passed over. @returns 0 if there is none
+  std::size_t points_of_longest_chain(std::size_t fewest) {
     std::size_t best = 0;
     for (std::size_t points = max_manifold_points; points > 0; --points) {
-      if (ready(points).count < enough) continue;
+      if (ready(points).count < fewest) continue;
       if (best == 0 || longest_chain(ready(points)) > longest_chain(ready(best))) best = points;
     }
     return best;
   }
 
-  /// The number of points of the longest links of the next group: those of a whole group, or of the longest chain if
-  /// that would take more than half of the time of all links that are left, in whole groups.
-  /// @returns 0 if no link is left
+  /// How many points the longest links of the next group have. The group begins with the longest chain if that would take
+  /// more than half of the time that all links left would take in whole groups. Otherwise it is a whole group of links with
+  /// as many points each, if there is one. @returns 0 if no link is left
   std::size_t points_of_next_group() {
     const std::size_t longest = points_of_longest_chain(1);
     if (longest == 0) return 0;
