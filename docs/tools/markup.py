@@ -106,7 +106,8 @@ class Markup:
         name = piece.strip("`")
         if piece.startswith("`") and name in self.book.tests:
             return markdown_link(name, self.book.test_address(name))
-        return piece
+        # To Doxygen, a quote ends what a single backtick has begun.
+        return f"`{piece}`" if re.fullmatch(r"`[^`]*'[^`]*`", piece) else piece
 
     def inline_html(self, text):
         """Formulas, code, emphasis and the roles, as HTML."""

@@ -74,6 +74,10 @@ class MarkupTest(unittest.TestCase):
                 "<details><summary>`{a: 1}`, $x_{a b}$</summary>Text.</details>\n")
         self.assertEqual(self.convert(text)[1], [])
 
+    def test_a_quote_does_not_end_code(self):
+        self.assertEqual(self.convert("Type `ctest -R '^a'`, ``b 'c' d`` or `e`.\n"),
+                         ("Type ``ctest -R '^a'``, ``b 'c' d`` or `e`.\n", []))
+
     def test_a_caption_names_functions_and_types_that_exist(self):
         for name in ("hill_climb()", "Pose", "Real"):
             converted, errors = self.convert(f"<details><summary>Call {{api:{name}}}</summary>Text.</details>\n")
