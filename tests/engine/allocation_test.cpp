@@ -8,6 +8,7 @@
 
 #include "cs550/scene.hpp"
 #include "engine/counted_allocations.hpp"
+#include "engine/four_threads.hpp"
 #include "engine/test_bodies.hpp"
 
 namespace cs550 {
@@ -31,8 +32,10 @@ TEST(Allocation, TheCounterCounts) {
   EXPECT_EQ(allocated_bytes(), bytes_before);
 }
 
-TEST(Allocation, NoneInAStepWhileThePairsStayTheSame) {
+/// Runs a heap until the steps with new pairs are few.
+void expect_no_allocation_once_warm(const WorldSettings& settings) {
   World world = falling_hulls(30, 31);
+  world.settings() = settings;
   long with_constant_pairs = 0;
   int steps_with_constant_pairs = 0;
   int pairs_before = 0;
@@ -45,8 +48,32 @@ TEST(Allocation, NoneInAStepWhileThePairsStayTheSame) {
     pairs_before = world.stats().pairs;
   }
   ASSERT_GT(steps_with_constant_pairs, 50);
-  ASSERT_GT(world.stats().contacts, 30);
+  ASSERT_GT(world.stats().contacts, 15);
   EXPECT_EQ(with_constant_pairs, 0);
+}
+
+TEST(Allocation, NoneInAStepWhileThePairsStayTheSame) { expect_no_allocation_once_warm({}); }
+
+/// Of any number of threads, solver and contact model, and of the checks.
+TEST(Allocation, NoneInAStepWithOtherSettings) {
+  const auto expect_none = [](const char* name, auto change) {
+    SCOPED_TRACE(name);
+    WorldSettings settings;
+    change(settings);
+    expect_no_allocation_once_warm(settings);
+  };
+  expect_none("game", [](WorldSettings& s) { set_quality(s, Quality::Game); });
+  expect_none("Baumgarte", [](WorldSettings& s) { s.contact_model = ContactModel::Baumgarte; });
+  expect_none("naive", [](WorldSettings& s) { s.solver = SolverKind::Naive; });
+  expect_none("no coherence", [](WorldSettings& s) { s.temporal_coherence = false; });
+  expect_none("audit", [](WorldSettings& s) { s.audit_momentum = true; });
+  expect_none("checks", [](WorldSettings& s) { s.check_stages = true; });
+  with_four_threads([&] {
+    expect_none("four threads", [](WorldSettings& s) {
+      s.threads = 4;
+      s.adaptive_threads = false;
+    });
+  });
 }
 
 TEST(Allocation, NoneInFreeFlight) {
