@@ -29,11 +29,14 @@ function(cs550_add_own_tests folder)
   cs550_discover_tests(${target} ${folder} "*Soak:*Soak/*" soak 7200)
 endfunction()
 
-# ctest runs the executable to list its tests.
+# ctest runs the executable to list its tests. The limits that a user has set for scenes do not hold for them.
 function(cs550_discover_tests target folder filter label timeout)
+  set(limits BODIES HULL_POINTS TOTAL_POINTS PAIRS MEMORY_MB)
+  list(TRANSFORM limits REPLACE "(.+)" "CS550_MAX_\\1=unset:")
+  list(JOIN limits "\\;" limits)  # a list as one value of PROPERTIES
   gtest_discover_tests(${target} TEST_PREFIX "${folder}." TEST_FILTER "${filter}" NO_PRETTY_VALUES
     DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
-    PROPERTIES LABELS ${label} TIMEOUT ${timeout} ${skip_unwritten})
+    PROPERTIES LABELS ${label} TIMEOUT ${timeout} ENVIRONMENT_MODIFICATION "${limits}" ${skip_unwritten})
 endfunction()
 
 foreach(folder framework serialisation engine drawing autograder)

@@ -17,10 +17,7 @@ using namespace cs550::cli;
 
 class BuildLog : public ScratchProject {
  protected:
-  void SetUp() override {
-    ScratchProject::SetUp();
-    fs::create_directories(root / "build");
-  }
+  BuildLog() { fs::create_directories(root / "build"); }
   void write(const std::string& text) const { std::ofstream(root / "build/student.log") << text; }
 };
 

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include "cli/scratch_project.hpp"
+#include "helpers/scoped_environment.hpp"
 
 namespace {
 
@@ -18,10 +21,6 @@ using Kind = cs550::cli::Verdict::Kind;
 
 class MemorySigns : public cs550::cli::ScratchProject {
  protected:
-  void SetUp() override {
-    ScratchProject::SetUp();
-    unsetenv("GLIBC_TUNABLES");
-  }
   /// A graded program whose only test fails with a message that the shell expands.
   fs::path program_that_reports(const std::string& message) const {
     const fs::path program = root / "program";
@@ -35,6 +34,10 @@ class MemorySigns : public cs550::cli::ScratchProject {
   static Verdict failed(const std::string& message) {
     return {{"Clips", "L5.1", 4, false}, Kind::Failed, message, 0};
   }
+
+ private:
+  const cs550::test::ScopedEnvironment no_tunables_{"GLIBC_TUNABLES", std::nullopt};
+  const cs550::test::ScopedEnvironment no_pictures_{"CS550_PICTURES", std::nullopt};
 };
 
 TEST_F(MemorySigns, ValuesThatDependOnFreedMemoryAreAMemoryError) {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "cli/system/process.hpp"
+#include "helpers/scoped_environment.hpp"
 
 namespace {
 
@@ -53,9 +53,8 @@ std::string by_awk(const std::string& typed, const Words& words) {
   Words command{"sh", "-c", R"(script=$1; shift; printf '%s\n' "$@" | LC_ALL=C awk -f "$script")",
                 "sh", project / "framework/cli/nearest_word.awk"};
   command.insert(command.end(), words.begin(), words.end());
-  setenv("typed", typed.c_str(), 1);
+  const cs550::test::ScopedEnvironment variable("typed", typed);
   std::string printed = cs550::cli::output_of(command);
-  unsetenv("typed");
   if (!printed.empty()) printed.pop_back();
   return printed;
 }

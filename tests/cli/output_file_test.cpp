@@ -14,6 +14,7 @@
 #include "cli/system/draft_folder.hpp"
 #include "cli/system/files.hpp"
 #include "files/path_argument.hpp"
+#include "helpers/scratch_folder.hpp"
 
 namespace cs550::files {
 namespace {
@@ -22,21 +23,17 @@ namespace fs = std::filesystem;
 
 class Output : public testing::Test {
  protected:
-  Output() : folder_(fs::path(testing::TempDir()) / ("cs550_output." + std::to_string(getpid()))) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~Output() override { fs::remove_all(folder_); }
-
   fs::path file(const std::string& name) const { return folder_ / name; }
   std::string content(const std::string& name) const { return cli::read_text(file(name)); }
   std::ptrdiff_t count() const {
-    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+    return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
   }
 
  private:
-  fs::path folder_;
+  test::ScratchFolder folder_;
 };
+
+const fs::path shared_memory = "/dev/shm";
 
 /// In a container, two processes may have the same number.
 TEST_F(Output, ADraftOfAnEarlierProcessIsNoObstacle) {
@@ -65,8 +62,10 @@ TEST_F(Output, BehindALinkIsReplacedAsAWhole) {
 }
 
 TEST_F(Output, BehindALinkToSharedMemoryIsReplacedAsAWhole) {
-  const fs::path target = "/dev/shm/cs550_output." + std::to_string(getpid());
-  if (!(std::ofstream(target) << "before").flush()) GTEST_SKIP() << "there is no /dev/shm";
+  if (!fs::is_directory(shared_memory)) GTEST_SKIP() << "there is no /dev/shm";
+  const test::ScratchFolder folder(shared_memory);
+  const fs::path target = folder / "target";
+  std::ofstream(target) << "before";
   fs::create_symlink(target, file("link"));
   {
     OutputFile output(file("link"));
@@ -76,19 +75,17 @@ TEST_F(Output, BehindALinkToSharedMemoryIsReplacedAsAWhole) {
   write_file(file("link"), "after");
   EXPECT_EQ(cli::read_text(target), "after");
   EXPECT_TRUE(fs::is_symlink(file("link")));
-  fs::remove(target);
 }
 
 TEST_F(Output, MustHaveItsEndingInSharedMemoryToo) {
-  const std::string code = "/dev/shm/cs550_code.cpp";
-  if (!(std::ofstream(code) << "int code;").flush()) GTEST_SKIP() << "there is no /dev/shm";
+  if (!fs::is_directory(shared_memory)) GTEST_SKIP() << "there is no /dev/shm";
+  const test::ScratchFolder folder(shared_memory);
+  const std::string code = folder / "code.cpp";
+  std::ofstream(code) << "int code;";
   EXPECT_EQ(fault_of_ending(code, ".zip"), "'" + code + "' must end in .zip");
-  const std::string link = "/dev/shm/cs550_link";
-  fs::remove(link);
+  const std::string link = folder / "link";
   fs::create_symlink(code, link);
   EXPECT_EQ(fault_of_ending(link, ".zip"), "'" + link + "' must end in .zip");
-  fs::remove(link);
-  fs::remove(code);
   EXPECT_EQ(fault_of_ending("/dev/null", ".zip"), "");
 }
 

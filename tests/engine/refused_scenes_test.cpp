@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -11,6 +10,7 @@
 #include "cs550/scene.hpp"
 #include "engine/scene_text.hpp"
 #include "helpers/fixtures.hpp"
+#include "helpers/scoped_environment.hpp"
 
 namespace cs550 {
 namespace {
@@ -310,11 +310,12 @@ TEST(Scene, RefusesMeshFilesBeyondTheLimits) {
 TEST(Scene, LimitsCanBeRaisedByTheEnvironment) {
   const std::string text = R"({"schema": 1, "generators": [{"kind": "stack", "count": 12, )" +
                            std::string(body_member) + "}]}";
-  setenv("CS550_MAX_BODIES", "11", 1);
-  expect_refused(text, {"at most 11 bodies", "found 12"}, SceneLimits::from_environment());
-  setenv("CS550_MAX_BODIES", "12", 1);
+  {
+    const test::ScopedEnvironment limit("CS550_MAX_BODIES", "11");
+    expect_refused(text, {"at most 11 bodies", "found 12"}, SceneLimits::from_environment());
+  }
+  const test::ScopedEnvironment limit("CS550_MAX_BODIES", "12");
   EXPECT_TRUE(load_text(text));
-  unsetenv("CS550_MAX_BODIES");
 }
 
 TEST(Scene, RefusesLimitsThatAreNoNumbers) {
@@ -323,12 +324,11 @@ TEST(Scene, RefusesLimitsThatAreNoNumbers) {
        {"CS550_MAX_BODIES", "CS550_MAX_HULL_POINTS", "CS550_MAX_TOTAL_POINTS", "CS550_MAX_PAIRS",
         "CS550_MAX_MEMORY_MB"}) {
     for (const char* value : {"many", "0", "-1", "1e6", "", "99999999999", "12 "}) {
-      setenv(variable, value, 1);
+      const test::ScopedEnvironment limit(variable, value);
       const std::string error = load_text(scene).error;
       EXPECT_NE(error.find(variable), std::string::npos) << value << ": " << error;
       EXPECT_NE(error.find("found \"" + std::string(value) + "\""), std::string::npos) << error;
     }
-    unsetenv(variable);
   }
   EXPECT_EQ(load_text(scene).error, "");
 }
@@ -401,9 +401,8 @@ TEST(Scene, ExamplesInMessagesWorkWhenPasted) {
 }
 
 TEST(Scene, WithoutShippedScenesAMessageSaysWhereTheyWereLookedFor) {
-  setenv("CS550_ASSETS", "/nonexistent", 1);
+  const test::ScopedEnvironment assets("CS550_ASSETS", "/nonexistent");
   const std::string error = find_scene("wall").error;
-  unsetenv("CS550_ASSETS");
   EXPECT_NE(error.find("None is in /nonexistent/scenes; CS550_ASSETS"), std::string::npos) << error;
   EXPECT_EQ(error.find("one of"), std::string::npos) << error;
 }

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 
 #include "engine/scene_text.hpp"
+#include "helpers/scoped_environment.hpp"
 
 namespace cs550 {
 namespace {
@@ -250,10 +250,10 @@ TEST(Scene, APathNamesThatFileAndNoOtherBesideIt) {
 
 TEST(Scene, AssetsFolderCanBeChosenWhenTheProgramRuns) {
   const test::ScratchFolder empty;
-  setenv("CS550_ASSETS", empty.path().c_str(), 1);
-  const std::vector<std::string> elsewhere = shipped_scenes();
-  unsetenv("CS550_ASSETS");
-  EXPECT_TRUE(elsewhere.empty());
+  {
+    const test::ScopedEnvironment assets("CS550_ASSETS", empty.path().string());
+    EXPECT_TRUE(shipped_scenes().empty());
+  }
   EXPECT_FALSE(shipped_scenes().empty());
 }
 

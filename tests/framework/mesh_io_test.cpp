@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "helpers/fixtures.hpp"
+#include "helpers/scratch_folder.hpp"
 
 namespace cs550::test {
 namespace {
@@ -15,16 +15,14 @@ namespace {
 class MeshFile : public testing::Test {
  protected:
   void write(const std::string& text) { std::ofstream(path) << text; }
-  ~MeshFile() override { std::filesystem::remove(path); }
 
   void expect_named(const std::string& error, const std::string& words) {
     EXPECT_NE(error.find(path.filename().string()), std::string::npos) << "'" << error << "'";
     EXPECT_NE(error.find(words), std::string::npos) << "'" << error << "'";
   }
 
-  // Tests of one program may run concurrently.
-  const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("cs550_mesh_io_test_" + std::to_string(getpid()));
+  const ScratchFolder folder;
+  const std::filesystem::path path = folder / "mesh";
 };
 
 using ObjFile = MeshFile;

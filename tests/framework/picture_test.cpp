@@ -4,13 +4,13 @@
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
+#include "helpers/scoped_environment.hpp"
+#include "helpers/scratch_folder.hpp"
 #include "helpers/story.hpp"
 #include "pages/failure/failure_panels.hpp"
 
@@ -22,19 +22,17 @@ namespace fs = std::filesystem;
 /// A temporary folder for pictures.
 class Picture : public testing::Test {
  protected:
-  Picture() { setenv("CS550_PICTURES", folder.c_str(), 1); }
-  ~Picture() override {
-    unsetenv("CS550_PICTURES");
-    fs::remove_all(folder);
-  }
-
   std::string written() const {
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
     std::ifstream file(folder / ("Picture." + test + ".svg"));
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
 
-  fs::path folder = fs::temp_directory_path() / ("cs550_pictures_" + std::to_string(getpid()));
+  const ScratchFolder scratch;
+  const fs::path folder = scratch / "pictures";  // made with the first picture
+
+ private:
+  const ScopedEnvironment variable_{"CS550_PICTURES", folder.string()};
 };
 
 TEST_F(Picture, IsNotDrawnWhileTheChecksHold) {

@@ -2,6 +2,7 @@
 /// @file scratch_folder.hpp
 /// A temporary folder of a test.
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -12,9 +13,14 @@ namespace cs550::test {
 /// A folder that is empty at the start and removed at the end.
 class ScratchFolder {
  public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "cs550_test.XXXXXX").string();
-    path_ = mkdtemp(name.data());
+  /// @throws std::system_error if it cannot be made in the parent folder
+  explicit ScratchFolder(
+      const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
+    std::string name = (parent / "cs550_test.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::system_error(errno, std::generic_category(), name);
+    }
+    path_ = name;
   }
   ~ScratchFolder() {
     std::error_code
