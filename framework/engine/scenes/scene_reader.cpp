@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <sstream>
 
 #include "cs550/nearest_word.hpp"
@@ -73,6 +74,7 @@ void SceneReader::read(const std::string& key, Real& value, double least, double
   if (!has(key)) return;
   if (!fits(json(key), least, most)) {
     std::ostringstream expected;
+    expected.imbue(std::locale::classic());
     expected << "a number from " << least << " to " << most;
     refuse(key, expected.str(), show(value));
   }

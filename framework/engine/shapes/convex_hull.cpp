@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <locale>
 #include <memory>
 #include <sstream>
 
@@ -54,6 +55,7 @@ std::string advice_if_far(std::span<const Vec3> points) {
   const Real size = bounds.extent().maxCoeff();
   if (resolution < coplanar_tolerance * size) return {};
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << "; the points span " << size << " m at " << distance
        << " m from the origin, where floats are " << resolution
        << " m apart: move them to the origin and give the body a position";
@@ -222,6 +224,7 @@ constexpr double allowed_loss = 1e-2;
 SoupResult too_thin(std::span<const Vec3> points) {
   const Extents extents = extents_of(points);
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << "the points span " << extents.length << " m, but only " << extents.thickness
        << " m across: the sides of their hull are too narrow for floats. Each side needs at least "
           "1/10000 of its length as its width";

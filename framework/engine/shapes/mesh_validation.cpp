@@ -1,5 +1,6 @@
 #include "cs550/mesh_validation.hpp"
 
+#include <locale>
 #include <sstream>
 
 #include "cs550/mass_properties.hpp"
@@ -26,6 +27,7 @@ const char* name(MeshElement element) {
 template <class... Parts>
 Defect defect(MeshElement element, Index index, const Parts&... parts) {
   std::ostringstream sentence;
+  sentence.imbue(std::locale::classic());
   sentence << name(element);
   if (index != no_index) sentence << ' ' << index;
   sentence << ": ";

@@ -1,5 +1,6 @@
 #include "cs550/setting_range.hpp"
 
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@ namespace {
 template <class Number>
 [[noreturn]] void refuse(const char* name, const std::string& expected, Number found) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << "the setting " << name << " needs " << expected << "; found " << found;
   throw std::invalid_argument(text.str());
 }
@@ -30,6 +32,7 @@ void check_number(const char* name, Number value, Bound least, Bound most) {
   // Not a number is outside, too. The bounds are those of the member's type: 1.9 is not a float.
   if (value >= static_cast<Number>(least) && value <= static_cast<Number>(most)) return;
   std::ostringstream range;
+  range.imbue(std::locale::classic());
   range << "a number from " << least << " to " << most;
   refuse(name, range.str(), value);
 }
