@@ -16,11 +16,12 @@ namespace {
 /// Measurements of a run.
 struct Run {
   std::vector<double>
-      energy;        ///< the integrator's invariant, before the first step and after each (J)
-  Real deepest = 0;  ///< deepest penetration at any time (m)
-  Real deepest_at_rest = 0;  ///< deepest penetration in the last second (m)
-  Real fastest = 0;          ///< largest speed of a body (m/s)
-  int points = 0;            ///< largest number of contact points at any time
+      energy;  ///< the integrator's invariant, before the first step and after each (J)
+  std::vector<double> kinetic;  ///< kinetic energy at the same times (J)
+  Real deepest = 0;             ///< deepest penetration at any time (m)
+  Real deepest_at_rest = 0;     ///< deepest penetration in the last second (m)
+  Real fastest = 0;             ///< largest speed of a body (m/s)
+  int points = 0;               ///< largest number of contact points at any time
   double momentum_error = 0;
   std::uint64_t hash = 0;
 };
@@ -31,7 +32,12 @@ Run run_scene(const Scene& scene, int steps) {
   world.settings().audit_momentum = true;
   world.settings().check_stages = true;
   const Real substep = scene.h / static_cast<Real>(scene.settings.substeps);
-  run.energy.push_back(energy(world, substep).invariant);
+  const auto note_energy = [&] {
+    const Energy present = energy(world, substep);
+    run.energy.push_back(present.invariant);
+    run.kinetic.push_back(present.kinetic);
+  };
+  note_energy();
   for (int step = 0; step < steps; ++step) {
     world.step(scene.h);
     EXPECT_TRUE(world.problems().empty()) << world.problems()[0].message;
@@ -44,7 +50,7 @@ Run run_scene(const Scene& scene, int steps) {
     if (static_cast<Real>(steps - step) * scene.h <= 1) {
       run.deepest_at_rest = std::max(run.deepest_at_rest, depth);
     }
-    run.energy.push_back(energy(world, substep).invariant);
+    note_energy();
     if (!std::isfinite(run.energy.back())) break;
   }
   run.momentum_error = world.momentum_error();
@@ -52,19 +58,34 @@ Run run_scene(const Scene& scene, int steps) {
   return run;
 }
 
-/// The largest relative growth of energy over any second, and its start.
+/// What energy may grow by within a second, relative to the energy that bodies have shown until then: the largest
+/// kinetic energy and the largest loss. The potential energy itself says nothing, since its zero is anywhere.
+/// Rounding reaches 3.9e-5 in pyramid20, where 14 MJ are at rest, and 1.2e-5 in free_spin.
+double allowed_growth(const std::string& scene) {
+  // Its first hull hits four others in turn, e = 1, and reaches 1.48e-3. An impact may end with the energy of the
+  // substep's beginning plus that of its fall, of which the floor then takes none: ½·m·(g·h)² = 0.033 J for each of two
+  // hulls, of 177 J. With twice as many substeps a quarter of it is left.
+  return scene == "newton_cradle" ? 2e-3 : 1e-4;
+}
+
 void expect_no_growth(const Run& run, const Scene& scene) {
   const std::size_t second = std::lround(1 / scene.h);
+  double fastest = 0;
+  double least = run.energy[0];
   double worst = 0;
   std::size_t when = 0;
-  for (std::size_t i = 0; i + second < run.energy.size(); ++i) {
-    const double growth = run.energy[i + second] / run.energy[i] - 1;
-    if (growth > worst) {
-      worst = growth;
-      when = i;
+  for (std::size_t i = 0; i < run.energy.size(); ++i) {
+    fastest = std::max(fastest, run.kinetic[i]);
+    least = std::min(least, run.energy[i]);
+    if (i < second) continue;
+    const double growth = run.energy[i] - run.energy[i - second];
+    const double shown = fastest + run.energy[0] - least;
+    if (growth > worst * shown) {
+      worst = growth / shown;
+      when = i - second;
     }
   }
-  EXPECT_LE(worst, 1e-3) << "in the second after step " << when;
+  EXPECT_LE(worst, allowed_growth(scene.name)) << "in the second after step " << when;
 }
 
 const std::set<std::string> nothing_touches{"free_spin", "thrown_shapes", "ghosts",
@@ -98,30 +119,53 @@ void expect_sound(const std::string& name) {
   }
 }
 
-TEST(ShippedScenes, FreeSpin) { expect_sound("free_spin"); }
-TEST(ShippedScenes, Incline) { expect_sound("incline"); }
-TEST(ShippedScenes, ThrownShapes) { expect_sound("thrown_shapes"); }
-TEST(ShippedScenes, Ghosts) { expect_sound("ghosts"); }
-TEST(ShippedScenes, OverTheEdge) { expect_sound("over_the_edge"); }
-TEST(ShippedScenes, Collisions) { expect_sound("collisions"); }
-TEST(ShippedScenes, StandingWallLong) { expect_sound("standing_wall"); }
-TEST(ShippedScenes, Bounce) { expect_sound("bounce"); }
-TEST(ShippedScenes, NewtonCradle) { expect_sound("newton_cradle"); }
-TEST(ShippedScenes, Stack10) { expect_sound("stack10"); }
-TEST(ShippedScenes, DominoesLong) { expect_sound("dominoes"); }
-TEST(ShippedScenes, BunnyAndTeapot) { expect_sound("bunny_and_teapot"); }
-TEST(ShippedScenes, WallLong) { expect_sound("wall"); }
-TEST(ShippedScenes, Pyramid20Long) { expect_sound("pyramid20"); }
-TEST(ShippedScenes, HullPileLong) { expect_sound("hull_pile"); }
-TEST(ShippedScenes, BoxPileLong) { expect_sound("box_pile"); }
+/// "BunnyAndTeapotLong" tests the scene "bunny_and_teapot".
+std::string scene_of_test(std::string test) {
+  const std::string suffix = "Long";
+  if (test.ends_with(suffix)) test.resize(test.size() - suffix.size());
+  std::string scene;
+  for (const char letter : test) {
+    const bool capital = letter >= 'A' && letter <= 'Z';
+    if (capital && !scene.empty()) scene += '_';
+    scene += capital ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  return scene;
+}
 
-TEST(ShippedScenes, EverySceneHasATestAbove) {
-  const std::set<std::string> tested = {
-      "free_spin", "incline",       "bounce",           "newton_cradle",
-      "stack10",   "dominoes",      "bunny_and_teapot", "wall",
-      "pyramid20", "hull_pile",     "box_pile",         "thrown_shapes",
-      "ghosts",    "over_the_edge", "collisions",       "standing_wall"};
-  for (const std::string& name : shipped_scenes()) EXPECT_EQ(tested.count(name), 1U) << name;
+/// The running test is named after its scene.
+void expect_own_scene_sound() {
+  expect_sound(scene_of_test(testing::UnitTest::GetInstance()->current_test_info()->name()));
+}
+
+TEST(ShippedScenes, FreeSpin) { expect_own_scene_sound(); }
+TEST(ShippedScenes, Incline) { expect_own_scene_sound(); }
+TEST(ShippedScenes, ThrownShapes) { expect_own_scene_sound(); }
+TEST(ShippedScenes, Ghosts) { expect_own_scene_sound(); }
+TEST(ShippedScenes, OverTheEdge) { expect_own_scene_sound(); }
+TEST(ShippedScenes, Collisions) { expect_own_scene_sound(); }
+TEST(ShippedScenes, StandingWallLong) { expect_own_scene_sound(); }
+TEST(ShippedScenes, Bounce) { expect_own_scene_sound(); }
+TEST(ShippedScenes, NewtonCradle) { expect_own_scene_sound(); }
+TEST(ShippedScenes, Stack10) { expect_own_scene_sound(); }
+TEST(ShippedScenes, DominoesLong) { expect_own_scene_sound(); }
+TEST(ShippedScenes, BunnyAndTeapot) { expect_own_scene_sound(); }
+TEST(ShippedScenes, WallLong) { expect_own_scene_sound(); }
+TEST(ShippedScenes, Pyramid20Long) { expect_own_scene_sound(); }
+TEST(ShippedScenes, HullPileLong) { expect_own_scene_sound(); }
+TEST(ShippedScenes, BoxPileLong) { expect_own_scene_sound(); }
+
+TEST(SceneList, HasATestAboveForEachScene) {
+  const testing::UnitTest& program = *testing::UnitTest::GetInstance();
+  std::set<std::string> tested;
+  for (int i = 0; i < program.total_test_suite_count(); ++i) {
+    const testing::TestSuite& suite = *program.GetTestSuite(i);
+    if (std::string(suite.name()) != "ShippedScenes") continue;
+    for (int j = 0; j < suite.total_test_count(); ++j) {
+      tested.insert(scene_of_test(suite.GetTestInfo(j)->name()));
+    }
+  }
+  const std::vector<std::string> shipped = shipped_scenes();
+  EXPECT_EQ(tested, std::set<std::string>(shipped.begin(), shipped.end()));
 }
 
 }  // namespace
