@@ -54,8 +54,8 @@ TEST(Scene, RefusesProductsThatFloatCannotHold) {
   };
   const std::string spin = R"(, "angular_velocity": [1e6, 0, 0])";
   const std::string speed = R"(, "linear_velocity": [1e6, 0, 0])";
-  expect_refused(with_body(cube("1e6", "1e6", spin)), {"/bodies/0: ", "mass", "1e+18", "8e+24"});
-  expect_refused(with_body(cube("1e6", "0.1", spin)), {"energy of the rotation", "1e+30"});
+  expect_refused(with_body(cube("1e6", "1e6", spin)), {"/bodies/0: ", "mass", "1e+15", "8e+24"});
+  expect_refused(with_body(cube("1e6", "1e-6", spin)), {"energy of the rotation", "1e+30"});
   expect_refused(with_body(cube("1", "1") + ", " + cube("1e3", "1e3", speed)),
                  {"/bodies/1: ", "momentum", "1e+18", "8e+18", "\"linear_velocity\": [0, 0, 0]"});
   expect_refused(with_body(cube("1e-6", "1e-6")), {"/bodies/0: ", "moments of inertia", "1e-30"});
@@ -68,8 +68,8 @@ TEST(Scene, RefusesProductsThatFloatCannotHold) {
                  {"/bodies/0: ", "speed of its surface by rotation", "at most 1e+18",
                   "\"angular_velocity\": [0, 0, 0]"});
   expect_refused(R"({"schema": 1, "world": {"gravity": [0, 0, 1e6]}, "h": 1, "bodies": [)" +
-                     cube("1e5", "1") + "]}",
-                 {"/bodies/0: ", "momentum in kg m/s after the first step", "found 8e+21"});
+                     cube("1e5", "0.01") + "]}",
+                 {"/bodies/0: ", "momentum in kg m/s after the first step", "found 8e+19"});
   expect_refused(R"({"schema": 1, "generators": [{"kind": "stack", "count": 1, "body": )" +
                      cube("1", "1") + R"(}, {"kind": "stack", "count": 2, "body": )" +
                      cube("1e6", "1e6") + "}]}",
@@ -354,8 +354,8 @@ TEST(Scene, ExamplesInMessagesWorkWhenPasted) {
   const std::string huge = R"("shape": {"kind": "box", "half_extents": [1e6, 1e6, 1e6]})";
   const std::string wrong[] = {
       with_body("{" + huge + R"(, "density": 1e6})"),
-      with_body("{" + huge + R"(, "density": 0.1, "angular_velocity": [1e6, 0, 0]})"),
-      with_body("{" + huge + R"(, "density": 0.1, "linear_velocity": [1e6, 0, 0]})"),
+      with_body("{" + huge + R"(, "density": 1e-6, "angular_velocity": [1e6, 0, 0]})"),
+      with_body("{" + huge + R"(, "density": 1e-6, "linear_velocity": [1e6, 0, 0]})"),
       with_body("{" + shape + R"(, "friction": -1})"),
       with_body("{" + shape + R"(, "restitution": 2})"),
       with_body("{" + shape + R"(, "position": [1, 2]})"),

@@ -274,5 +274,19 @@ TEST(SolveOrder, OfDroppedContactsIsNotKept) {
   for (const SolveUnit& unit : world.solve_order.units) EXPECT_TRUE(unit.groups.empty());
 }
 
+// If L1.5 is unwritten, nothing else gathers the velocities that the solver's changes are compared with.
+TEST(SolveOrder, TheNaiveSolverKnowsTheVelocitiesBeforeForcesAct) {
+  WorldState world;
+  world.settings.solver = SolverKind::Naive;
+  world.bodies = bodies_of_kinds(2, 1);
+  world.bodies[1].linear_velocity = {3, 0, 0};
+  world.pairs = pairs_of(std::vector<Contact>{contact_between(0, 2, 1)});
+  arrange_contacts(world);
+  begin_constraints(world);
+  prepare(world, contact_step(world.settings, Real(0.01)));
+  ASSERT_EQ(world.constraints.size(), 1U);
+  EXPECT_EQ(world.solver_bodies[1].v, Vec3(3, 0, 0));
+}
+
 }  // namespace
 }  // namespace cs550::test

@@ -33,7 +33,9 @@ std::string replace_from_environment(const std::string& variable, int& limit) {
 constexpr double largest_inertia_ratio = 1e6;
 /// Of the masses of two dynamic bodies.
 constexpr double largest_mass_ratio = 1e9;
-/// Of one body (kg, kg m/s): the engine squares it.
+/// Of one body (kg), as World::add_body() states it.
+constexpr double largest_mass = 1e15;
+/// Of one body (kg m/s): the engine squares it.
 constexpr double largest_momentum = 1e18;
 /// Of one body (kg m²). The engine uses the inverse, too.
 constexpr double smallest_inertia = 1e-30;
@@ -129,8 +131,8 @@ void refuse_overflow(const BodyDef& body, const Eigen::Vector3d& moments, const 
                      const std::string& path) {
   const double mass = mass_of(body);
   const double density = mass / static_cast<double>(body.shape->volume);
-  refuse_above(mass, largest_momentum, path, "a mass in kg",
-               "for example \"density\": " + in_digits(density / mass * largest_momentum / 2));
+  refuse_above(mass, largest_mass, path, "a mass in kg",
+               "for example \"density\": " + in_digits(density / mass * largest_mass / 2));
   refuse_moments(body, moments, path);
   refuse_speeds(body, scene, path);
 }

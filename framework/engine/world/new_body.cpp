@@ -40,15 +40,25 @@ bool can_turn(const RigidBody& body) {
          (body.inverse_inertia.diagonal().array() > 0).all();
 }
 
-/// A step squares momenta.
-constexpr Real largest_mass = Real(1e18);
+/// A step squares momenta and impulses, at speeds of up to 10 km/s.
+constexpr Real largest_mass = Real(1e15);
+/// Of a body at its farthest point to an impulse there (1/kg). A step multiplies two such numbers.
+constexpr Real largest_response = Real(1e18);
 
-void check_range(const RigidBody& body) {
+/// The largest possible one.
+Real response(const RigidBody& body, Real radius) {
+  return body.inverse_mass + radius * radius * body.inverse_inertia.diagonal().maxCoeff();
+}
+
+void check_range(const RigidBody& body, Real radius) {
   require_of_body(can_turn(body),
                   "a mass with which its moments of inertia and their reciprocals are finite");
-  require_of_body(body.mass <= largest_mass, "a mass of at most 1e18 kg");
+  require_of_body(body.mass <= largest_mass, "a mass of at most 1e15 kg");
   require_of_body(
-      std::isfinite(kinetic_energy(body)),
+      response(body, radius) <= largest_response,
+      "a mass with which 1/mass + radius²/(smallest moment of inertia) is at most 1e18/kg");
+  require_of_body(
+      std::isfinite(kinetic_energy(body)) && std::isfinite(body.linear_momentum.squaredNorm()),
       "velocities with which its kinetic energy and the square of its momentum are finite");
 }
 
@@ -72,7 +82,7 @@ RigidBody make_body(const BodyDef& def) {
     body = make_immovable_body(def.kind, pose);
   }
   set_velocity(body, def.linear_velocity, def.angular_velocity);
-  if (def.kind == BodyKind::Dynamic) check_range(body);
+  if (def.kind == BodyKind::Dynamic) check_range(body, def.shape->radius);
   return body;
 }
 

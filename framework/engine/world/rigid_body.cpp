@@ -44,7 +44,8 @@ Real kinetic_energy(const RigidBody& body) {
   if (body.kind != BodyKind::Dynamic) return 0;
   const Vec3 l = body.pose.unrotate(body.angular_momentum);
   const Vec3 w = body.inverse_inertia * l;
-  return (body.inverse_mass * body.linear_momentum.squaredNorm() + w.dot(l)) / 2;
+  const Vec3 v = body.inverse_mass * body.linear_momentum;  // the square of P may not be finite
+  return (v.dot(body.linear_momentum) + w.dot(l)) / 2;
 }
 
 }  // namespace cs550

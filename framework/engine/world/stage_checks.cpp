@@ -92,14 +92,20 @@ void forget_impulses(PairList& pairs, const std::vector<char>& restored) {
 }  // namespace
 
 void check_bodies(WorldState& world, Stage stage, int lab) {
-  const auto is_reported = [&](Index body) {
-    return std::any_of(world.problems.begin(), world.problems.end(),
-                       [&](const StageProblem& problem) { return problem.body == body; });
+  std::vector<char> reported;
+  const auto is_reported = [&](std::size_t body) {
+    if (reported.empty()) {
+      reported.resize(world.bodies.size());
+      for (const StageProblem& problem : world.problems) {
+        if (problem.body != no_index) reported[problem.body] = 1;
+      }
+    }
+    return reported[body] != 0;
   };
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const char* promise = broken_promise(world.bodies[i]);
-    const auto body = static_cast<Index>(i);
-    if (promise != nullptr && !is_reported(body)) report(world, stage, lab, body, promise);
+    if (promise == nullptr || is_reported(i)) continue;
+    report(world, stage, lab, static_cast<Index>(i), promise);
   }
 }
 

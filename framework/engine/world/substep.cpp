@@ -196,8 +196,8 @@ ContactStep contact_step(const WorldSettings& settings, Real h) {
 void prepare(WorldState& world, const ContactStep& step) {
   forget_turns(world);
   if (world.constraints.empty()) return;
-  if (world.settings.solver == SolverKind::Naive) return make_constraints(world);
   gather_solver_bodies(world);
+  if (world.settings.solver == SolverKind::Naive) return make_constraints(world);
   keep_groups(world.solve_order, world.mirrors, world.team);
   world.cold_start.is_pair_cold.assign(world.pairs.size(), 0);
   for_groups_in_blocks(world,

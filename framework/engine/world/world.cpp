@@ -158,9 +158,10 @@ PosedShape World::posed_shape(BodyId id) const {
 }
 
 void World::step(Real h) {
-  if (!std::isfinite(h) || h <= 0) {
+  constexpr Real shortest = Real(1e-30);  // the reciprocal of a shorter one may not be finite
+  if (!std::isfinite(h) || h < shortest) {
     throw std::invalid_argument(
-        "World::step() needs a positive, finite number of seconds, such as 1/60; found " +
+        "World::step() needs a finite number of seconds of at least 1e-30, such as 1/60; found " +
         std::to_string(h));
   }
   check(state_->settings);

@@ -35,9 +35,11 @@ struct ClipVertex {
   ClipEdge out;            ///< the edge that starts here
 };
 
-/// A convex polygon, counter-clockwise about the normal of its face. Each clipping plane adds at
-/// most one corner, so the capacity suffices for two faces of the largest size.
-using ClipPolygon = StaticVector<ClipVertex, 2 * max_face_vertices>;
+/// A polygon, counter-clockwise about the normal of its face. A plane adds at most one corner to a
+/// convex polygon. A face may turn inward by what validate() tolerates, and a plane may then cut it
+/// in several places: of n corners, m planes leave at most 2n + m. The capacity suffices for two
+/// faces of the largest size.
+using ClipPolygon = StaticVector<ClipVertex, 3 * max_face_vertices>;
 
 /// **L5.1** Clips a polygon by a plane and keeps the side where the distance is ≤ 0 (Sutherland &
 /// Hodgman). A corner on the plane is kept as it is and emitted once: an intersection is created

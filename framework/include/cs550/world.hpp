@@ -42,7 +42,8 @@ struct WorldSettings {
   int substeps = 6;    ///< per step, 1–1000
   int iterations = 2;  ///< solver passes with bias per substep without impacts, 0–1000
   /// Relax passes (without bias) per substep of soft contacts, 0–1000; 1 counts as 2 where
-  /// something bounces.
+  /// something bounces. With neither passes nor relax passes nothing corrects the impulses with
+  /// which contacts start warm.
   int relax_iterations = 1;
   PassOrder pass_order = PassOrder::StepByStep;                ///< constraint solver only
   SolverKind solver = SolverKind::Constraint;                  ///< the contact solver
@@ -219,14 +220,18 @@ class World {
   /// Adds a body. May be called between steps. References to bodies, shapes and definitions, and
   /// what bodies() and contacts() returned, are invalid afterwards.
   /// @throws std::invalid_argument if the shape is missing, or if a number is not finite, has no
-  ///         physical meaning or is too large; the message names it. Speeds (m/s and rad/s) and the
-  ///         mass (kg) may be up to 1e18, the friction up to 1e6. The kinetic energy and the square of
-  ///         the momentum must be finite
+  ///         physical meaning or is out of range; the message names it. Speeds (m/s and rad/s) may
+  ///         be up to 1e18, the mass up to 1e15 kg, the friction up to 1e6. For a radius r,
+  ///         1/mass + r²/(smallest moment of inertia) may be up to 1e18/kg. The kinetic energy and
+  ///         the square of the momentum must be finite
   BodyId add_body(const BodyDef& def);
   /// Removes a body and its contacts. May be called between steps. The id of a removed body is
   /// ignored. References to this body, its shape and its definition are invalid afterwards, those of
   /// others are not. What contacts(), sleeping_contacts() and axes() returned is invalid; what began()
   /// and ended() returned is not. After the next step ended() lists the pairs that touched.
+  ///
+  /// Takes time in proportion to all near pairs. bodies() keeps its length, and every step visits
+  /// all of it: to empty a large world, begin a new one.
   void remove_body(BodyId id);
   /// Replaces the definition of a body, including its pose and velocities: the way to change its
   /// kind, shape, mass, friction, restitution or filter. The body keeps its id and loses its
@@ -267,7 +272,7 @@ class World {
   /// and problems() returned is invalid afterwards.
   /// @param h s; 1/60 is usual. It may vary, and stored impulses follow, but piles rest best if it
   /// is constant.
-  /// @throws std::invalid_argument if h is not positive and finite, or a setting is outside its
+  /// @throws std::invalid_argument if h is not finite or below 1e-30 s, or a setting is outside its
   ///         range; nothing has changed then
   /// @throws whatever a lab function throws, other than NotImplemented. The step is then incomplete:
   ///         go on from a copy that was made before.

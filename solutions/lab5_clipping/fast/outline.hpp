@@ -41,10 +41,10 @@ class Outline {
 
   /// Becomes another outline, clipped by a plane. Whether a corner is inside is hard to predict, so no branch depends on
   /// it: every corner and every intersection is written, and the next one overwrites those that the size does not count.
-  /// @returns false, without a change, if all corners of the other one are inside
+  /// @returns false, without a change, if all corners of the other one are inside, or if there is no room for the corners
   bool clip(const Outline& whole, const PackedPlane& plane, EdgeName plane_edge) {
     std::array<Real, capacity> distances;
-    if (!measure(whole, plane, distances)) return false;
+    if (!measure(whole, plane, distances) || !fits(whole, distances)) return false;
     size_ = 0;
     Real before = distances[whole.size_ - 1];
     Real here = distances[0];
@@ -85,6 +85,21 @@ class Outline {
       any_outside |= !(distances[i] <= 0);
     }
     return any_outside;
+  }
+
+  /// Whether there is room for what the plane leaves. There is for convex faces, but rounding might let nearly parallel
+  /// planes cut an outline that turns inward more often than straight lines do.
+  static bool fits(const Outline& whole, const std::array<Real, capacity>& distances) {
+    constexpr std::size_t of_convex_faces = 2 * static_cast<std::size_t>(max_face_vertices);
+    if (whole.size_ < of_convex_faces) return true;
+    std::size_t corners = 0;
+    for (std::size_t i = 0; i < whole.size_; ++i) {
+      const Real here = distances[i];
+      const Real after = distances[i + 1 < whole.size_ ? i + 1 : 0];
+      const bool crosses = (here < 0 && after > 0) || (here > 0 && after < 0);
+      corners += static_cast<std::size_t>(here <= 0) + static_cast<std::size_t>(crosses);
+    }
+    return corners < capacity;
   }
 
   /// Behind the last corner.
