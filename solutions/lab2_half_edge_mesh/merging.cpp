@@ -150,8 +150,8 @@ class CoplanarMerger {
     return no_index;
   }
 
-  /// The two faces at an edge, and those needed to resolve the reflex vertices of their outline: a flat face
-  /// cut into a fan has no two neighbours that are convex together. Nothing if that is not flat.
+  /// The two faces at an edge, and those needed to resolve the reflex vertices of their outline: of a triangle
+  /// cut into a fan of three, no two faces are convex together. Nothing if that is not flat.
   std::optional<Union> grow_across(Index e) const {
     Union merged{outline_of(mesh_, mesh_.edge(e).face), {mesh_.edge(e).face}};
     for (Index shared_edge = e; shared_edge != no_index;) {

@@ -4,4 +4,4 @@ set xzeroaxis linecolor rgb faint
 set yrange [-3:2.5]
 set key bottom left
 plot file using 1:2 with lines linewidth 2.5 linecolor rgb right title "−j n on A, +j n on B", \
-     file using 1:3 with lines linewidth 2.5 linecolor rgb wrong title "the document's signs"
+     file using 1:3 with lines linewidth 2.5 linecolor rgb wrong title "+j n on A, −j n on B"

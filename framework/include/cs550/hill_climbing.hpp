@@ -24,7 +24,7 @@ Support support_brute_force(std::span<const Vec3> vertices, const Vec3& directio
 
 /// **L3.2** Steepest ascent: moves to the best neighbour for as long as that is strictly better
 /// than the current vertex. On a convex mesh the result is the most extreme vertex, or one of
-/// several on a plateau. On a well-shaped mesh this takes about √V dot products.
+/// several on a plateau. On a well-shaped mesh this takes about 3·√V dot products.
 /// @param mesh body frame
 /// @param direction body frame, any length
 /// @param start any vertex; a good start is the result for a similar direction

@@ -21,9 +21,9 @@ struct MeshDefect {
 
 /// Returns the first violated invariant of a mesh, if any. The invariants are checked in this
 /// order: array sizes and index ranges, finite vertices, twins (`e ^ 1`, opposite, between two
-/// places), loops (next/prev, at least three edges, one face), vertex_edge, no vertex of degree two,
-/// closedness and Euler's V − E + F = 2, unit normals, planar faces, positive signed volume
-/// (winding), convexity.
+/// places), loops (next/prev, at least three edges, one face), vertex_edge, one fan of at least
+/// three faces around each vertex, Euler's V − E + F = 2, unit normals, planar faces, positive
+/// signed volume (winding), convexity.
 /// @param tolerance for planarity and convexity, relative to the largest extent of the bounds
 std::optional<MeshDefect> validate(const HalfEdgeMesh& mesh, Real tolerance = Real(1e-4));
 
