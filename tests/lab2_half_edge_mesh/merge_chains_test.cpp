@@ -29,6 +29,24 @@ void require_solid_again(const Story& story, const Cut& cut) {
   }
 }
 
+/// Its sides rise by a fifth of a degree, and neighbouring ones become one face. The corners between them have
+/// two edges left, and lie within the tolerance of both planes, but 2.4 mm beside the line of their neighbours:
+/// 240 times the slack.
+void require_corners_of_a_flat_pyramid(Story story) {
+  story.given("a pyramid 1 mm high over a regular 64-gon of radius 0.5 m")
+      .likely(
+          "where two faces enclose a small angle, a corner is near both planes: measure how far it "
+          "is from the line through its neighbours");
+  const HalfEdgeMesh built = require_mesh(pyramid_soup(64, Real(0.5), Real(1e-3)), story);
+  const HalfEdgeMesh mesh = merge_coplanar_faces(built);
+  require(story.expect_equal("vertices", mesh.vertex_count(), 65));
+  require(story.expect_at_most("faces", mesh.face_count(), 65));
+  require(expect_valid(story, mesh));
+  // A third of base times height, the base ½·n·r²·sin(2π/n).
+  const double exact = 0.5 * 64 * 0.25 * std::sin(2 * M_PI / 64) * 1e-3 / 3;
+  require(story.expect_near("volume", volume(mesh), exact, 0.01 * exact, "m³"));
+}
+
 GRADED_TEST(Lab2, StraightVerticesLeaveBothFaces, 4, "L2.7") {
   require_linked_merge();
   Story story("A vertex in the middle of an edge is removed once only two faces share it");
@@ -42,6 +60,7 @@ GRADED_TEST(Lab2, StraightVerticesLeaveBothFaces, 4, "L2.7") {
         Cut{"box, each triangle split into four", split_at_middles(cut_box), 8, 12, 6}}) {
     require_solid_again(story, cut);
   }
+  require_corners_of_a_flat_pyramid(story);
 }
 
 GRADED_TEST(Lab2, ChainsGoWithTheirInnerVertices, 4, "L2.8") {

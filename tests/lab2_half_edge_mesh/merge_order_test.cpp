@@ -100,7 +100,8 @@ GRADED_TEST(Lab2, HullsOfScatteredPointsStaySound, 2, "L2.9") {
   require_linked_merge();
   Story story("Slivers and near misses are merged or left, but the mesh stays closed and convex");
   story.likely("a merge that leaves two corners to a neighbour must not happen")
-      .likely("a merged plane must not tip so far that other vertices come out in front of it");
+      .likely("a merged plane must not tip so far that other vertices come out in front of it")
+      .likely("nearly coplanar faces are to be merged, too, within the tolerance");
   int merged_faces = 0;
   for (std::uint32_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
@@ -122,7 +123,8 @@ GRADED_TEST(Lab2, HullsOfScatteredPointsStaySound, 2, "L2.9") {
     require(expect_valid(here, mesh));
     here.expect_near("volume", volume(mesh), volume(built), 1e-4 * volume(built), "m³");
   }
-  story.expect_at_least("faces saved in all forty hulls", merged_faces, 1);
+  // 870 to 900 with the reference, over all seeds. Another order of merging may save a few less.
+  story.expect_at_least("faces saved in all forty hulls", merged_faces, 700);
 }
 
 }  // namespace

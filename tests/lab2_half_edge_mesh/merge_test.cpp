@@ -1,5 +1,6 @@
 // L2.6: merging two coplanar faces.
 #include <cs550/graded_test.hpp>
+#include <initializer_list>
 
 #include "lab2_half_edge_mesh/mesh_checks.hpp"
 
@@ -70,10 +71,11 @@ struct Roof {
   Real tolerance;
 };
 
-/// Checks that merging flattens a ridge at a quarter of the slack, and keeps one at four times it.
-void require_ridge_by_height(const Story& story, const Roof& roof) {
-  for (const bool is_kept : {false, true}) {
-    const Real height = (is_kept ? 4 : Real(0.25)) * roof.tolerance * 2;
+/// Checks that merging flattens a ridge of these heights, or keeps it. @param shares heights over the slack
+void require_ridges(const Story& story, const Roof& roof, std::initializer_list<Real> shares,
+                    bool are_kept) {
+  for (const Real share : shares) {
+    const Real height = share * roof.tolerance * 2;
     const TriangleSoup soup =
         placed(roofed_box(roof.half_thickness, height), roof.scale, roof.orientation, Vec3::Zero());
     Story here = story;
@@ -83,9 +85,9 @@ void require_ridge_by_height(const Story& story, const Roof& roof) {
         .given("height of the ridge over the width", height / 2);
     const HalfEdgeMesh built = require_mesh(soup, here);
     const HalfEdgeMesh mesh = merge_coplanar_faces(built, roof.tolerance);
-    require(here.expect_equal("faces", mesh.face_count(), is_kept ? 7 : 6));
+    require(here.expect_equal("faces", mesh.face_count(), are_kept ? 7 : 6));
     // The ends of a removed ridge have two edges left. L2.7 removes them.
-    if (is_kept) require(expect_valid(here, mesh, 2 * roof.tolerance + Real(1e-4)));
+    if (are_kept) require(expect_valid(here, mesh, 2 * roof.tolerance + Real(1e-4)));
   }
 }
 
@@ -95,15 +97,23 @@ GRADED_TEST(Lab2, ToleranceIsRelativeToTheSizeOfTheMesh, 3, "L2.6") {
   Story story("A low ridge on a box is merged or kept by its height over the size of the box");
   story.seed(random.seed())
       .likely("the tolerance is relative: multiply it by the *largest* extent, in metres")
+      .likely("an extent is the whole width of the bounds, not the half")
       .likely("it bounds a distance, not an angle: equal normals within 1e-5 are another question");
   // The top's four corners and the ridge's two ends lie at −h/3 and +2h/3 from their common plane,
   // the corners of two triangles across the ridge at ±h/2, the ridge h above the plane of the
-  // corners: at a quarter of the slack and at four times it, the order of merging is irrelevant.
+  // corners: up to one slack and beyond two, the order of merging is irrelevant.
   for (const Real tolerance : {coplanar_tolerance, Real(1e-3)}) {
     for (const Real scale : {Real(1), Real(1e-3), Real(1e3)}) {
-      require_ridge_by_height(story, {1, random.orientation(), scale, tolerance});
-      // A plate, whose smallest extent is a hundredth of its largest.
-      require_ridge_by_height(story, {Real(0.01), Quat::Identity(), scale, tolerance});
+      // The extents of a turned box are up to √3 times its width.
+      const Roof turned{1, random.orientation(), scale, tolerance};
+      require_ridges(story, turned, {Real(0.25), Real(0.9)}, false);
+      require_ridges(story, turned, {4}, true);
+      // A box and a plate, whose smallest extent is a hundredth of its largest.
+      for (const Real half_thickness : {Real(1), Real(0.01)}) {
+        const Roof upright{half_thickness, Quat::Identity(), scale, tolerance};
+        require_ridges(story, upright, {Real(0.25), Real(0.9)}, false);
+        require_ridges(story, upright, {Real(2.2), 4}, true);
+      }
     }
   }
 }

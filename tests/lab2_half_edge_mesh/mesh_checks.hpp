@@ -29,8 +29,19 @@ inline HalfEdgeMesh require_mesh(const TriangleSoup& soup, const Story& story) {
   return std::move(build.mesh);
 }
 
+/// The fault of a list of triangles. If there is one, there must be no mesh.
 inline MeshIssue issue_of(const TriangleSoup& soup) {
-  return build_half_edge_mesh(soup.vertices, soup.triangles).issue;
+  const auto [mesh, issue] = build_half_edge_mesh(soup.vertices, soup.triangles);
+  if (!issue) return issue;
+  Story story("Triangles in which something is wrong give no mesh");
+  story.given("what build_half_edge_mesh() reports: " + describe(issue))
+      .likely(
+          "the mesh beside an issue is empty: return a new one, not what has been built so far");
+  require(story.expect_equal("vertices", mesh.vertices.size(), std::size_t(0)));
+  require(story.expect_equal("half-edges", mesh.edges.size(), std::size_t(0)));
+  require(story.expect_equal("faces", mesh.faces.size(), std::size_t(0)));
+  require(story.expect_equal("entries of vertex_edge", mesh.vertex_edge.size(), std::size_t(0)));
+  return issue;
 }
 
 /// The name of an error in C++.

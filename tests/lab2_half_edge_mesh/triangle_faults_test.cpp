@@ -48,6 +48,28 @@ void expect_checks_in_order() {
   expect_error(coordinates, infinite, MeshError::NonFiniteVertex);
   coordinates.expect_equal("the vertex", infinite.vertex, 8);
 
+  TriangleSoup both = unit_box();
+  both.vertices[5].z() = std::numeric_limits<Real>::infinity();
+  both.triangles[7][1] = 8;
+  Story first = story;
+  first.given("a box of twelve triangles, its vertices 0 to 7")
+      .given("z of vertex 5", both.vertices[5].z())
+      .given("an index in triangle 7", 8)
+      .likely("the coordinates of all vertices are checked before the first index");
+  const MeshIssue of_vertex = issue_of(both);
+  expect_error(first, of_vertex, MeshError::NonFiniteVertex);
+  first.expect_equal("the vertex", of_vertex.vertex, 5);
+
+  TriangleSoup open = unit_box();
+  open.triangles.pop_back();
+  open.vertices.push_back(Vec3::Zero());
+  Story triangles_first = story;
+  triangles_first.given("a box without its last triangle, and a vertex 8 that no triangle uses")
+      .likely("the triangles and their vertices are checked before the first edge");
+  const MeshIssue isolated = issue_of(open);
+  expect_error(triangles_first, isolated, MeshError::IsolatedVertex);
+  triangles_first.expect_equal("the vertex", isolated.vertex, 8);
+
   TriangleSoup duplicate = unit_box();
   const auto [a, b, c] = duplicate.triangles[1];
   duplicate.triangles.push_back({b, c, a});

@@ -39,6 +39,14 @@ TestPair random_pair(Random& random, const std::vector<ShapePtr>& shapes,
 /// Small shapes of all kinds, enlarged.
 std::vector<ShapePtr> small_shapes(Real factor = 1);
 
+/// The best separation over all pairs of edges with crossing arcs. `clear` leaves out crossings
+/// that float may miss, close to an end or at a small angle.
+struct ExactEdges {
+  double clear = -HUGE_VAL;
+  double any = -HUGE_VAL;
+};
+ExactEdges exact_edges(const TestPair& pair);
+
 /// Adds the pair to the story.
 Story about(Story story, const TestPair& pair);
 

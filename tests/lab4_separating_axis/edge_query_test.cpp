@@ -6,7 +6,6 @@
 #include "helpers/picture.hpp"
 #include "lab4_separating_axis/axis_oracle.hpp"
 #include "lab4_separating_axis/crossed_shapes.hpp"
-#include "lab4_separating_axis/gauss_map.hpp"
 
 namespace cs550::test {
 namespace {
@@ -19,45 +18,6 @@ Story with_edge_causes(Story story) {
       .likely("an edge has two half-edges: one of them, the even one, is enough")
       .likely("the inner loop counts on its own edge, not that of the outer loop")
       .likely("the axis is wanted in the world and of unit length");
-}
-
-/// The best separation over all pairs of edges with crossing arcs. `clear` leaves out crossings
-/// that float may miss, close to an end or at a small angle.
-struct ExactEdges {
-  double clear = -HUGE_VAL;
-  double any = -HUGE_VAL;
-};
-
-ExactEdges exact_edges(const TestPair& pair) {
-  struct Edge {
-    Vec3d point, along, left, right;
-  };
-  const auto edges_of = [&](const PosedShape& body) {
-    const HalfEdgeMesh& mesh = body.mesh();
-    const ExactBody exact(body, pair.a.pose.position);
-    std::vector<Edge> edges;
-    for (Index e = 0; e < mesh.edge_count(); e += 2) {
-      const auto normal = [&](Index half) { return exact.normals[mesh.edge(half).face]; };
-      edges.push_back(
-          {exact.vertices[mesh.origin(e)], exact.edges[e / 2], normal(e), normal(e + 1)});
-    }
-    return edges;
-  };
-  ExactEdges best;
-  const std::vector<Edge> edges_b = edges_of(pair.b);
-  for (const Edge& a : edges_of(pair.a)) {
-    for (const Edge& b : edges_b) {
-      const Crossing crossing = crossing_by_lengths(a.left, a.right, -b.left, -b.right);
-      const Vec3d cross = a.along.cross(b.along);
-      if (crossing == Crossing::No || cross.norm() < 1e-6) continue;
-      const double outward = cross.dot(a.left + a.right) > 0 ? 1 : -1;
-      const double separation = (outward * cross.normalized()).dot(b.point - a.point);
-      best.any = std::max(best.any, separation);
-      const bool clear = crossing == Crossing::Yes && cross.norm() > 2 * double{parallel_sine};
-      if (clear) best.clear = std::max(best.clear, separation);
-    }
-  }
-  return best;
 }
 
 /// The edges found, with their axis and their arcs on the Gauss maps.

@@ -10,6 +10,7 @@ namespace {
 
 Story with_axis_causes(Story story) {
   return story.likely("the answer is the *largest* separation of faces of A, faces of B and edges")
+      .likely("ask the edges also if a face separates: they may separate by more")
       .likely("the axis points from A to B: a face of B gives its negated normal")
       .likely("axis and separation belong to the feature that is named");
 }
@@ -20,6 +21,7 @@ struct Census {
   int within_margin = 0;
   int penetrating = 0;
   int edges_win = 0;
+  int edges_win_apart = 0;
 
   void count(const SeparatingAxis& answer, Real margin) {
     if (answer.separation > margin) {
@@ -27,13 +29,16 @@ struct Census {
       return;
     }
     ++(answer.separation > 0 ? within_margin : penetrating);
-    if (answer.feature == AxisFeature::Edges) ++edges_win;
+    if (answer.feature != AxisFeature::Edges) return;
+    ++edges_win;
+    if (answer.separation > 0) ++edges_win_apart;
   }
   void expect_variety(Story& story, int pairs) const {
     story.expect_at_least("pairs separated by more than the margin", separated, 0.125 * pairs);
     story.expect_at_least("pairs apart by less than the margin", within_margin, 0.05 * pairs);
     story.expect_at_least("pairs that penetrate", penetrating, 0.25 * pairs);
     story.expect_at_least("pairs where edges are best", edges_win, 0.1 * pairs);
+    story.expect_at_least("pairs apart where edges are best", edges_win_apart, 0.01 * pairs);
   }
 };
 
@@ -79,12 +84,29 @@ GRADED_TEST(Lab4, AxisAtAnySizeAndFarFromTheOrigin, 2, "L4.4") {
   }
 }
 
+/// Whether an answer for (B, A) has the feature of one for (A, B).
+bool same_feature_swapped(const SeparatingAxis& one, const SeparatingAxis& other) {
+  switch (one.feature) {
+    case AxisFeature::FaceA:
+      return other.feature == AxisFeature::FaceB && one.face_a.face == other.face_b.face;
+    case AxisFeature::FaceB:
+      return other.feature == AxisFeature::FaceA && one.face_b.face == other.face_a.face;
+    case AxisFeature::Edges:
+      return other.feature == AxisFeature::Edges && one.edges.edge_a == other.edges.edge_b &&
+             one.edges.edge_b == other.edges.edge_a;
+    case AxisFeature::None:
+      return false;
+  }
+  return false;
+}
+
 GRADED_TEST(Lab4, SwappedBodiesTurnTheAxisRound, 1, "L4.4") {
   Random random(47);
   Story story =
       with_axis_causes(Story("Swapping A and B keeps the separation and turns the axis round"));
   story.seed(random.seed()).when("find_separating_axis(A, B) and find_separating_axis(B, A)");
   const std::vector<ShapePtr> shapes = small_shapes();
+  int turned = 0;
   for (int i = 0; i < 100; ++i) {
     const TestPair pair = random_pair(random, shapes);
     const SeparatingAxis one = find_separating_axis(pair.a, pair.b, {}, HUGE_VALF);
@@ -94,7 +116,11 @@ GRADED_TEST(Lab4, SwappedBodiesTurnTheAxisRound, 1, "L4.4") {
     Story here = about(story, pair);
     require(here.expect_near("separation after the swap", other.separation, one.separation,
                              tolerance, "m"));
+    if (!same_feature_swapped(one, other)) continue;  // a tie
+    ++turned;
+    require(here.expect_near("axis after the swap", other.axis, -one.axis, 1e-5));
   }
+  story.expect_at_least("pairs with the same feature before and after", turned, 80);
   for (const CrossedShape& shape : crossed_shapes()) {
     const CrossedPair crossed = cross(shape, 1, Real(0.05));
     const TestPair swapped = crossed.pair.swapped();

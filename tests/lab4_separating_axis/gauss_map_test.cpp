@@ -1,6 +1,8 @@
 // L4.1: whether two arcs of the unit sphere cross.
 #include <cs550/graded_test.hpp>
 
+#include <utility>
+
 #include "cs550/separating_axis.hpp"
 #include "drawing/gauss_map_drawing.hpp"
 #include "helpers/picture.hpp"
@@ -15,7 +17,10 @@ namespace {
 Story with_arc_causes(Story story) {
   return story.likely("the ends of each arc must lie on both sides of the other arc's plane")
       .likely("two great circles meet twice: the arcs must lie in the same hemisphere")
-      .likely("with edge directions in place of the cross products, take both with the same sign");
+      .likely("with edge directions in place of the cross products, take both with the same sign")
+      .likely(
+          "compare with 0: arcs between the faces of a fine mesh are short, and their products "
+          "tiny");
 }
 
 /// The two arcs, seen from their side of the sphere.
@@ -35,6 +40,33 @@ Vec3 arc_end(Random& random, const Vec3& begin) {
   const Vec3 away = std::cos(turn) * sideways + std::sin(turn) * begin.cross(sideways);
   const Real length = random.real(Real(0.05), Real(2.6));
   return std::cos(length) * begin + std::sin(length) * away;
+}
+
+/// An arc through a point, from one third to two thirds of which lie before it. @param along unit tangent there
+std::pair<Vec3, Vec3> arc_through(Random& random, const Vec3& point, const Vec3& along,
+                                  Real length) {
+  const Real before = random.real(Real(1) / 3, Real(2) / 3) * length;
+  const auto at = [&](Real angle) {
+    return Vec3(std::cos(angle) * point + std::sin(angle) * along);
+  };
+  return {at(-before), at(length - before)};
+}
+
+/// Faces of a mesh of a thousand faces have normals a few degrees apart.
+void require_short_arcs_cross(Random& random, const Story& story) {
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 point = random.unit_vector();
+    const Vec3 east = any_perpendicular(point);
+    const Vec3 north = point.cross(east);
+    const Real turn = random.real(Real(0.5), pi - Real(0.5));
+    const auto length = [&] { return random.real(Real(0.01), Real(0.1)); };
+    const auto [a, b] = arc_through(random, point, east, length());
+    const auto [c, d] =
+        arc_through(random, point, std::cos(turn) * east + std::sin(turn) * north, length());
+    Story here = story;
+    here.given("short arcs, a", a).given("b", b).given("c", c).given("d", d);
+    require(here.expect("the arcs cross", is_minkowski_face(a, b, c, d)));
+  }
 }
 
 GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
@@ -59,6 +91,7 @@ GRADED_TEST(Lab4, ArcsThatCrossMakeAMinkowskiFace, 3, "L4.1") {
   }
   // 354 ± 18 over all seeds: the bound holds for every salt of a course.
   story.expect_at_least("pairs that cross, so that both answers are asked for", crossing, 250);
+  require_short_arcs_cross(random, story);
 }
 
 GRADED_TEST(Lab4, ArcsThatTouchOrLieOppositeDoNotCross, 3, "L4.1") {

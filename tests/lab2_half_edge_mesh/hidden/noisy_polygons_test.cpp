@@ -10,9 +10,9 @@ GRADED_TEST(Lab2, OneFaultAmongThousandsIsFound, 3, "L2.2") {
   Random random(221);
   Story story("One fault among thousands of triangles is found, and named");
   story.seed(random.seed())
-      .given("icosphere of 20480 triangles")
+      .given("icosphere of 81920 triangles")
       .likely("comparing all pairs of triangles takes minutes: sort, or use a map");
-  const TriangleSoup whole = icosphere_soup(5, 1);
+  const TriangleSoup whole = icosphere_soup(6, 1);
   const Index count = static_cast<Index>(whole.triangles.size());
   for (int i = 0; i < 3; ++i) {
     const Index chosen = random.integer(0, count - 1);
