@@ -3,6 +3,7 @@
 
 #include "lab5_clipping/contact_polygon.hpp"
 #include "lab5_clipping/overlapping_pairs.hpp"
+#include "lab5_clipping/reduction.hpp"
 
 namespace cs550::test {
 namespace {
@@ -36,6 +37,28 @@ void require_depth_of_face(Story story, const PosedShape& a, const PosedShape& b
                             static_cast<double>(depth_tolerance(a, b)), "m"));
 }
 
+/// Polygons of 32 corners, of which clipping makes one of 64. They lie on a circle of the radius
+/// cos(π/32) / cos(π/64), and the largest area of four of them is the square's.
+void require_four_of_many_corners(Story story) {
+  constexpr Real depth = Real(0.01);
+  const ShapePtr prism = fixture_shape("prism32");
+  const PosedShape a{prism.get(), Pose{}};
+  const PosedShape b{prism.get(), {Vec3(0, 0, 1 - depth), turned(Real(180) / 32, Vec3::UnitZ())}};
+  story.given("a prism of 32 sides on another one, turned by half of a side's angle, 1 cm deep")
+      .likely("a face may have max_face_vertices corners, and the clipped polygon twice as many");
+  const Index top = face_towards(prism->mesh, Vec3::UnitZ());
+  const Manifold manifold = build_manifold(a, b, face_axis(a, b, AxisFeature::FaceA, top), 0);
+  require(story.expect_equal("points", manifold.points.size(), 4));
+  std::vector<Point> places;
+  for (const ContactPoint& point : manifold.points) {
+    require(story.expect_near("separation", point.separation, -depth, 1e-6, "m"));
+    places.push_back(middle(a, b, point));
+  }
+  const double radius = std::cos(M_PI / 32) / std::cos(M_PI / 64);
+  require(story.expect_at_least("area", area_of(places, Point::UnitZ()),
+                                least_share * 2 * radius * radius, "m²"));
+}
+
 GRADED_TEST(Lab5, OverlappingBodiesReportTheirDepth, 3, "L5.6") {
   Random random(61);
   Story story = with_choice_causes(
@@ -56,6 +79,7 @@ GRADED_TEST(Lab5, OverlappingBodiesReportTheirDepth, 3, "L5.6") {
     story.expect_at_least("manifolds of each kind (faces of A, of B, edges)",
                           seen[static_cast<std::size_t>(kind)], 300);
   }
+  require_four_of_many_corners(story);
 }
 
 /// Only the edges are known, as after an early out by the edges of the hint.
@@ -125,7 +149,8 @@ void require_face_without_edges(Story here, const PosedShape& a, const PosedShap
 /// Faces of nearly equal separation, and edges that are no better. @param axis two faces of equal separation
 void require_steady_face(Story story, const PosedShape& a, const PosedShape& b,
                          SeparatingAxis axis) {
-  story.likely("faces within tie_tolerance of each other tie, and axis.feature decides");
+  story.likely("faces within tie_tolerance of each other tie, and axis.feature decides")
+      .likely("of two bodies the smaller radius gives the tolerance");
   axis.edges.separation = axis.face_a.separation;
   const Real tie = tie_tolerance * std::min(a.shape->radius, b.shape->radius);
   for (const AxisFeature feature : {AxisFeature::FaceA, AxisFeature::FaceB, AxisFeature::Edges}) {
@@ -149,36 +174,40 @@ GRADED_TEST(Lab5, FacesArePreferredNearATie, 1, "L5.6") {
       "Edges replace a face only if they are better by edge_preference × the smaller radius"));
   for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     for (const Real depth : {Real(0.001), Real(0.1), Real(0.4)}) {
-      const Placed a(scaled_shape("slab", size), Pose{});
-      const Placed b(scaled_shape("cube", size),
-                     {size * Vec3(0, 0, Real(0.55) - depth), Quat::Identity()});
-      const Index top = face_towards(a.shape->mesh, Vec3::UnitZ());
-      const Index bottom = face_towards(b.shape->mesh, -Vec3::UnitZ());
-      SeparatingAxis axis = face_axis(a.body, b.body, AxisFeature::FaceA, top);
-      axis.face_b = face_axis(a.body, b.body, AxisFeature::FaceB, bottom).face_b;
-      axis.edges = {0, 9, Vec3::UnitZ(), 0};  // any two edges: only their separation counts
-      const Real preference = edge_preference * b.shape->radius;
+      for (const Real of_slab : {Real(1), Real(10)}) {
+        const Placed a(scaled_shape("slab", of_slab * size), Pose{});
+        const Placed b(
+            scaled_shape("cube", size),
+            {size * Vec3(0, 0, Real(0.05) * of_slab + Real(0.5) - depth), Quat::Identity()});
+        const Index top = face_towards(a.shape->mesh, Vec3::UnitZ());
+        const Index bottom = face_towards(b.shape->mesh, -Vec3::UnitZ());
+        SeparatingAxis axis = face_axis(a.body, b.body, AxisFeature::FaceA, top);
+        axis.face_b = face_axis(a.body, b.body, AxisFeature::FaceB, bottom).face_b;
+        axis.edges = {0, 9, Vec3::UnitZ(), 0};  // any two edges: only their separation counts
+        const Real preference = edge_preference * b.shape->radius;
 
-      const auto built_with = [&](Real advantage, AxisFeature feature) {
-        SeparatingAxis changed = axis;
-        changed.edges.separation = axis.face_a.separation + advantage;
-        changed.feature = feature;
-        return build_manifold(a.body, b.body, changed, size).reference;
-      };
-      Story here = story;
-      here.given("a cube flat on a slab")
-          .given("side", size, "m")
-          .given("depth", depth * size, "m");
-      here.expect_equal("winner if the edges are better by half the preference",
-                        name_of(built_with(Real(0.5) * preference, AxisFeature::Edges)),
-                        name_of(AxisFeature::FaceA));
-      here.expect_equal("winner if the edges are better by twice the preference",
-                        name_of(built_with(2 * preference, AxisFeature::Edges)),
-                        name_of(AxisFeature::Edges));
-      here.expect_equal("winner if both faces are equal and axis.feature is FaceB",
-                        name_of(built_with(0, AxisFeature::FaceB)), name_of(AxisFeature::FaceB));
-      require_face_without_edges(here, a.body, b.body, axis);
-      require_steady_face(here, a.body, b.body, axis);
+        const auto built_with = [&](Real advantage, AxisFeature feature) {
+          SeparatingAxis changed = axis;
+          changed.edges.separation = axis.face_a.separation + advantage;
+          changed.feature = feature;
+          return build_manifold(a.body, b.body, changed, size).reference;
+        };
+        Story here = story;
+        here.given("a cube flat on a slab")
+            .given("side of the cube", size, "m")
+            .given("side of the slab", 2 * of_slab * size, "m")
+            .given("depth", depth * size, "m");
+        here.expect_equal("winner if the edges are better by half the preference",
+                          name_of(built_with(Real(0.5) * preference, AxisFeature::Edges)),
+                          name_of(AxisFeature::FaceA));
+        here.expect_equal("winner if the edges are better by twice the preference",
+                          name_of(built_with(2 * preference, AxisFeature::Edges)),
+                          name_of(AxisFeature::Edges));
+        here.expect_equal("winner if both faces are equal and axis.feature is FaceB",
+                          name_of(built_with(0, AxisFeature::FaceB)), name_of(AxisFeature::FaceB));
+        require_face_without_edges(here, a.body, b.body, axis);
+        require_steady_face(here, a.body, b.body, axis);
+      }
     }
   }
 }

@@ -101,6 +101,71 @@ void require_touching_four_of_five(Story story) {
   require(story.expect_equal("touching points kept", count, 4));
 }
 
+/// A point on A, with its separation as a share of the margin.
+struct Candidate {
+  Vec2 place;
+  Real gap = 0;
+};
+
+/// Checks which of two candidates for one of the four places is kept: that across a gap of a fifth of the margin, whose
+/// factor is ½, or the one that touches.
+/// @param candidates the first one has a gap, the second one touches
+void require_weighed(Story story, const std::vector<Candidate>& candidates, bool gap_wins) {
+  constexpr Real margin = Real(0.01);
+  std::vector<ContactPoint> points(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    points[i].anchor_a = Vec3(candidates[i].place.x(), candidates[i].place.y(), 0);
+    points[i].separation = candidates[i].gap * margin;
+  }
+  const auto kept = reduce_manifold(points, Vec3::UnitZ(), margin);
+  story.picture([&] {
+    return reduction_picture(points, {kept.begin(), kept.end()}, Vec3::UnitZ());
+  });
+  const auto is_kept = [&](std::size_t i) {
+    return std::any_of(kept.begin(), kept.end(), [&](const ContactPoint& point) {
+      return point.anchor_a == points[i].anchor_a;
+    });
+  };
+  require(story.expect_equal("the point across the gap is kept", is_kept(0), gap_wins));
+  require(story.expect_equal("the point that touches is kept", is_kept(1), !gap_wins));
+}
+
+/// In each of the three choices the gap halves a measure of 2.4, which then exceeds 1 but not 1.3.
+void require_half_at_a_fifth_of_the_margin(const Story& story) {
+  constexpr Real gap = Real(0.2);
+  constexpr Real deepest = Real(-0.1);
+  for (const bool gap_wins : {true, false}) {
+    const Real touching = gap_wins ? 1 : Real(1.3);
+    Story second = story;
+    second.given(
+        "points on a line, at distances from the deepest one of 2.4 m across a gap of a "
+        "fifth of the margin, and touching",
+        touching, "m");
+    require_weighed(second,
+                    {{{Real(2.4), 0}, gap},
+                     {{-touching, 0}},
+                     {{0, 0}, deepest},
+                     {{Real(-0.5), 0}},
+                     {{Real(-0.25), 0}}},
+                    gap_wins);
+    const std::vector<Candidate> beside_the_line = {{{5, Real(2.4)}, gap}, {{5, touching}}};
+    const auto with = [&](Vec2 last) {
+      std::vector<Candidate> all = beside_the_line;
+      all.insert(all.end(), {{{0, 0}, deepest}, {{10, 0}}, {last}});
+      return all;
+    };
+    Story third = story;
+    third.given(
+        "two points 10 m apart. Beside their line: a point at 2.4 m across a gap of a fifth "
+        "of the margin, and one that touches at",
+        touching, "m");
+    require_weighed(third, with({5, Real(-0.5)}), gap_wins);
+    Story fourth = third;
+    fourth.given("on the other side a third point of the triangle, at 6 m");
+    require_weighed(fourth, with({5, -6}), gap_wins);
+  }
+}
+
 GRADED_TEST(Lab5, BothEndsOfATouchingEdgeAreKept, 1, "L5.5") {
   Random random(61);
   Story story(
@@ -109,8 +174,12 @@ GRADED_TEST(Lab5, BothEndsOfATouchingEdgeAreKept, 1, "L5.5") {
       .likely(
           "a point across a gap counts less: multiply distance and areas by the header's factor")
       .likely("the factor depends on the gap as a share of the margin: s / margin")
-      .likely("the factor applies in all three choices: second, third and fourth point");
+      .likely("the factor applies in all three choices: second, third and fourth point")
+      .likely(
+          "the factor is ½ at a fifth of the margin: distances and areas are multiplied by it, not "
+          "by its square");
   require_touching_four_of_five(story);
+  require_half_at_a_fifth_of_the_margin(story);
   story.seed(random.seed()).given("two points that touch, and 4 to 8 at gaps of up to the margin");
   for (const Real size : {Real(1), Real(1e-3), Real(1e3)}) {
     for (int i = 0; i < 100; ++i) {
