@@ -30,13 +30,25 @@ Story with_impulse_causes(Story story) {
       .likely("an impulse acts at once: no time step and no gathered force is part of it");
 }
 
+/// Checks that a body has still the pose, the momenta and the velocities of before, to the last bit.
+void expect_same_motion(Story& story, const RigidBody& body, const RigidBody& before) {
+  story.expect("pose", body.pose.position == before.pose.position &&
+                           body.pose.orientation.coeffs() == before.pose.orientation.coeffs());
+  story.expect_near("P", body.linear_momentum, before.linear_momentum, 0, "kg·m/s");
+  story.expect_near("L", body.angular_momentum, before.angular_momentum, 0, "kg·m²/s");
+  story.expect_near("v", body.linear_velocity, before.linear_velocity, 0, "m/s");
+  story.expect_near("ω", body.angular_velocity, before.angular_velocity, 0, "rad/s");
+}
+
 GRADED_TEST(Lab1, ForceAndTorqueGather, 3, "L1.1") {
   Random random(11);
   Story story("Forces at points add up to ΣF and Σ(p − x) × F");
-  story.seed(random.seed()).when("three forces are added to a body at rest");
+  story.seed(random.seed()).when("three forces are added to a body that moves");
   for (const Real size : {Real(1), Real(0.01), Real(100)}) {
     const Pose pose{size * random.point_in_box(Vec3(5, 5, 5)), random.orientation()};
     RigidBody body = box(size * racket, pose);
+    set_velocity(body, size * Vec3(1, -2, 3), Vec3(2, 1, -1));
+    const RigidBody before = body;
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Vector3d torque = Eigen::Vector3d::Zero();
     Eigen::Vector3d about_origin = Eigen::Vector3d::Zero();
@@ -61,6 +73,8 @@ GRADED_TEST(Lab1, ForceAndTorqueGather, 3, "L1.1") {
     here.expect_near("gathered force", body.force, force.cast<Real>(), 1e-5 * scale, "N");
     here.expect_near("gathered torque", body.torque, torque.cast<Real>(), 1e-5 * scale * size,
                      "N·m");
+    here.likely("forces only gather: what they do to the velocities is the integration's work");
+    expect_same_motion(here, body, before);
   }
 }
 
@@ -120,6 +134,7 @@ GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {
     RigidBody body = box(size * racket, pose);
     set_velocity(body, size * random.unit_vector(), random.unit_vector());
     body.force = Vec3(1, 2, 3);
+    body.torque = Vec3(4, 5, 6);
     const RigidBody before = body;
     const Vec3 impulse = body.mass * size * random.unit_vector();
     const Vec3 point = pose.position + size * random.unit_vector();
@@ -146,6 +161,8 @@ GRADED_TEST(Lab1, ImpulseChangesMomentaAndVelocities, 4, "L1.2") {
                      "m/s");
     here.expect_near("ω", body.angular_velocity, w.cast<Real>(), 1e-4, "rad/s");
     here.expect_near("gathered force, which is not an impulse's", body.force, before.force, 0, "N");
+    here.expect_near("gathered torque", body.torque, before.torque, 0, "N·m");
+    here.expect_near("position", body.pose.position, pose.position, 0, "m");
   }
 }
 
