@@ -7,9 +7,10 @@
 namespace cs550 {
 namespace {
 
+/// A step squares momenta.
 bool is_finite(const RigidBody& body) {
   return body.pose.position.allFinite() && body.pose.orientation.coeffs().allFinite() &&
-         body.linear_momentum.allFinite() && body.angular_momentum.allFinite() &&
+         std::isfinite(body.linear_momentum.squaredNorm()) && body.angular_momentum.allFinite() &&
          std::isfinite(kinetic_energy(body));
 }
 
@@ -70,9 +71,11 @@ std::vector<StageProblem> find_broken_stages(World before, Real h) {
   std::vector<StageProblem> problems(before.problems().begin(), before.problems().end());
   if (const Index body = first_lost_body(before); problems.empty() && body != no_index) {
     const std::int64_t step = before.step_count() - 1;
+    const bool energy_is_finite = std::isfinite(kinetic_energy(before.bodies()[body]));
+    const char* lost = energy_is_finite ? "the square of its momentum" : "its kinetic energy";
     problems.push_back({Stage::Solve, 0, body, step,
-                        "body " + std::to_string(body) + ", step " + std::to_string(step) +
-                            ": its kinetic energy exceeds the range of float"});
+                        "body " + std::to_string(body) + ", step " + std::to_string(step) + ": " +
+                            lost + " exceeds the range of float"});
   }
   return problems;
 }
