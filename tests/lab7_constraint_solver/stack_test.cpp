@@ -17,7 +17,8 @@ GRADED_TEST(Lab7, APyramidOfTenRowsStandsStill, 1, "L7.8", Long) {
 }
 
 GRADED_TEST(Lab7, ALightBoxCarriesOneAThousandTimesHeavier, 1, "L7.8") {
-  Story property("a box 1000 times heavier sinks less than 0.3 m into the light one and stays");
+  Story property(
+      "a box 1000 times heavier sinks less than 0.12 m into the light one in 10 s and stays on it");
   property.likely(
       "an impulse that is clamped instead of the sum cannot hold back what it gave too much");
   for (const Real yaw_degrees : {Real(0), Real(17), Real(45)}) {
@@ -35,12 +36,20 @@ GRADED_TEST(Lab7, ALightBoxCarriesOneAThousandTimesHeavier, 1, "L7.8") {
     story.given("yaw", yaw_degrees, "°");
     const World at_start = world;
     story.picture([&] { return standing_picture(at_start, world); });
-    double lowest = 0;
+    double deepest = 0;
+    double farthest = 0;
     for (int i = 0; i < 600; ++i) {
       step_world(world, story);
-      lowest = std::min(lowest, static_cast<double>(world.body(top).pose.position.z()) - 1.5);
+      const Vec3& position = world.body(top).pose.position;
+      deepest = std::max(deepest, 1.5 - static_cast<double>(position.z()));
+      farthest = std::max(farthest, static_cast<double>(position.head<2>().norm()));
+      require(story.expect_at_most("height above where it began",
+                                   static_cast<double>(position.z()) - 1.5, 1e-3, "m"));
     }
-    require(story.expect_at_most("deepest sinking in 10 s", -lowest, 0.3, "m"));
+    // With the reference it sinks by 78 mm and moves by 32 mm, at every yaw: passes too few for a
+    // thousandfold load let a part of it through in each step. Half as much again is reserve.
+    require(story.expect_at_most("deepest sinking in 10 s", deepest, 0.12, "m"));
+    require(story.expect_at_most("way to the side in 10 s", farthest, 0.05, "m"));
   }
 }
 
