@@ -39,8 +39,8 @@ struct Velocities {
 /// are those that the last step derived, and 0 before the first step. Calls no lab function.
 Velocities velocities_from_momenta(const RigidBody& body);
 
-/// Whether all poses, momenta, squares of linear momenta and kinetic energies are finite. It does not
-/// check pending forces and torques, nor the velocities of kinematic bodies.
+/// Whether all poses, momenta, squares of linear momenta and kinetic energies are finite. It does
+/// not check pending forces and torques, nor the velocities of kinematic bodies.
 bool is_finite(const World& world);
 
 /// Repeats a step with checks after every stage. @returns the stages that broke a promise, each with
