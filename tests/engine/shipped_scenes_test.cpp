@@ -62,9 +62,9 @@ Run run_scene(const Scene& scene, int steps) {
 /// kinetic energy and the largest loss. The potential energy itself says nothing, since its zero is anywhere.
 /// Rounding reaches 3.9e-5 in pyramid20, where 14 MJ are at rest, and 1.2e-5 in free_spin.
 double allowed_growth(const std::string& scene) {
-  // Its first hull hits four others in turn, e = 1, and reaches 1.48e-3. An impact may end with the energy of the
-  // substep's beginning plus that of its fall, of which the floor then takes none: ½·m·(g·h)² = 0.033 J for each of two
-  // hulls, of 177 J. With twice as many substeps a quarter of it is left.
+  // The first hull hits four others in turn with e = 1, and the energy grows by 1.48e-3. After an impact two hulls may have
+  // as much energy as they had when gravity had acted in that substep. Each therefore gains up to ½·m·(g·h)² = 0.033 J;
+  // the scene has 177 J. With twice as many substeps the gain is a quarter of that.
   return scene == "newton_cradle" ? 2e-3 : 1e-4;
 }
 

@@ -30,7 +30,7 @@ Story with_impulse_causes(Story story) {
       .likely("an impulse acts at once: no time step and no gathered force is part of it");
 }
 
-/// Checks that a body has still the pose, the momenta and the velocities of before, to the last bit.
+/// Checks that pose, momenta and velocities have not changed by a bit.
 void expect_same_motion(Story& story, const RigidBody& body, const RigidBody& before) {
   story.expect("pose", body.pose.position == before.pose.position &&
                            body.pose.orientation.coeffs() == before.pose.orientation.coeffs());

@@ -29,9 +29,8 @@ void require_solid_again(const Story& story, const Cut& cut) {
   }
 }
 
-/// Its sides rise by a fifth of a degree, and neighbouring ones become one face. The corners between them have
-/// two edges left, and lie within the tolerance of both planes, but 2.4 mm beside the line of their neighbours:
-/// 240 times the slack.
+/// Its sides rise by 0.11°, and two neighbours may become one face. The corner between them is then left with two edges.
+/// It lies within the slack of both planes, but 2.4 mm beside the line through its neighbours: 240 times the slack.
 void require_corners_of_a_flat_pyramid(Story story) {
   story.given("a pyramid 1 mm high over a regular 64-gon of radius 0.5 m")
       .likely(
@@ -42,7 +41,7 @@ void require_corners_of_a_flat_pyramid(Story story) {
   require(story.expect_equal("vertices", mesh.vertex_count(), 65));
   require(story.expect_at_most("faces", mesh.face_count(), 65));
   require(expect_valid(story, mesh));
-  // A third of base times height, the base ½·n·r²·sin(2π/n).
+  // A third of base times height, the base ½·n·r²·sin(2π/n). The slack is 1 % of the height.
   const double exact = 0.5 * 64 * 0.25 * std::sin(2 * M_PI / 64) * 1e-3 / 3;
   require(story.expect_near("volume", volume(mesh), exact, 0.01 * exact, "m³"));
 }

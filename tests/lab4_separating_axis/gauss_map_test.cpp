@@ -42,7 +42,7 @@ Vec3 arc_end(Random& random, const Vec3& begin) {
   return std::cos(length) * begin + std::sin(length) * away;
 }
 
-/// An arc through a point, from one third to two thirds of which lie before it. @param along unit tangent there
+/// An arc with a point in its middle third. @param along the unit tangent at that point
 std::pair<Vec3, Vec3> arc_through(Random& random, const Vec3& point, const Vec3& along,
                                   Real length) {
   const Real before = random.real(Real(1) / 3, Real(2) / 3) * length;

@@ -37,8 +37,8 @@ void require_depth_of_face(Story story, const PosedShape& a, const PosedShape& b
                             static_cast<double>(depth_tolerance(a, b)), "m"));
 }
 
-/// Polygons of 32 corners, of which clipping makes one of 64. They lie on a circle of the radius
-/// cos(π/32) / cos(π/64), and the largest area of four of them is the square's.
+/// Clipping a face of 32 corners by the sides of another one leaves 64 corners. They lie on a circle of radius
+/// cos(π/32) / cos(π/64), and four of them form a square, which is the largest quadrilateral in it.
 void require_four_of_many_corners(Story story) {
   constexpr Real depth = Real(0.01);
   const ShapePtr prism = fixture_shape("prism32");
