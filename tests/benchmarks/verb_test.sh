@@ -57,9 +57,12 @@ prints "this engine"
 prints "allocations in a steady step"
 grep -q '"processor"' bench.json || wrong "bench.json names no processor"
 
-runs --brief --filter '^scene/S[12]$' --threads 2 --json threads.json
+runs --brief --filter '^scene/S[12]$|step/hulls$' --threads 2 --json threads.json
 prints "One thread and 2, time by the clock"
-prints "S2   this engine, game"
+for name in "S2  " "128 hulls"; do
+  grep -q "^  $name  *this engine, game  *[0-9.]* *[0-9.]* *[0-9.]* *[0-9.]*\$" "$scratch/printed" ||
+    wrong "no gain of $name"
+done
 grep -q '"seconds_shared"' threads.json || wrong "threads.json has no time of two threads"
 grep -q '"seconds_copies"' threads.json || wrong "threads.json has no time of two copies"
 

@@ -75,9 +75,9 @@ void print_thread_gains(const std::vector<ThreadGain>& gains, std::ostream& out)
   out << heading(
              fmt::format("One thread and {}, time by the clock, medians", gains.front().threads))
       << "At most: as many copies of the scene at once, which share nothing.\n"
-      << "                              ms/step  shared   gain at most\n";
+      << "                                                  ms/step  shared   gain at most\n";
   for (const ThreadGain& gain : gains) {
-    out << fmt::format("  {:<4} {:<23}{:>7.3f} {:>7.3f} {:>6.2f} {:>7.2f}\n", gain.scene,
+    out << fmt::format("  {:<24} {:<22}{:>8.3f} {:>7.3f} {:>6.2f} {:>7.2f}\n", gain.scene,
                        gain.engine, 1e3 * gain.seconds_alone, 1e3 * gain.seconds_shared,
                        gain.gain(), gain.largest_gain());
   }

@@ -88,25 +88,40 @@ std::vector<ScaledScene> scaled_scenes() {
            }}};
 }
 
+std::vector<SizedScene> make_scenes(const ScaledScene& family) {
+  std::vector<SizedScene> scenes;
+  for (const int across : family.across) {
+    SizedScene& sized = scenes.emplace_back(SizedScene{family.make(across)});
+    const std::vector<BodyDef>& bodies = sized.scene.bodies;
+    sized.bodies =
+        static_cast<int>(std::count_if(bodies.begin(), bodies.end(), [](const BodyDef& body) {
+          return body.kind == BodyKind::Dynamic;
+        }));
+  }
+  return scenes;
+}
+
+Duration duration_of_scaling(Duration duration) {
+  constexpr int most_steps = 120;
+  duration.steps = std::min(duration.steps, most_steps);
+  return duration;
+}
+
 Scaling measure_scaling(const ScaledScene& family, const Duration& duration,
                         const Announce& announce) {
-  constexpr int most_steps = 120;
-  const int steps = std::min(duration.steps, most_steps);
+  const int steps = duration_of_scaling(duration).steps;
   const Engine engine = own_engines().front();
+  const std::vector<SizedScene> scenes = make_scenes(family);
   Scaling scaling{family.name, {}};
-  std::vector<BenchScene> scenes;
-  for (const int across : family.across) {
-    const BenchScene& scene = scenes.emplace_back(family.make(across));
-    const auto bodies =
-        std::count_if(scene.bodies.begin(), scene.bodies.end(),
-                      [](const BodyDef& body) { return body.kind == BodyKind::Dynamic; });
-    scaling.costs.push_back({static_cast<double>(bodies), HUGE_VAL});
+  for (const SizedScene& sized : scenes) {
+    scaling.costs.push_back({static_cast<double>(sized.bodies), HUGE_VAL});
   }
   for (int round = 0; round < duration.rounds; ++round) {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       Cost& cost = scaling.costs[i];
       announce(fmt::format("{} {}", cost.n, family.name));
-      const std::unique_ptr<Simulation> simulation = engine.start(scenes[i], engine.usual_effort);
+      const std::unique_ptr<Simulation> simulation =
+          engine.start(scenes[i].scene, engine.usual_effort);
       cost.seconds = std::min(cost.seconds, seconds_per_step(*simulation, steps));
     }
   }

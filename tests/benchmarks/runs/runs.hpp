@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "benchmarks/engines/engine.hpp"
 #include "benchmarks/report/report.hpp"
@@ -29,10 +31,6 @@ SceneRun run_scene(const BenchScene& scene, const Engine& engine, int effort, in
 SceneComparison compare(const NamedScene& scene, std::span<const Engine> engines,
                         const Duration& duration, const Announce& announce);
 
-/// This engine with each of its settings, by one thread and by several: medians of the rounds.
-std::vector<ThreadGain> compare_threads(const NamedScene& scene, int threads,
-                                        const Duration& duration, const Announce& announce);
-
 /// Each engine with each of its efforts.
 Frontier trace_frontier(const NamedScene& scene, std::span<const Engine> engines,
                         const Duration& duration, const Announce& announce);
@@ -47,9 +45,27 @@ struct ScaledScene {
 /// Up to 8,000 cubes in columns and 4,000 hulls in a pile.
 std::vector<ScaledScene> scaled_scenes();
 
-/// The cost of a step of this engine, mean of the first two seconds.
+/// A scene of a family, and the number of bodies in it that move.
+struct SizedScene {
+  BenchScene scene;
+  int bodies = 0;
+};
+
+/// The scenes of a family, the smallest first.
+std::vector<SizedScene> make_scenes(const ScaledScene& family);
+
+/// How long to measure a scene of a family: its first two seconds, or less if `duration` is shorter.
+Duration duration_of_scaling(Duration duration);
+
+/// The cost of a step of this engine.
 Scaling measure_scaling(const ScaledScene& family, const Duration& duration,
                         const Announce& announce);
+
+/// This engine with each of its settings, by one thread and by several: medians of the rounds.
+/// @param name of the scene
+std::vector<ThreadGain> compare_threads(const std::string& name, const BenchScene& scene,
+                                        int threads, const Duration& duration,
+                                        const Announce& announce);
 
 /// Heap memory of this engine's world, and allocations in a steady state.
 Memory measure_memory();

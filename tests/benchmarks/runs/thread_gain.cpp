@@ -71,9 +71,9 @@ class TurnTimes {
 
 }  // namespace
 
-std::vector<ThreadGain> compare_threads(const NamedScene& named, int threads,
-                                        const Duration& duration, const Announce& announce) {
-  const BenchScene scene = named.make();
+std::vector<ThreadGain> compare_threads(const std::string& name, const BenchScene& scene,
+                                        int threads, const Duration& duration,
+                                        const Announce& announce) {
   const std::vector<Engine> alone = own_engines();
   const std::vector<Engine> shared = own_engines(threads);
   const int turns = (duration.steps + steps_in_turn - 1) / steps_in_turn;
@@ -81,7 +81,7 @@ std::vector<ThreadGain> compare_threads(const NamedScene& named, int threads,
   for (std::size_t i = 0; i < alone.size(); ++i) {
     std::array<TurnTimes, 3> times = {TurnTimes(turns), TurnTimes(turns), TurnTimes(turns)};
     for (int round = 0; round < duration.rounds; ++round) {
-      announce(fmt::format("{}, {}, one thread and {}", named.name, alone[i].name, threads));
+      announce(fmt::format("{}, {}, one thread and {}", name, alone[i].name, threads));
       const std::array<Copies, 3> contenders = {Copies(scene, alone[i], 1),
                                                 Copies(scene, shared[i], 1),
                                                 Copies(scene, alone[i], threads)};
@@ -95,8 +95,8 @@ std::vector<ThreadGain> compare_threads(const NamedScene& named, int threads,
     const auto per_step = [&](TurnTimes& of_turns) {
       return of_turns.sum_of_medians() / duration.steps;
     };
-    gains.push_back({named.name, alone[i].name, threads, per_step(times[0]), per_step(times[1]),
-                     per_step(times[2])});
+    gains.push_back(
+        {name, alone[i].name, threads, per_step(times[0]), per_step(times[1]), per_step(times[2])});
   }
   return gains;
 }

@@ -99,9 +99,17 @@ class Measurement {
 
  private:
   void measure_threads(Report& report, const Announce& announce) const {
-    for (const NamedScene& scene : selection_.scenes) {
-      const auto gains = compare_threads(scene, threads_, duration_, announce);
+    const auto measure = [&](const std::string& name, const BenchScene& scene,
+                             const Duration& duration) {
+      const auto gains = compare_threads(name, scene, threads_, duration, announce);
       report.thread_gains.insert(report.thread_gains.end(), gains.begin(), gains.end());
+    };
+    for (const NamedScene& scene : selection_.scenes) measure(scene.name, scene.make(), duration_);
+    for (const ScaledScene& family : selection_.scaling) {
+      for (const SizedScene& sized : make_scenes(family)) {
+        measure(fmt::format("{} {}", sized.bodies, family.name), sized.scene,
+                duration_of_scaling(duration_));
+      }
     }
   }
 
@@ -156,9 +164,9 @@ void measure(const BenchOptions& options, Selection selection) {
 int run_bench(const BenchOptions& options) {
   try {
     Selection selection = select(options.filter, options.plot);
-    if (options.threads > 1 && selection.scenes.empty()) {
+    if (options.threads > 1 && selection.scenes.empty() && selection.scaling.empty()) {
       throw Misuse(
-          "--threads measures scenes, and --filter selects none.\n"
+          "--threads measures scene/... and step/..., and --filter selects none.\n"
           "  For example: ./cs550 bench --threads 2 --filter scene");
     }
     if (options.list) {
@@ -185,8 +193,9 @@ void declare(CLI::App& app, BenchOptions& options) {
                  "measure N times; keep the smallest times\n(--threads: the medians)")
       ->option_text("N")
       ->check(CLI::Range(1, 100));
-  app.add_option("--threads", options.threads,
-                 "run this engine's scenes with N threads too;\nprint how much faster they are")
+  app.add_option(
+         "--threads", options.threads,
+         "run this engine's scenes with N threads too, of\nstep/... every size; print the gain")
       ->option_text("N")
       ->check(CLI::Range(2, most_threads));
   app.add_flag("--brief", options.brief, "five steps of each scene, to see that everything runs");
