@@ -364,6 +364,7 @@ struct WorldState {
   std::vector<BodyDef> definitions;
   std::vector<BodySlot> slots;
   int alive_count = 0;
+  std::size_t first_free = 0;  ///< no index below is free
 
   AabbTree tree;
   std::vector<BodyBounds> bounds;  ///< of each body, see present_bounds()
@@ -398,6 +399,7 @@ struct WorldState {
   OverlapRecovery recovery;
   Impacts impacts;
   PairList next_pairs;
+  std::vector<char> leaving;    ///< of each body, whether it is being removed
   std::vector<char> outgrown;   ///< of each body, whether it has left its leaf's box
   std::vector<Index> moved;     ///< bodies whose leaves have moved since the last search for pairs
   std::vector<char> has_moved;  ///< of each body, whether it is one of these

@@ -41,7 +41,9 @@ struct Crowd {
     insert_leaf(world, static_cast<Index>(world.slots.size()) - 1);
   }
   void remove(Index body) {
-    remove_pairs_of(world, body);
+    std::vector<char> leaving(world.slot_count());
+    leaving[body] = 1;
+    remove_pairs_of(world, leaving);
     world.tree.remove(world.slots[body].leaf);
     world.slots[body].alive = false;
   }

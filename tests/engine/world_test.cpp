@@ -355,6 +355,39 @@ TEST(World, BodiesComeAndGoAtAnyTime) {
   for (const BodyId id : alive) EXPECT_GT(height(world, id), 0) << "nobody fell through the floor";
 }
 
+TEST(World, SeveralBodiesRemovedAtOnceLeaveWhatRemovalOneByOneLeaves) {
+  for (const bool sleeping : {false, true}) {
+    World pile = falling_hulls(40, 15);
+    pile.settings().sleeping = sleeping;
+    run(pile, sleeping ? 900 : 100);
+    const std::vector<BodyId> leaving = pile.query({{-1, -1, -1}, {1, 1, 1}});
+    ASSERT_GE(leaving.size(), 5U) << "the floor, and hulls near the middle";
+    EXPECT_EQ(pile.stats().asleep > 0, sleeping);
+
+    World one_by_one = pile;
+    for (auto id = leaving.rbegin(); id != leaving.rend(); ++id) one_by_one.remove_body(*id);
+    World at_once = pile;
+    std::vector<BodyId> ids = leaving;
+    ids.insert(ids.end(), leaving.begin(), leaving.end());
+    ids.push_back({});
+    ids.push_back({leaving[0].index, leaving[0].generation + 1});
+    at_once.remove_bodies(ids);
+    EXPECT_EQ(at_once.body_count(), pile.body_count() - static_cast<int>(leaving.size()));
+    EXPECT_EQ(at_once.contacts().size(), one_by_one.contacts().size());
+
+    for (World* world : {&one_by_one, &at_once}) {
+      EXPECT_EQ(world->add_body(floor_body()).index, leaving[0].index) << "the lowest free one";
+    }
+    for (int step = 0; step < 60; ++step) {
+      one_by_one.step(step_length);
+      at_once.step(step_length);
+      ASSERT_EQ(at_once.state_hash(), one_by_one.state_hash()) << "step " << step;
+      ASSERT_EQ(at_once.ended().size(), one_by_one.ended().size());
+      if (step == 0) EXPECT_GT(at_once.ended().size(), 5U);
+    }
+  }
+}
+
 TEST(World, CopyContinuesToTheLastBit) {
   World world = falling_hulls(12, 12);
   run(world, 100);

@@ -236,23 +236,31 @@ void update_sleep(WorldState& world) {
       world.bodies.begin(), world.bodies.end(), [](const RigidBody& body) { return body.asleep; }));
 }
 
-void wake_around(WorldState& world, Index body) {
+void wake_around(WorldState& world, const std::vector<char>& bodies) {
+  const auto for_them = [&](const auto& visit) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i]) visit(static_cast<Index>(i));
+    }
+  };
+  const auto concerns_them = [&](const PairSummary& pair) {
+    return touches(pair) && (bodies[pair.body_a] || bodies[pair.body_b]);
+  };
   watch_new_bodies(world);
   begin_marking(world);
-  mark(world, body);
+  for_them([&](Index body) { mark(world, body); });
   for (const PairSummary& pair : world.sleeping.pairs.summaries) {
-    const bool is_its = pair.body_a == body || pair.body_b == body;
-    if (is_its && touches(pair)) mark_both(world, pair);
+    if (concerns_them(pair)) mark_both(world, pair);
   }
   for (const PairSummary& pair : world.pairs.summaries) {
-    if (!touches(pair)) continue;
-    if (pair.body_a == body) restart(world, pair.body_b);
-    if (pair.body_b == body) restart(world, pair.body_a);
+    if (concerns_them(pair)) restart_both(world, pair.body_a, pair.body_b);
   }
-  world.sleeping.bodies[body].settled = false;  // so that its pairs return to the world
+  // So that their pairs return to the world.
+  for_them([&](Index body) { world.sleeping.bodies[body].settled = false; });
   wake_marked(world);
-  world.sleeping.bodies[body] = {};
-  world.sleeping.left[body] = {};
+  for_them([&](Index body) {
+    world.sleeping.bodies[body] = {};
+    world.sleeping.left[body] = {};
+  });
 }
 
 }  // namespace cs550

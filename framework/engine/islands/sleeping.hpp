@@ -25,7 +25,8 @@ void wake_disturbed_bodies(WorldState& world);
 /// when the manifolds of a step are known: sleeping bodies then keep those of their own poses.
 void update_sleep(WorldState& world);
 
-/// Wakes the islands that a body belongs to or supports, before it is removed.
-void wake_around(WorldState& world, Index body);
+/// Wakes the islands that bodies belong to or support, before they are removed.
+/// @param bodies of each body, whether it is one of them
+void wake_around(WorldState& world, const std::vector<char>& bodies);
 
 }  // namespace cs550

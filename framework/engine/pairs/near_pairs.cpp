@@ -253,11 +253,11 @@ void enclose_bodies(WorldState& world) {
   }
 }
 
-void remove_pairs_of(WorldState& world, Index body) {
+void remove_pairs_of(WorldState& world, const std::vector<char>& bodies) {
   PairListEdit edit(world.pairs);
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     const PairSummary& pair = world.pairs.summaries[i];
-    if (pair.body_a != body && pair.body_b != body) continue;
+    if (!bodies[pair.body_a] && !bodies[pair.body_b]) continue;
     edit.drop(i);
     note_end(world, i, world.ended_by_removal);
   }

@@ -24,7 +24,8 @@ void insert_leaf(WorldState& world, Index body);
 void enclose_bodies(WorldState& world);
 /// Brings the tree and the pairs up to date with poses and speeds. @param h step (s)
 void update_pairs(WorldState& world, Real h);
-/// Drops the pairs of a body that is being removed; those that touched go to ended_by_removal.
-void remove_pairs_of(WorldState& world, Index body);
+/// Drops the pairs of bodies that are being removed; those that touched go to ended_by_removal.
+/// @param bodies of each body, whether it is one of them
+void remove_pairs_of(WorldState& world, const std::vector<char>& bodies);
 
 }  // namespace cs550

@@ -1,9 +1,11 @@
 #include "cs550/world.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "engine/islands/sleeping.hpp"
 #include "engine/pairs/near_pairs.hpp"
@@ -25,18 +27,30 @@ std::size_t living(const World& world, BodyId id) {
 }
 
 /// The lowest free index, so that the same calls give the same order of bodies.
-std::size_t free_place(const WorldState& world) {
-  std::size_t place = 0;
-  if (world.alive_count == static_cast<int>(world.slot_count())) return world.slot_count();
-  while (world.slots[place].alive) ++place;
+std::size_t take_free_place(WorldState& world) {
+  std::size_t place = world.first_free;
+  while (place < world.slot_count() && world.slots[place].alive) ++place;
+  world.first_free = place + 1;
   return place;
 }
 
-/// Ends the contacts of a body, and removes its leaf.
-void take_out(WorldState& world, Index body) {
-  wake_around(world, body);
-  remove_pairs_of(world, body);
-  world.tree.remove(world.slots[body].leaf);
+/// Ends the contacts of bodies, and removes their leaves.
+/// @param bodies each once
+void take_out(WorldState& world, std::span<const Index> bodies) {
+  world.leaving.assign(world.slot_count(), 0);
+  for (const Index body : bodies) world.leaving[body] = 1;
+  wake_around(world, world.leaving);
+  remove_pairs_of(world, world.leaving);
+  for (const Index body : bodies) world.tree.remove(world.slots[body].leaf);
+}
+
+/// Leaves an empty slot in the place of a body that has been taken out.
+void empty_slot(WorldState& world, Index body) {
+  world.slots[body] = {world.slots[body].generation, false, no_index, {}};
+  world.bodies[body] = make_immovable_body(BodyKind::Static, {});
+  world.definitions[body] = {};
+  world.first_free = std::min(world.first_free, static_cast<std::size_t>(body));
+  --world.alive_count;
 }
 
 void share_step(WorldState& world, int threads, Real h) {
@@ -100,7 +114,7 @@ const WorldSettings& World::settings() const { return state_->settings; }
 
 BodyId World::add_body(const BodyDef& def) {
   const RigidBody body = make_body(def);
-  const std::size_t place = free_place(*state_);
+  const std::size_t place = take_free_place(*state_);
   if (place == state_->slot_count()) {
     state_->bodies.emplace_back();
     state_->definitions.push_back(def);  // which may be that of another body of this world
@@ -117,20 +131,24 @@ BodyId World::add_body(const BodyDef& def) {
   return state_->id_at(index);
 }
 
-void World::remove_body(BodyId id) {
-  if (!is_alive(id)) return;
-  const Index i = id.index;
-  take_out(*state_, i);
-  state_->slots[i] = {state_->slots[i].generation, false, no_index, {}};
-  state_->bodies[i] = make_immovable_body(BodyKind::Static, {});
-  state_->definitions[i] = {};
-  --state_->alive_count;
+void World::remove_body(BodyId id) { remove_bodies(std::span(&id, 1)); }
+
+void World::remove_bodies(std::span<const BodyId> ids) {
+  std::vector<Index> bodies;
+  for (const BodyId id : ids) {
+    if (is_alive(id)) bodies.push_back(id.index);
+  }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  if (bodies.empty()) return;
+  take_out(*state_, bodies);
+  for (const Index body : bodies) empty_slot(*state_, body);
 }
 
 void World::redefine_body(BodyId id, const BodyDef& def) {
   const std::size_t place = living(*this, id);
   const RigidBody body = make_body(def);
-  take_out(*state_, id.index);
+  take_out(*state_, std::span(&id.index, 1));
   state_->bodies[place] = body;
   state_->definitions[place] = def;
   insert_leaf(*state_, id.index);

@@ -230,9 +230,13 @@ class World {
   /// others are not. What contacts(), sleeping_contacts() and axes() returned is invalid; what began()
   /// and ended() returned is not. After the next step ended() lists the pairs that touched.
   ///
-  /// Takes time in proportion to all near pairs. bodies() keeps its length, and every step visits
-  /// all of it: to empty a large world, begin a new one.
+  /// Takes time in proportion to all near pairs: remove_bodies() takes as long for any number of
+  /// bodies. bodies() keeps its length, and every step visits all of it. The next body that is added
+  /// takes the lowest free index.
   void remove_body(BodyId id);
+  /// Removes several bodies at once. The world is then as if they had been removed one by one. An id
+  /// may occur twice.
+  void remove_bodies(std::span<const BodyId> ids);
   /// Replaces the definition of a body, including its pose and velocities: the way to change its
   /// kind, shape, mass, friction, restitution or filter. The body keeps its id and loses its
   /// contacts, which are found again in the next step: after it a pair may be in ended() and in
