@@ -8,7 +8,10 @@ rm -rf "$scratch"
 project=$scratch/project
 lab=$project/labs/lab3_hill_climbing
 mkdir -p "$lab/util/.cache" "$project/tests/lab3_hill_climbing" "$project/.starters/lab3_hill_climbing"
-printf '#!/bin/sh\n[ -e "%s/compiles" ]\n' "$scratch" >"$project/cs550"
+cat >"$project/cs550" <<LAUNCHER
+#!/bin/sh
+[ -e "$scratch/compiles" ] || { cp "$scratch/log" "$project/build/student.log"; exit 1; }
+LAUNCHER
 chmod +x "$project/cs550"
 echo "1.0 0123456789ab" >"$project/.starters/version"
 echo "int starter;" >"$project/.starters/lab3_hill_climbing/hill_climbing.cpp"
@@ -69,9 +72,17 @@ rm "$project/.student"
 mv kept_name "$project/.student"
 
 rm compiles
+error="labs/lab3_hill_climbing/hill_climbing.cpp:1:1: error: expected ';'"
+printf '[1/2] Building\nFAILED: lab3.o\nc++ -c lab3.cpp\n%s\nninja: build stopped: subcommand failed.\n' "$error" >log
 submit --out broken.zip
 prints "Warning: lab 3 does not compile"
 [ -s broken.zip ] || wrong "a lab that does not compile was not packed"
+# The compiler was stopped, or the disk is full: the lab may be right.
+printf '[1/2] Building\nFAILED: lab3.o\nc++ -c lab3.cpp\nc++: fatal error: Killed signal terminated program cc1plus\n' >log
+submit --out unbuilt.zip
+prints "Warning: lab 3 was not built, so it is not known whether it compiles."
+! grep -q "does not compile" printed || wrong "the student is blamed for the machine"
+[ -s unbuilt.zip ] || wrong "a lab that was not built was not packed"
 # The folder of links in which a project is built that cannot be written to.
 mkdir links
 ln -s ../project/labs ../project/tests ../project/.starters ../project/cs550 links

@@ -154,6 +154,25 @@ TEST(Discovery, AnArchiveNamedLikeALabIsThatOfItsFolder) {
             (Students{{"eve-lab1", "eve"}, {"zoe-lab3", "zoe"}}));
 }
 
+TEST(Discovery, TheFoldersAroundASubmissionAreKnown) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "class/sectionA/s0101/lab3.zip", "");
+  files::write_file(scratch / "class/sectionA/s0102/labs/lab3_hill_climbing/a.cpp", "");
+  files::write_file(scratch / "class/sectionB/lab3/lab3.zip", "");
+  files::write_file(scratch / "class/s0103.zip", "");
+  std::map<std::string, std::vector<std::string>> folders;
+  for (const FoundSubmission& found :
+       find_submissions({scratch / "class"}, project_catalogue()).submissions) {
+    folders[found.name] = found.folders;
+  }
+  const std::map<std::string, std::vector<std::string>> expected{
+      {"sectionA-s0101-lab3", {"sectionA", "s0101"}},
+      {"sectionA-s0102", {"sectionA"}},
+      {"sectionB-lab3-lab3", {"sectionB"}},
+      {"s0103", {}}};
+  EXPECT_EQ(folders, expected);
+}
+
 TEST(Discovery, LinksAmongSubmissionsAreListed) {
   const ScratchFolder scratch;
   files::write_file(scratch / "elsewhere/bob.zip", "");

@@ -50,6 +50,13 @@ TEST(Escape, CsvFieldsAreNoFormulas) {
   EXPECT_EQ(csv("a\nb"), "a b");
 }
 
+TEST(Escape, AWordOfACommandIsOneWord) {
+  EXPECT_EQ(in_shell("out/lab3-2.zip"), "out/lab3-2.zip");
+  EXPECT_EQ(in_shell("my class"), "'my class'");
+  EXPECT_EQ(in_shell("Ada's; $(rm)"), "'Ada'\\''s; $(rm)'");
+  EXPECT_EQ(in_shell(""), "''");
+}
+
 TEST(Escape, MarkdownHasNoMarkupOfTheStudent) {
   EXPECT_EQ(markdown("**b** <i> [x](y)"), "\\*\\*b\\*\\* \\<i\\> \\[x\\]\\(y\\)");
   EXPECT_EQ(markdown_block("a\n```\nb"), "````text\na\n```\nb\n````\n");

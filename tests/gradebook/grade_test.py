@@ -1058,6 +1058,32 @@ def test_sources_are_exported_for_copy_detectors(folder):
     assert "not empty" in grade(folder / "class", "--export-jplag", folder / "sources", code=1)
 
 
+def test_an_export_lists_what_it_leaves_out(folder):
+    pack(folder / "class/ada.zip", {HILL: "// a"})
+    (folder / "class/bob.zip").symlink_to("ada.zip")
+    printed = grade(folder / "class", "--export-jplag", folder / "sources")
+    assert f"skipped: {folder}/class/bob.zip: a symbolic link, which is not followed" in printed, printed
+
+
+def test_the_commands_of_an_export_work_with_any_path(folder):
+    small_class(folder / "class")
+    place = folder / "what's copied"
+    exported = subprocess.run(command(folder / "class", "--export-jplag", place), capture_output=True, text=True,
+                              timeout=120, check=True, env={**os.environ, "CS550_ROOT": str(ROOT)}).stdout
+    (folder / "bin").mkdir()
+    for detector in ("jplag", "moss"):
+        program = folder / "bin" / detector
+        program.write_text('#!/bin/sh\nfor word; do case $word in /*|base*|sub*) ls -d "$word" || exit 1; esac; done\n')
+        program.chmod(0o755)
+    commands = "".join(line + "\n" for line in exported.splitlines() if "jplag" in line or "moss" in line)
+    found = subprocess.run(["sh", "-ec", commands], capture_output=True, text=True, timeout=60, check=False,
+                           env={**os.environ, "PATH": f"{folder}/bin:{os.environ['PATH']}"})
+    assert found.returncode == 0, f"{commands}{found.stderr}"
+    for file in (f"{place}/lab3/base", f"{place}/lab5/submissions", "base/hill_climbing.cpp",
+                 "submissions/eve/hill_climbing.cpp"):
+        assert file in found.stdout.splitlines(), f"{file}:\n{commands}{found.stdout}"
+
+
 def test_the_documented_commands_work(folder):
     section = (ROOT / "docs/instructors.md").read_text().split("## Grading a class")[1].split("\n## ")[0]
     for name, kind in (("roster.csv", "csv"), ("course.toml", "toml")):
@@ -1196,10 +1222,40 @@ def test_submissions_of_nobody_are_printed(folder):
     roster = folder / "roster.csv"
     roster.write_text("id,name\ns1,Ada Lovelace\ns2,Ada Lovelace\n")
     printed = grade(folder / "class", "--out", folder / "out", "--labs", "3", "--roster", roster)
-    for message in ("not on the roster: mallory.zip",
-                    "not on the roster: Ada Lovelace_123.zip: the name fits s1 and s2. Put the id"):
+    for message in (f"not on the roster: {folder}/class/mallory.zip",
+                    f"not on the roster: {folder}/class/Ada Lovelace_123.zip: the name fits s1 and s2. Put the id"):
         assert message in printed and message in grade("--report", folder / "out"), printed
     assert "not on the roster: s1" not in printed
+
+
+def test_a_folder_of_a_section_is_no_student(folder):
+    for student in ("s0101", "s0102", "Ada Lovelace_123", "mallory"):
+        pack(folder / f"class/section A/{student}/lab3.zip",
+             {HILL: f"// {student}", "manifest.json": '{"student": "s0103", "date": ""}'})
+    roster = folder / "roster.csv"
+    roster.write_text("id,name\ns0101,\ns0102,\ns0103,\ns0104,Ada Lovelace\n")
+    options = ("--labs", "3", "--roster", roster)
+    printed = grade(folder / "class", "--out", folder / "out", *options)
+    claimed = grades(folder / "out")
+    assert [row["status"] for row in claimed.values()] == ["graded"] * 4, "the claim of mallory counts last"
+    assert "not on the roster" not in printed
+    roster.write_text("id,name\ns0101,\ns0102,\ns0104,Ada Lovelace\n")
+    printed = grade("--report", folder / "out", "--roster", roster)
+    assert f"not on the roster: {folder}/class/section A/mallory/lab3.zip" in printed, printed
+    assert printed.count("not on the roster") == 1, printed
+    (folder / "course.toml").write_text("secret = 'x'\n")
+    grade("--report", folder / "out", "--out", folder / "shared", "--pseudonyms", "--course", folder / "course.toml")
+    for file in (folder / "shared/records").glob("*.json"):
+        assert "section" not in file.read_text(), file
+
+
+def test_a_file_that_the_machine_cannot_read_has_no_mark(folder):
+    pack(folder / "class/ada.zip", {HILL: "// right"})
+    os.mkfifo(folder / "class/bob.zip")
+    out = folder / "out"
+    printed = grade(folder / "class", "--out", out, "--labs", "3")
+    assert "unreadable: bob: not a file" in printed, printed
+    assert grades(out)["bob"]["status"] == "unreadable"
 
 
 def test_three_hundred_submissions(folder):

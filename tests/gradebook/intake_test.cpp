@@ -2,8 +2,14 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <clocale>
+#include <set>
+#include <system_error>
 
 #include "cli/system/files.hpp"
 #include "files/output_file.hpp"
@@ -28,6 +34,40 @@ TEST(LabPath, FilesBelowALabsFolderAreTaken) {
   EXPECT_EQ(place("Lab3/a.cpp").lab, 3);
   EXPECT_EQ(place("./labs//lab3_hill_climbing/./a.cpp").file, "a.cpp");
   EXPECT_EQ(place("labs\\lab3_hill_climbing\\a.cpp").lab, 3) << "a zip made by Windows";
+}
+
+/// "3 util/a.hpp": the lab of a path, and the file in its folder.
+std::string place_text(const std::string& path) {
+  const LabPath found = place(path);
+  return std::to_string(found.lab) + ' ' + found.file;
+}
+
+TEST(LabPath, FoldersAroundThatOfTheLabMayNameAnyLab) {
+  for (const char* around :
+       {"lab3/labs/", "lab7/labs/", "lab3_hill_climbing/labs/", "lab3/ada-main/labs/", "lab3/",
+        "Lab3/", "lab4/", "lab3_hill_climbing/", "lab7/code/", "lab3/lab3/"}) {
+    EXPECT_EQ(place_text(around + std::string("lab3_hill_climbing/util/a.hpp")), "3 util/a.hpp")
+        << around;
+  }
+  EXPECT_EQ(place_text("lab3/lab3/a.cpp"), "3 a.cpp");
+  EXPECT_EQ(place_text("lab7/lab3/a.cpp"), "3 a.cpp");
+  const LabPath unpacked = place("s0101/lab7/labs/lab1_integration/integration.cpp");
+  EXPECT_EQ(unpacked.lab, 1);
+  EXPECT_TRUE(unpacked.is_in_project);
+  EXPECT_EQ(unpacked.project, "s0101/lab7");
+}
+
+TEST(LabPath, AFolderInThatOfTheLabMayHaveTheNameOfALab) {
+  EXPECT_EQ(place_text("labs/lab3_hill_climbing/lab3/a.hpp"), "3 lab3/a.hpp");
+  EXPECT_EQ(place_text("labs/lab3_hill_climbing/lab3_hill_climbing/a.hpp"),
+            "3 lab3_hill_climbing/a.hpp");
+  EXPECT_EQ(place_text("labs/lab3_hill_climbing/labs/lab1_integration/a.hpp"),
+            "3 labs/lab1_integration/a.hpp");
+  EXPECT_EQ(place_text("lab3_hill_climbing/lab4/a.hpp"), "3 lab4/a.hpp");
+  EXPECT_EQ(place_text("lab3_hill_climbing/old/lab3_hill_climbing/a.cpp"),
+            "3 old/lab3_hill_climbing/a.cpp");
+  EXPECT_EQ(place_text("lab3/old/lab3/a.cpp"), "3 old/lab3/a.cpp");
+  EXPECT_EQ(place_text("lab3/tests/lab3_hill_climbing/a.hpp"), "3 tests/lab3_hill_climbing/a.hpp");
 }
 
 TEST(LabPath, AFileWithTheNameOfAStarterIsTakenAnywhere) {
@@ -60,6 +100,18 @@ TEST(LabPath, UnsafeNamesAreRefused) {
   EXPECT_NE(place("labs/lab3_hill_climbing/\xFF.cpp").ignored, "");
   EXPECT_NE(place("labs/lab3_hill_climbing/" + std::string(300, 'a') + ".cpp").ignored, "");
   EXPECT_NE(place("").ignored, "");
+  EXPECT_EQ(place("/\x9A/labs/lab3_hill_climbing/a.cpp").ignored, "absolute path");
+  EXPECT_EQ(place("\x9A/../labs/lab3_hill_climbing/a.cpp").ignored, "path with ..");
+  EXPECT_NE(place(std::string(10'000, 'a') + "/lab3/a.cpp").ignored, "");
+}
+
+TEST(LabPath, AnyFoldersMayBeAroundThatOfTheLab) {
+  for (const std::string& folder :
+       {std::string("\232bung 3"), std::string("\033[2J"), std::string(300, 'a')}) {
+    EXPECT_EQ(place_text(folder + "/labs/lab3_hill_climbing/a.cpp"), "3 a.cpp") << folder;
+    EXPECT_EQ(place_text(folder + "/lab3/a.cpp"), "3 a.cpp") << folder;
+    EXPECT_EQ(place_text(folder + "/hill_climbing.cpp"), "3 hill_climbing.cpp") << folder;
+  }
 }
 
 /// An archive with entries of any kind.
@@ -141,6 +193,57 @@ TEST(Archive, ZipAndTarHaveTheSameContent) {
     EXPECT_EQ(submission.claimed_student, "Ada");
     EXPECT_NE(reason_for(submission, "labs/lab3_hill_climbing/README.md"), "");
   }
+}
+
+/// Marks the names of a zip as UTF-8, as programs do that know their encoding.
+void mark_names_as_utf8(const fs::path& zip) {
+  constexpr char is_utf8 = 8;  // in the upper byte of the flags
+  std::string bytes = cli::read_text(zip);
+  const auto mark = [&bytes](const std::string& header, std::size_t flags) {
+    for (auto at = bytes.find(header); at != bytes.npos; at = bytes.find(header, at + 1)) {
+      bytes[at + flags + 1] = static_cast<char>(bytes[at + flags + 1] | is_utf8);
+    }
+  };
+  mark(std::string("PK\3\4", 4), 6);
+  mark(std::string("PK\1\2", 4), 8);
+  files::write_file(zip, bytes);
+}
+
+TEST(Archive, NamesOfFoldersMayHaveAnyEncoding) {
+  const ScratchFolder scratch;
+  const std::string locale = std::setlocale(LC_ALL, nullptr);
+  const std::string lab = "/labs/lab3_hill_climbing/hill_climbing.cpp";
+  for (const char* name : {"marked.zip", "utf8.zip", "utf8.tar.gz"}) {
+    { ArchiveWriter(scratch / name).add("Übung 3" + lab, "code"); }
+    if (name == std::string("marked.zip")) mark_names_as_utf8(scratch / name);
+    EXPECT_EQ(read(scratch / name).labs.count(3), 1U) << name;
+  }
+  for (const char* name : {"old.zip", "old.tar.gz"}) {
+    {
+      ArchiveWriter writer(scratch / name);
+      writer.add("\232bung 3" + lab, "code");
+      writer.add("\232bung 4" + lab, "old");
+    }
+    const Submission submission = read(scratch / name);
+    ASSERT_EQ(submission.labs.count(3), 1U) << name;
+    EXPECT_EQ(submission.labs.at(3)[0].text, "code");
+    ASSERT_EQ(submission.ignored.size(), 1U);
+    EXPECT_EQ(submission.ignored[0].reason,
+              "not in \357\277\275bung 3/labs/lab3_hill_climbing/, which is graded");
+  }
+  EXPECT_EQ(std::setlocale(LC_ALL, nullptr), locale);
+}
+
+TEST(Folder, ASubmissionUnpackedByAFileManagerIsWhole) {
+  const ScratchFolder scratch;
+  files::write_file(scratch / "s0101/lab3/manifest.json", "{}");
+  files::write_file(scratch / "s0101/lab3/labs/lab3_hill_climbing/hill_climbing.cpp", "code");
+  files::write_file(scratch / "s0101/lab4/labs/lab4_separating_axis/support.cpp", "code");
+  const Submission submission = read(scratch / "s0101");
+  ASSERT_EQ(submission.labs.size(), 2U);
+  EXPECT_EQ(submission.labs.at(3)[0].path, "hill_climbing.cpp");
+  EXPECT_EQ(submission.labs.at(4)[0].path, "support.cpp");
+  EXPECT_EQ(submission.whole_labs, (std::set<int>{3, 4}));
 }
 
 TEST(Archive, LinksAndDevicesAreIgnoredAndTheRestIsTaken) {
@@ -342,6 +445,57 @@ TEST(Archive, WhatCannotBeReadIsReported) {
   const Submission half = read(scratch / "half.zip");
   EXPECT_NE(half.trouble, "");
   EXPECT_TRUE(half.labs.empty()) << "half a submission must not be graded";
+}
+
+/// Root can read every file: for a while, the test is somebody who cannot.
+class AsNobody {
+ public:
+  AsNobody() : was_root_(geteuid() == 0) {
+    constexpr uid_t nobody = 65534;
+    if (was_root_ && seteuid(nobody) != 0) throw std::system_error(errno, std::generic_category());
+  }
+  ~AsNobody() {
+    if (was_root_) seteuid(0);
+  }
+  AsNobody(const AsNobody&) = delete;
+  AsNobody& operator=(const AsNobody&) = delete;
+
+ private:
+  bool was_root_;
+};
+
+TEST(Intake, WhatTheMachineCannotReadIsNotTheStudentsFault) {
+  const ScratchFolder scratch;
+  fs::permissions(scratch.path(), fs::perms::all);
+  const fs::path file = scratch / "ada/labs/lab3_hill_climbing/hill_climbing.cpp";
+  files::write_file(file, "code");
+  { ArchiveWriter(scratch / "bob.zip").add("hill_climbing.cpp", "code"); }
+  const std::vector<FoundSubmission> found =
+      find_submissions({scratch.path()}, project_catalogue()).submissions;
+  ASSERT_EQ(found.size(), 2U);
+  for (const fs::path& locked : {file, scratch / "bob.zip"})
+    fs::permissions(locked, fs::perms::none);
+  const AsNobody somebody;
+  std::error_code hidden;
+  if (!fs::exists(file, hidden)) GTEST_SKIP() << "only its owner can enter the folder of this test";
+  const Submission ada = read_submission(found[0], project_catalogue());
+  EXPECT_EQ(ada.trouble,
+            "labs/lab3_hill_climbing/hill_climbing.cpp cannot be read: Permission denied");
+  EXPECT_TRUE(ada.labs.empty()) << "the starter must not take its place";
+  EXPECT_EQ(read_submission(found[1], project_catalogue()).trouble,
+            "cannot be read: Permission denied");
+}
+
+TEST(Archive, OnlyAFileIsOpened) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "class");
+  ASSERT_EQ(mkfifo((scratch / "class/pipe.zip").c_str(), 0600), 0);
+  alarm(10);  // nobody ever writes into it
+  EXPECT_EQ(read(scratch / "class").trouble, "not a file");
+  alarm(0);
+  EXPECT_EQ(trouble_within({}, read_archive, scratch / "class"), "not a file");
+  EXPECT_EQ(trouble_within({}, read_archive, scratch / "gone.zip"),
+            "cannot be read: No such file or directory");
 }
 
 TEST(Folder, ACheckoutIsReadWithoutFollowingLinks) {

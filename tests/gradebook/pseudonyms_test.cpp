@@ -88,6 +88,7 @@ TEST(Pseudonyms, LeaveNoName) {
   record.student = record.source = record.claimed_student = "Lovelace";
   record.ignored = {{"Lovelace/notes.txt", "Lovelace", 1}};
   record.labs[0].files = {"lovelace.cpp"};
+  record.folders = {"Lovelace"};
   record.labs[0].tests[0].message = "Lovelace was here";
   const Course course = course_of(
       "secret = 'x'\n[[adjustment]]\nstudent = 'Lovelace'\nlab = 3\npoints = 2\n"

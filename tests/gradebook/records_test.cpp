@@ -15,6 +15,7 @@ TEST(Records, SurviveARoundTrip) {
   record.labs[0].seed = "abc";
   record.file_time = 1791842340;
   record.is_identified = true;
+  record.folders = {"sectionA", "ada"};
   const std::string text = to_json(record);
   EXPECT_EQ(to_json(record_from_json(text, "ada.json")), text);
   EXPECT_THROW(record_from_json("{}", "ada.json"), std::runtime_error);
@@ -42,6 +43,9 @@ TEST(Merge, EqualFilesOfTwoStudentsStayTwoSubmissions) {
   Record again = ada;
   again.source = "lab3-again.zip";
   EXPECT_EQ(merged({{ada}, {again}}).size(), 2U) << "of two names";
+  again = ada;
+  again.folders = {"sectionA", "eve"};
+  EXPECT_EQ(merged({{ada}, {again}}).size(), 2U) << "of two folders";
   EXPECT_EQ(merged({{ada}, {ada}}).size(), 1U);
 }
 

@@ -89,6 +89,27 @@ TEST(Roster, InAFolderThatIsNobodysTheNameOfTheFileCounts) {
   EXPECT_EQ(rivals(roster, both), (std::vector<std::string>{"s0101", "s3"}));
 }
 
+TEST(Roster, OfSeveralFoldersTheFirstThatIsSomebodysCounts) {
+  const std::vector<Student> roster =
+      parse_roster("id,name\ns0101,Ada Lovelace\ns0102,\ns3,Eve\n", "roster.csv");
+  const auto owner = [&](const std::vector<std::string>& folders) {
+    Record record = record_of(folders.front(), {});
+    record.folders = folders;
+    record.source = "s3.zip";
+    record.claimed_student = "s3";
+    return owner_of(record, roster);
+  };
+  EXPECT_EQ(owner({"sectionA", "s0101"}), "s0101");
+  EXPECT_EQ(owner({"sectionA", "week3", "Ada Lovelace_123_assignsubmission_file_"}), "s0101");
+  EXPECT_EQ(owner({"s0101", "s0102"}), "s0101");
+  EXPECT_EQ(owner({"sectionA", "mallory"}), "s3") << "the name of the file";
+  Record both = record_of("sectionA", {});
+  both.folders = {"sectionA", "s0101 s0102"};
+  both.source = "s3.zip";
+  EXPECT_EQ(rivals(roster, both), (std::vector<std::string>{"s0101", "s0102"}));
+  EXPECT_EQ(owner_of(both, roster), "sectionA");
+}
+
 TEST(Roster, AnIdentityFromAPlatformIsFinal) {
   const std::vector<Student> roster =
       parse_roster("id,name,email\ns1,Ada Lovelace,ada@x.org\n", "roster.csv");

@@ -13,6 +13,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/grading/lab_files.hpp"
+#include "cli/system/build_log.hpp"
 #include "cli/system/draft_folder.hpp"
 #include "cli/system/files.hpp"
 #include "cli/system/process.hpp"
@@ -93,7 +94,10 @@ std::string date() {
 /// sees the reason.
 void warn_unless_it_compiles(int lab) {
   if (build("student", "lab" + std::to_string(lab) + "_student_code")) return;
-  std::cerr << "Warning: lab " << lab << " does not compile, so that its tests will fail.\n";
+  std::cerr << "Warning: lab " << lab
+            << (is_students_error(first_build_error())
+                    ? " does not compile, so that its tests will fail.\n"
+                    : " was not built, so it is not known whether it compiles.\n");
 }
 
 /// Names what a lab might need and lacks in the zip file.

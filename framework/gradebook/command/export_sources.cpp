@@ -9,11 +9,26 @@
 
 #include "cli/system/files.hpp"
 #include "files/output_file.hpp"
+#include "gradebook/command/settings.hpp"
 #include "gradebook/intake/discovery.hpp"
+#include "gradebook/text/escape.hpp"
 
 namespace cs550::gradebook {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// The commands for a folder with base/ and submissions/. The shell divides the output of printf at every space, so MOSS
+/// runs in that folder, in which no name has one.
+void print_commands(const fs::path& folder) {
+  std::cout << fmt::format(
+      "jplag -l cpp -bc {} {}\n(cd {} && moss -l cc -d $(printf -- '-b %s ' base/*) "
+      "submissions/*/*.cpp)\n",
+      in_shell(folder / "base"), in_shell(folder / "submissions"), in_shell(folder));
+}
+
+}  // namespace
 
 void export_sources(const fs::path& root, const std::vector<fs::path>& submissions,
                     const fs::path& folder) {
@@ -23,8 +38,10 @@ void export_sources(const fs::path& root, const std::vector<fs::path>& submissio
   const Catalogue catalogue = read_catalogue(root);
   std::vector<Submission> all;
   std::set<int> labs;
-  for (const FoundSubmission& found : find_submissions(submissions, catalogue).submissions) {
-    Submission submission = read_submission(found, catalogue);
+  const Discovery found = find_submissions(submissions, catalogue);
+  print_skipped(found);
+  for (const FoundSubmission& source : found.submissions) {
+    Submission submission = read_submission(source, catalogue);
     if (!submission.trouble.empty()) {
       std::cout << fmt::format("unreadable: {}: {}\n", submission.name, submission.trouble);
     }
@@ -44,10 +61,7 @@ void export_sources(const fs::path& root, const std::vector<fs::path>& submissio
     for (const std::string& file : lab.starter_files) {
       files::write_file(place / "base" / file, cli::read_text(root / "labs" / lab.name / file));
     }
-    std::cout << fmt::format(
-        "jplag -l cpp -bc {0}/base {0}/submissions\nmoss -l cc -d $(printf -- '-b %s ' {0}/base/*) "
-        "{0}/submissions/*/*.cpp\n",
-        place.string());
+    print_commands(place);
   }
 }
 

@@ -222,10 +222,7 @@ bool grade(const GradeRequest& request) {
   }
   Discovery found = find_submissions(request.submissions, settings.catalogue);
   if (found.submissions.empty()) throw std::runtime_error("no submission was found");
-  for (const IgnoredFile& file : found.skipped) {
-    std::cout << fmt::format("skipped: {}: {}\n", file.path, file.reason);
-  }
-
+  print_skipped(found);
   std::cout << std::flush;  // a log should have this before the run, which may take an hour
 
   if (!request.metadata.empty()) {

@@ -39,7 +39,8 @@ void print_unknown(const Student& student, const std::vector<Student>& roster) {
         ids.empty() ? ""
                     : fmt::format(": the name fits {}. Put the id into the name of the file",
                                   fmt::join(ids, " and "));
-    std::cout << cli::indented(fmt::format("not on the roster: {}{}", record->source, why), 0);
+    const std::string& place = record->path.empty() ? record->source : record->path;
+    std::cout << cli::indented(fmt::format("not on the roster: {}{}", place, why), 0);
   }
 }
 
@@ -64,6 +65,12 @@ Settings read_settings(const fs::path& root, const fs::path& course, const fs::p
 void keep_settings(const Settings& settings, const fs::path& folder) {
   keep(settings.course_text, folder / course_copy);
   keep(settings.roster_text, folder / roster_copy);
+}
+
+void print_skipped(const Discovery& found) {
+  for (const IgnoredFile& file : found.skipped) {
+    std::cout << fmt::format("skipped: {}: {}\n", file.path, file.reason);
+  }
 }
 
 void print_entries_about_nobody(const Settings& settings, const std::vector<Record>& records) {

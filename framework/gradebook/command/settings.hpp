@@ -9,6 +9,7 @@
 
 #include "gradebook/course/catalogue.hpp"
 #include "gradebook/course/course.hpp"
+#include "gradebook/intake/discovery.hpp"
 #include "gradebook/marks/roster.hpp"
 #include "gradebook/records/record_folder.hpp"
 
@@ -28,6 +29,9 @@ Settings read_settings(const std::filesystem::path& root, const std::filesystem:
 
 /// Copies both files into the folder. Only the owner can read them: the course file has the secret.
 void keep_settings(const Settings& settings, const std::filesystem::path& folder);
+
+/// Prints what beside submissions is not read.
+void print_skipped(const Discovery& found);
 
 /// Prints the entries of the course file that are about no student. A single submission without a roster
 /// is a part of a class, and says nothing about them.

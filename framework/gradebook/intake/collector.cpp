@@ -75,8 +75,8 @@ void Collector::choose(std::vector<Candidate> candidates) {
   }
   const LabPath chosen = own->place;
   submission_.whole_labs.insert(chosen.lab);
-  const std::string folder = (chosen.project.empty() ? "" : chosen.project + '/') + "labs/" +
-                             catalogue_.at(chosen.lab).name + '/';
+  const std::string folder = (chosen.project.empty() ? "" : plain_line(chosen.project) + '/') +
+                             "labs/" + catalogue_.at(chosen.lab).name + '/';
   for (Candidate& file : candidates) {
     if (file.place.is_in_project && file.place.project == chosen.project) {
       add(std::move(file));

@@ -173,10 +173,17 @@ class Finder {
   /// The student whose folder it is in, else whose name the file has.
   std::string student_of_source(const fs::path& source,
                                 const std::vector<std::string>& folders) const {
+    const std::vector<std::string> names = names_of_students(folders);
+    return names.empty() ? student_of(stem(source)) : names.front();
+  }
+
+  /// The folders that may be a student's or a section's.
+  std::vector<std::string> names_of_students(const std::vector<std::string>& folders) const {
+    std::vector<std::string> names;
     for (const std::string& folder : folders) {
-      if (!is_no_student(folder)) return folder;
+      if (!is_no_student(folder)) names.push_back(plain_line(folder));
     }
-    return student_of(stem(source));
+    return names;
   }
 
   void add(const fs::path& source, std::vector<std::string> folders) {
@@ -193,7 +200,8 @@ class Finder {
     const std::string base = name;
     for (int n = 2; !names_.insert(name).second; ++n) name = base + '-' + std::to_string(n);
     found_.submissions.push_back({source, name, plain_line(student_of_source(source, folders)),
-                                  modification_time(source), ""});
+                                  modification_time(source), "", false,
+                                  names_of_students(folders)});
   }
 
   const Catalogue& catalogue_;
@@ -228,6 +236,7 @@ Submission read_submission(const FoundSubmission& found, const Catalogue& catalo
   submission.source = plain_line(found.source.filename().string());
   submission.path = recorded_path(found);
   submission.student = found.student;
+  submission.folders = found.folders;
   submission.is_identified = found.is_identified;
   submission.file_time = found.time;
   submission.trouble = found.trouble;

@@ -22,6 +22,8 @@ struct FoundSubmission {
   std::optional<long> time;
   std::string trouble;         ///< why it must not be read; empty if it may
   bool is_identified = false;  ///< whether a platform named the student instead
+  /// The names of the folders around it, from the outermost on, that may be a student's.
+  std::vector<std::string> folders = {};
 };
 
 struct Discovery {
@@ -31,7 +33,8 @@ struct Discovery {
 
 /// Every archive and folder among `sources`. A folder without lab files of its own contains
 /// submissions: archives, folders, or one folder per student. The student of one with the name of a
-/// lab, such as lab3.zip, is the folder around it, whether that was named or found.
+/// lab, such as lab3.zip, is the folder around it, whether that was named or found. Of several folders it is the
+/// outermost, which may be that of a section: assign() looks at all of them.
 /// Throws std::runtime_error if a source does not exist or is no submission.
 Discovery find_submissions(const std::vector<std::filesystem::path>& sources,
                            const Catalogue& catalogue);

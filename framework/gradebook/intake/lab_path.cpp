@@ -34,14 +34,32 @@ std::string joined(Words::const_iterator begin, Words::const_iterator end) {
   return path;
 }
 
-std::string fault_of_name(std::string_view path, const Words& words) {
-  constexpr std::size_t longest = 200;
+bool is_hidden(const std::string& file) { return file[0] == '.' || file.find("/.") != file.npos; }
+
+/// The folders around that of the lab may have any names, in any encoding. Their length is limited, because an archive
+/// may have many.
+std::string fault_of_path(std::string_view path, const Words& words) {
+  constexpr std::size_t longest = 4096;
   const bool has_drive = path.size() > 1 && path[1] == ':';
   if (path.empty() || words.empty()) return "empty name";
   if (path[0] == '/' || path[0] == '\\' || has_drive) return "absolute path";
   if (std::count(words.begin(), words.end(), "..") > 0) return "path with ..";
-  if (path.size() > longest) return "name of more than 200 bytes";
-  if (plain_line(path) != path) return "control characters or invalid UTF-8 in its name";
+  if (path.size() > longest) return "path of more than 4096 bytes";
+  return {};
+}
+
+/// @param file relative to the lab's folder
+std::string fault_of_file(const std::string& file) {
+  constexpr std::size_t longest = 200;
+  if (file.size() > longest) return "name of more than 200 bytes";
+  if (plain_line(file) != file) return "control characters or invalid UTF-8 in its name";
+  if (is_hidden(file)) return "hidden file";
+  if (!files::is_source(file)) {
+    return "not a C++ source file (" + files::source_extensions() + ")";
+  }
+  if (!files::has_plain_name(file)) {
+    return "a name of other characters than letters, digits and _-.";
+  }
   return {};
 }
 
@@ -53,27 +71,63 @@ bool is_given_folder(const std::string& word) {
   return given.contains(word);
 }
 
-/// "lab3_hill_climbing", "lab3" and "Lab3" name lab 3.
-bool names_lab(std::string word, const CatalogueLab& lab) {
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word == lab.name || word == "lab" + std::to_string(lab.number);
+/// The end of the folders that may be a lab's: what is in a given folder is not the student's.
+Words::const_iterator end_of_own_folders(const Words& words) {
+  return std::find_if(words.begin(), words.end() - 1, is_given_folder);
 }
 
-/// By folder. The words before it must not be a folder of the project.
-LabPath below_lab_folder(const Words& words, const Catalogue& catalogue) {
-  for (auto word = words.begin(); word + 1 < words.end() && !is_given_folder(*word); ++word) {
-    for (const auto& [number, lab] : catalogue) {
-      if (!names_lab(*word, lab)) continue;
-      LabPath found{number, joined(word + 1, words.end()), "", false, ""};
-      if (word != words.begin() && *(word - 1) == "labs" && *word == lab.name) {
-        found.is_in_project = true;
-        found.project = joined(words.begin(), word - 1);
-      }
-      return found;
-    }
+std::string in_lower_case(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word;
+}
+
+/// The lab whose folder is called so, such as "lab3_hill_climbing"; 0 if there is none.
+int lab_of_name(const std::string& folder, const Catalogue& catalogue) {
+  for (const auto& [number, lab] : catalogue) {
+    if (in_lower_case(folder) == lab.name) return number;
+  }
+  return 0;
+}
+
+/// The lab of a folder "lab3" or "Lab3"; 0 if there is none.
+int lab_of_number(const std::string& folder, const Catalogue& catalogue) {
+  for (const auto& [number, lab] : catalogue) {
+    if (in_lower_case(folder) == "lab" + std::to_string(number)) return number;
+  }
+  return 0;
+}
+
+/// By labs/lab3_hill_climbing, as in the student's own copy, whatever the folders around it and in it are called.
+LabPath in_project(const Words& words, const Catalogue& catalogue) {
+  const auto end = end_of_own_folders(words);
+  for (auto word = words.begin(); word != end && word + 1 != end; ++word) {
+    const int lab = *word == "labs" ? lab_of_name(word[1], catalogue) : 0;
+    if (lab == 0 || word[1] != catalogue.at(lab).name) continue;
+    return {lab, joined(word + 2, words.end()), "", true, joined(words.begin(), word)};
   }
   return {};
+}
+
+/// By the first folder that names a lab. A file manager unpacks lab3.zip into one more folder lab3: of such folders
+/// directly in each other, the innermost is the lab's.
+/// @param lab_of which lab a folder names, or 0
+LabPath below_folder(const Words& words, const Catalogue& catalogue,
+                     int (*lab_of)(const std::string&, const Catalogue&)) {
+  const auto names_lab = [&](const std::string& word) { return lab_of(word, catalogue) != 0; };
+  const auto end = end_of_own_folders(words);
+  const auto first = std::find_if(words.begin(), end, names_lab);
+  if (first == end) return {};
+  const auto inside = std::find_if_not(first, end, names_lab);
+  return {lab_of(*(inside - 1), catalogue), joined(inside, words.end()), "", false, ""};
+}
+
+/// By folder. A student rarely gives the full name of a lab's folder to another one, so it comes before a number.
+LabPath below_lab_folder(const Words& words, const Catalogue& catalogue) {
+  LabPath place = in_project(words, catalogue);
+  if (place.lab == 0) place = below_folder(words, catalogue, lab_of_name);
+  if (place.lab == 0) place = below_folder(words, catalogue, lab_of_number);
+  return place;
 }
 
 /// By the name of a starter file that only one lab has.
@@ -88,8 +142,6 @@ LabPath named_like_starter(const Words& words, const Catalogue& catalogue) {
   return found;
 }
 
-bool is_hidden(const std::string& file) { return file[0] == '.' || file.find("/.") != file.npos; }
-
 LabPath ignored(const std::string& reason) {
   LabPath path;
   path.ignored = reason;
@@ -100,18 +152,12 @@ LabPath ignored(const std::string& reason) {
 
 LabPath lab_path(std::string_view path, const Catalogue& catalogue) {
   const Words words = split(path);
-  if (const std::string fault = fault_of_name(path, words); !fault.empty()) return ignored(fault);
+  if (const std::string fault = fault_of_path(path, words); !fault.empty()) return ignored(fault);
   LabPath place = below_lab_folder(words, catalogue);
   if (place.lab == 0) place = named_like_starter(words, catalogue);
   if (place.lab == 0) return ignored(outside_of_labs);
-  if (is_hidden(place.file)) return ignored("hidden file");
-  if (!files::is_source(place.file)) {
-    return ignored("not a C++ source file (" + files::source_extensions() + ")");
-  }
-  if (!files::has_plain_name(place.file)) {
-    return ignored("a name of other characters than letters, digits and _-.");
-  }
-  return place;
+  const std::string fault = fault_of_file(place.file);
+  return fault.empty() ? place : ignored(fault);
 }
 
 }  // namespace cs550::gradebook

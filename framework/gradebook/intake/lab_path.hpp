@@ -20,9 +20,9 @@ struct LabPath {
 
 inline constexpr const char* outside_of_labs = "not in a lab's folder";
 
-/// A file belongs to lab 3 if it is below a folder lab3_hill_climbing or lab3, or if its name is
-/// that of one of the lab's starter files. Unsafe names are refused: absolute ones, `..`, control
-/// characters, invalid UTF-8.
+/// A file belongs to lab 3 if it is below labs/lab3_hill_climbing, else below a folder lab3_hill_climbing, else below
+/// lab3, or if its name is that of one of the lab's starter files. Unsafe paths are refused: absolute ones and `..`;
+/// from the lab's folder on also control characters and invalid UTF-8.
 /// @param path as an archive or a folder has it, separated by / or \.
 LabPath lab_path(std::string_view path, const Catalogue& catalogue);
 

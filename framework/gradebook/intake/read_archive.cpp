@@ -3,6 +3,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <fmt/format.h>
+#include <locale.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,7 @@
 #include <initializer_list>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 #include "gradebook/text/escape.hpp"
 
@@ -18,14 +20,41 @@ namespace {
 
 using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;
 
-Archive open_archive(const std::filesystem::path& file) {
+/// libarchive converts names to the encoding of the locale, and loses those that it does not have. Within this scope it
+/// has all, in this thread only. Numbers and messages stay as they are.
+class Utf8Names {
+ public:
+  Utf8Names() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), former_(uselocale(utf8_)) {}
+  ~Utf8Names() {
+    uselocale(former_);
+    if (utf8_ != nullptr) freelocale(utf8_);
+  }
+  Utf8Names(const Utf8Names&) = delete;
+  Utf8Names& operator=(const Utf8Names&) = delete;
+
+ private:
+  locale_t utf8_;  ///< null on a system without it: uselocale() then changes nothing
+  locale_t former_;
+};
+
+Archive new_archive() {
+  Archive reader(archive_read_new(), archive_read_free);
+  archive_read_support_filter_gzip(reader.get());
+  archive_read_support_format_tar(reader.get());
+  archive_read_support_format_zip(reader.get());
+  return reader;
+}
+
+/// Opens a file. @return why the machine cannot read it; empty if it can
+std::string open_file(archive* reader, const std::filesystem::path& file) {
   constexpr std::size_t block = 64 * 1024;
-  Archive opened(archive_read_new(), archive_read_free);
-  archive_read_support_filter_gzip(opened.get());
-  archive_read_support_format_tar(opened.get());
-  archive_read_support_format_zip(opened.get());
-  if (archive_read_open_filename(opened.get(), file.c_str(), block) != ARCHIVE_OK) opened.reset();
-  return opened;
+  std::error_code reason;
+  const std::filesystem::file_status status = std::filesystem::status(file, reason);
+  if (!reason && !std::filesystem::is_regular_file(status)) return "not a file";
+  if (!reason && archive_read_open_filename(reader, file.c_str(), block) != ARCHIVE_OK) {
+    reason = {archive_errno(reader), std::generic_category()};
+  }
+  return reason ? "cannot be read: " + reason.message() : "";
 }
 
 std::string path_of(archive_entry* entry) {
@@ -82,8 +111,9 @@ bool is_unknown_archive(const std::filesystem::path& file) {
 
 std::string read_archive(const std::filesystem::path& file, Collector& collector,
                          const IntakeLimits& limits) {
-  const Archive opened = open_archive(file);
-  if (!opened) return "not a zip or tar archive";
+  const Utf8Names names;
+  const Archive opened = new_archive();
+  if (std::string fault = open_file(opened.get(), file); !fault.empty()) return fault;
   std::size_t unpacked = 0;
   int entries = 0;
   archive_entry* entry = nullptr;

@@ -13,7 +13,8 @@ bool is_archive(const std::filesystem::path& file);
 /// Whether it is that of an archive of another kind, such as .rar, which cannot be read.
 bool is_unknown_archive(const std::filesystem::path& file);
 
-/// Offers every file of an archive to the collector. Links and devices are ignored.
+/// Offers every file of an archive to the collector. Links and devices are ignored. What is no file is not opened: a
+/// named pipe would never end.
 /// @return why the archive was not read to its end; empty if it was
 std::string read_archive(const std::filesystem::path& file, Collector& collector,
                          const IntakeLimits& limits = {});

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
+#include <system_error>
 #include <vector>
 
 namespace cs550::gradebook {
@@ -12,17 +15,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Up to one byte more than the limit; nothing if the file cannot be read.
-bool read_content(const fs::path& file, std::size_t most, std::string& content) {
+/// Up to one byte more than the limit.
+/// @param path of the file in the submission
+/// @throws std::runtime_error if it cannot be read
+std::string content_of(const fs::path& file, const std::string& path, std::size_t most) {
+  errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  content.resize(most + 1);
+  std::string content(most + 1, '\0');
   stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+  if (!stream && !stream.eof()) {
+    throw std::runtime_error(path + " cannot be read: " + std::generic_category().message(errno));
+  }
   content.resize(static_cast<std::size_t>(stream.gcount()));
   content.shrink_to_fit();
-  return stream.eof() || content.size() > most;
+  return content;
 }
 
 /// @return the bytes that were taken
+/// @throws std::runtime_error if a file that is wanted cannot be read: the starter must not take its place
 std::size_t offer(const fs::path& file, const fs::path& folder, Collector& collector,
                   std::size_t most) {
   const std::string path = file.lexically_relative(folder).string();
@@ -32,13 +42,10 @@ std::size_t offer(const fs::path& file, const fs::path& folder, Collector& colle
   } else if (!fs::is_regular_file(status)) {
     collector.ignore(path, "neither a file nor a folder");
   } else if (collector.wants(path)) {
-    std::string content;
-    if (read_content(file, most, content)) {
-      const std::size_t size = content.size();
-      collector.take(path, std::move(content));
-      return size;
-    }
-    collector.ignore(path, "cannot be read");
+    std::string content = content_of(file, path, most);
+    const std::size_t size = content.size();
+    collector.take(path, std::move(content));
+    return size;
   }
   return 0;
 }

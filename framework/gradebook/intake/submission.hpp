@@ -24,10 +24,12 @@ struct IgnoredFile {
 };
 
 struct Submission {
-  std::string name;            ///< of its record; letters, digits and ._- only
-  std::string source;          ///< the file or folder that was handed in
-  std::string path;            ///< of that file or folder
-  std::string student;         ///< from the name of that file or folder
+  std::string name;     ///< of its record; letters, digits and ._- only
+  std::string source;   ///< the file or folder that was handed in
+  std::string path;     ///< of that file or folder
+  std::string student;  ///< from the name of that file or folder
+  /// The names of the folders around it, from the outermost on, that may be a student's.
+  std::vector<std::string> folders;
   bool is_identified = false;  ///< whether a platform named the student instead
   /// What the manifest of ./cs550 submit claims; empty without one.
   std::string claimed_student, claimed_date, starter;

@@ -74,6 +74,7 @@ Record without_names(Record record, const std::string& student, std::size_t numb
   record.name = number == 0 ? student : student + '-' + std::to_string(number + 1);
   record.source = record.name;
   record.path.clear();
+  record.folders.clear();
   record.student = student;
   record.claimed_student.clear();
   record.starter.clear();

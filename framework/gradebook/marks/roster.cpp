@@ -120,14 +120,19 @@ Places fitting(const std::vector<Student>& roster, const std::string& name) {
   return places(roster, [&](const Student& s) { return has_id(s) || has_name(words, s); });
 }
 
-/// Those whom a platform has named. Else those whom the name of a record's folder fits, else that of its file: a folder
-/// may be that of a section.
+/// Those whom a platform has named. Else those whom the first name fits that fits anybody: of the folders around a
+/// record from the outermost on, which may be that of a section, and then of its file, which a student chooses.
 Places owners(const std::vector<Student>& roster, const Record& record) {
   if (record.is_identified) {
     return places(roster, [&](const Student& s) { return is_called(s, record.student); });
   }
-  Places found = fitting(roster, record.student);
-  return found.empty() ? fitting(roster, without_ending(record.source)) : found;
+  std::vector<std::string> names{record.student};
+  names.insert(names.end(), record.folders.begin(), record.folders.end());
+  names.push_back(without_ending(record.source));
+  for (const std::string& name : names) {
+    if (Places found = fitting(roster, name); !found.empty()) return found;
+  }
+  return {};
 }
 
 Student* student_of(std::vector<Student>& roster, const Record& record) {

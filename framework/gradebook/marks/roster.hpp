@@ -31,8 +31,9 @@ std::vector<Student> parse_roster(const std::string& text, const std::string& fi
 /// one with that email, name or id, or to nobody. Otherwise it belongs to the student whose id, email
 /// or name is that of its file or folder. If there is none, it belongs to the only student whose id
 /// is in that name, with no letter or digit beside it, or all words of whose name are. If a folder is
-/// nobody's, the same holds for the name of the file in it. Only if no student matches does the
-/// name count that the submission itself claims. Records of nobody get a student of their own.
+/// nobody's, the same holds for the folders in it, and then for the name of the file. Only if no student
+/// matches does the name count that the submission itself claims. Records of nobody get a student of their
+/// own.
 /// @param roster may be empty: then every name is a student
 std::vector<Student> assign(std::vector<Student> roster, const std::vector<Record>& records);
 

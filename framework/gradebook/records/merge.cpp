@@ -43,7 +43,8 @@ void add_labs(Record& record, const Record& other) {
 
 bool same_submission(const Record& a, const Record& b) {
   return a.hash == b.hash && a.student == b.student && a.claimed_student == b.claimed_student &&
-         a.source == b.source && a.file_time == b.file_time && a.claimed_date == b.claimed_date;
+         a.source == b.source && a.folders == b.folders && a.file_time == b.file_time &&
+         a.claimed_date == b.claimed_date;
 }
 
 std::vector<Record> merged(const std::vector<std::vector<Record>>& folders) {

@@ -76,8 +76,9 @@ struct LabRecord {
 
 struct Record {
   std::string name, source, student;
-  bool is_identified = false;  ///< whether a platform named the student, not a file or folder
-  std::string path;            ///< of the source: tells submissions with equal names apart
+  bool is_identified = false;        ///< whether a platform named the student, not a file or folder
+  std::string path;                  ///< of the source: tells submissions with equal names apart
+  std::vector<std::string> folders;  ///< around the source that may be a student's, outermost first
   std::string claimed_student, claimed_date, starter;
   std::optional<long> file_time;  ///< seconds since 1970: when it was handed in, if that is known
   std::string hash;

@@ -151,6 +151,7 @@ std::string to_json(const Record& record) {
             {"name", record.name},
             {"source", record.source},
             {"path", record.path},
+            {"folders", record.folders},
             {"student", record.student},
             {"identified", record.is_identified},
             {"claimed", {{"student", record.claimed_student}, {"date", record.claimed_date}}},
@@ -178,6 +179,7 @@ Record record_from_json(const std::string& text, const std::string& file) {
     record.name = json.at("name");
     record.source = json.at("source");
     record.path = json.value("path", "");
+    record.folders = json.value("folders", std::vector<std::string>());
     record.student = json.at("student");
     record.is_identified = json.value("identified", false);
     record.claimed_student = json.at("claimed").at("student");

@@ -41,6 +41,7 @@ Record begin_record(const Submission& submission, const std::string& project) {
   record.name = submission.name;
   record.source = submission.source;
   record.path = submission.path;
+  record.folders = submission.folders;
   record.student = submission.student;
   record.is_identified = submission.is_identified;
   record.claimed_student = submission.claimed_student;

@@ -38,7 +38,8 @@ const Record* RecordNames::own_record(const Submission& submission) const {
   return find([&](const Record& known) {
     std::error_code is_gone;
     return known.source == submission.source && known.student == submission.student &&
-           known.hash == submission.hash() && known.file_time == submission.file_time &&
+           known.folders == submission.folders && known.hash == submission.hash() &&
+           known.file_time == submission.file_time &&
            known.claimed_date == submission.claimed_date && !paths_.contains(known.path) &&
            !std::filesystem::exists(known.path, is_gone);
   });

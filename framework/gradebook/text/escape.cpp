@@ -1,6 +1,7 @@
 #include "gradebook/text/escape.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 
 #include "files/markup.hpp"
@@ -101,6 +102,17 @@ std::string csv(std::string_view field) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
+}
+
+std::string in_shell(const std::string& word) {
+  const bool is_plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("%+,-./:=@_").find(c) != std::string_view::npos;
+  });
+  if (is_plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
 }
 
 std::string markdown(std::string_view text) {

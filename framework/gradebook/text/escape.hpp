@@ -24,6 +24,9 @@ std::string html(std::string_view text);
 /// A field of a CSV line. A field that a spreadsheet would take for a formula begins with a quote.
 std::string csv(std::string_view field);
 
+/// A word of a command as a shell reads it.
+std::string in_shell(const std::string& word);
+
 /// A word within a line of Markdown, without any markup of its own.
 std::string markdown(std::string_view text);
 
