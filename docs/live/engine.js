@@ -6,7 +6,11 @@ let source = null;
 function loadSource() {
   source ??= new Promise((resolve, reject) => {
     const script = element('script', {src: 'live_engine.js', onload: resolve});
-    script.onerror = () => reject(new Error('live_engine.js cannot be loaded'));
+    script.onerror = () => {
+      source = null;  // so that another try loads it again
+      script.remove();
+      reject(new Error('live_engine.js cannot be loaded'));
+    };
     document.head.append(script);
   }).then(() => URL.createObjectURL(new Blob([`(${cs550LiveWorker})()`], {type: 'text/javascript'})));
   return source;

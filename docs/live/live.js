@@ -22,6 +22,23 @@ const short = number => String(Number(Number(number).toPrecision(4)));
 const sleep = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
 const nextFrame = () => new Promise(resolve => requestAnimationFrame(resolve));
 
+/** Tells how many steps of a world are due, so that it keeps pace with the clock at any number of pictures per second. */
+class Pace {
+  /** @param length of a step in ms */
+  constructor(length) {
+    this.length = length;
+    this.last = performance.now();
+  }
+
+  /** The steps since the last ones. Rounded, so that a picture each 16 or 17 ms shows one step; the rest is kept. */
+  take() {
+    const now = performance.now();
+    const due = Math.round((now - this.last) / this.length);
+    this.last = due > MOST_STEPS ? now : this.last + due * this.length;
+    return Math.min(due, MOST_STEPS);
+  }
+}
+
 class LiveFigure {
   /** Begins with a description, as data-live has it, and settings as pairs. */
   static async open(figure, settings) {
@@ -36,6 +53,7 @@ class LiveFigure {
     this.changed = new Map();
     this.pictures = 0;
     this.loops = 0;
+    this.reported = '';
   }
 
   /** In a new worker, with the settings. */
@@ -99,8 +117,8 @@ class LiveFigure {
       this.canvas = element('canvas');
       this.canvas.setAttribute('role', 'img');
       this.stage.append(this.canvas);
-      new ResizeObserver(() => this.fitsStage() || this.drawSoon()).observe(this.stage);
     }
+    new ResizeObserver(() => this.fitsStage() || this.drawSoon()).observe(this.stage);
     listenToPointers(this);
   }
 
@@ -216,13 +234,12 @@ class LiveFigure {
 
   /** As many steps as time has passed. The engine makes the next picture while this one is painted. */
   async playWorld(isOn) {
-    let last = performance.now();
+    const pace = new Pace(1000 * this.facts.h);
     let next = null;
     const askForNext = () => {
-      const due = Math.round((performance.now() - last) / (1000 * this.facts.h));
+      const due = pace.take();
       if (due < 1) return null;
-      last = performance.now();
-      const picture = this.engine.ask('frame', Math.min(due, MOST_STEPS), ...this.fitCanvas());
+      const picture = this.engine.ask('frame', due, ...this.fitCanvas());
       picture.catch(() => {});  // one that fails before the next round awaits it is no uncaught error
       return picture;
     };
@@ -353,7 +370,8 @@ class LiveFigure {
   }
 
   async draw() {
-    Object.assign(this, await this.engine.ask('draw', ...this.pictureSize()));
+    this.size = this.pictureSize();
+    Object.assign(this, await this.engine.ask('draw', ...this.size));
     this.stage.innerHTML = this.unique(this.svg, 'picture');
   }
 
@@ -363,9 +381,11 @@ class LiveFigure {
     return width > 0 && width < NARROW ? [width, Math.round(0.85 * width)] : [];
   }
 
-  /** Whether the canvas was drawn for the stage as wide as it is. A hidden stage has no width. */
+  /** Whether the picture was drawn for the stage as wide as it is. A hidden stage has no width. */
   fitsStage() {
-    return this.stage.clientWidth === 0 || this.stage.clientWidth === this.width;
+    const width = this.stage.clientWidth;
+    if (width === 0) return true;
+    return this.canvas ? width === this.width : this.pictureSize().join() === this.size?.join();
   }
 
   /** Width and height of the canvas in pixels of the page. */
@@ -404,11 +424,18 @@ class LiveFigure {
         (this.canvas ? ' Plus and minus zoom; P plays; N selects the next body; T throws a box.' : ''));
     this.canvas?.setAttribute('aria-label', facts.story);
     this.fitSteps(facts.steps);
-    if (facts.problem) this.problem.textContent = facts.problem;
+    this.report(facts.problem);
     this.numbers.replaceChildren(...facts.facts.map(
         ([name, value]) => element('div', {}, element('dt', {textContent: name}), element('dd', {textContent: value}))));
     const state = [...this.changed].map(([name, value]) => `${name}=${value}`).join(';');
     this.link.href = `?live=${this.name}&set=${encodeURIComponent(state)}#fig_${this.name}`;
+  }
+
+  /** A problem of the code is shown as long as the code has it; what was refused, until the next try. */
+  report(problem) {
+    const isShown = this.problem.textContent === this.reported;
+    this.reported = problem;
+    if ((problem || isShown) && this.problem.textContent !== problem) this.problem.textContent = problem;
   }
 
   showLegend() {
@@ -496,25 +523,27 @@ async function startAndFocus(figure) {
   figure.live?.stage.focus({preventScroll: true});
 }
 
-/** The first page opens on a scene that plays, unless the reader prefers stillness. */
-async function startAndPlay(figure) {
-  if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
-  await start(figure);
+async function startAndPlay(figure, settings) {
+  await start(figure, settings);
   if (figure.live && !figure.live.isPlaying) figure.live.play();
 }
 
 document.addEventListener('DOMContentLoaded', () => {
   const asked = new URLSearchParams(location.search);
+  const settings = (asked.get('set') ?? '').split(';').filter(Boolean).map(each => each.split(/=(.*)/s).slice(0, 2));
+  const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
   for (const figure of document.querySelectorAll('figure[data-live]')) {
     const button = element('button', {type: 'button', className: 'live-start', textContent: 'Make this figure live',
                                       onclick: () => startAndFocus(figure)});
     const image = figure.querySelector('img');
     image.after(button);
     image.addEventListener('pointerdown', () => startAndFocus(figure));
-    if ('start' in figure.dataset) startAndPlay(figure);
-    if (figure.id === `fig_${asked.get('live')}`) {
-      const settings = (asked.get('set') ?? '').split(';').filter(Boolean);
-      start(figure, settings.map(each => each.split(/=(.*)/s).slice(0, 2)));
+    const isLinked = figure.id === `fig_${asked.get('live')}`;
+    // The first page opens on a scene that plays, unless the reader prefers stillness.
+    if ('start' in figure.dataset && !still) {
+      startAndPlay(figure, isLinked ? settings : []);
+    } else if (isLinked) {
+      start(figure, settings);
     }
   }
 });

@@ -275,8 +275,6 @@ void WorldCanvas::select_next() {
   page_.select(next < count ? std::optional(next) : std::nullopt);
 }
 
-void WorldCanvas::throw_box(const Vec2& pixel) {
-  page_.throw_box(camera_.eye(), camera_.eye() + seen_.ray(pixel));
-}
+void WorldCanvas::throw_box(const Vec2& pixel) { page_.throw_box(camera_.eye(), seen_.ray(pixel)); }
 
 }  // namespace cs550::live

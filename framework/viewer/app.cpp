@@ -57,6 +57,10 @@ void App::open(int lab) {
   frame_focus();
 }
 
+void App::show_page(int lab) {
+  if (lab != page_->lab()) open(lab);
+}
+
 void App::reset() {
   if (world_ != nullptr) {
     world_->reset();

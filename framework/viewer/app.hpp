@@ -48,6 +48,8 @@ class App {
   void nudge(Nudged nudged, Real right, Real up);
   /// Opens the page of a lab; 0 is the world, failure_page the failing test of the options.
   void open(int lab);
+  /// The same, unless it is the present page, whose settings would be lost.
+  void show_page(int lab);
   /// Leaves out timings, so that the same command produces the same picture.
   void hide_times();
 

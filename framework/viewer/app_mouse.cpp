@@ -20,8 +20,7 @@ Vec2 mouse_position() {
 void App::throw_box() {
   if (world_ == nullptr) return;
   const Projection seen = projection();
-  const Vec3 ray = seen.ray(mouse_position());
-  world_->throw_box(camera_.eye(), camera_.eye() + ray);
+  world_->throw_box(camera_.eye(), seen.ray(mouse_position()));
 }
 
 void App::hear_mouse() {

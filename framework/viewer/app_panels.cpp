@@ -70,10 +70,7 @@ void App::show_pages() {
     const bool clicked = ImGui::Button(name.c_str(), {lab == 0 ? world_width : lab_width, 0});
     if (is_here) ImGui::PopStyleColor(3);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", page_name(lab));
-    if (clicked && !is_here) {
-      open(lab);
-      return;
-    }
+    if (clicked) return show_page(lab);
   }
   if (failure_ == nullptr || page_ == failure_) return;
   const std::string back = "Back to " + failure_->title();
@@ -112,7 +109,7 @@ void App::show_transport() {
   if (ImGui::Combo("##speed", &speed, speeds, 4)) slowness_ = 1 << speed;
   ImGui::SameLine();
   if (ImGui::Button("Throw", {width, 0})) {
-    world_->throw_box(camera_.eye(), camera_.target);
+    world_->throw_box(camera_.eye(), camera_.target - camera_.eye());
   }
 }
 

@@ -43,7 +43,7 @@ void hear_key(GLFWwindow* window, int key, int /*scancode*/, int action, int mod
   // Of the keys that are held down only those of steps repeat, not those that switch something.
   const bool steps = key == GLFW_KEY_N || key == GLFW_KEY_RIGHT;
   if (action == GLFW_REPEAT && !steps) return;
-  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_0 + lab_page_count) app->open(key - GLFW_KEY_0);
+  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_0 + lab_page_count) app->show_page(key - GLFW_KEY_0);
   switch (key) {
     case GLFW_KEY_SPACE:
       app->toggle_play();

@@ -1,5 +1,6 @@
 """A live figure that plays: what happens when it is stopped, when its code fails or crashes, when it begins again."""
 from live_actions import run
+from live_figures import BEGIN
 
 PAUSE = "await new Promise(resolve => setTimeout(resolve, 500));"
 
@@ -95,3 +96,55 @@ def check_begin_again(browser, figure):
     moved = [round(float(each), 6) for each in position.split(",")]
     if problem or moved != [0.1, 0.2, 1.5] or "begin again" in run(browser, BUTTONS, figure):
         yield f"a stopped figure does not begin again: position {position}, {problem}"
+
+# Plays for two seconds of a clock that passes with the pictures, `place` of them per second. Returns the steps.
+STEPS_IN_TWO_SECONDS = """
+const live = figure.live;
+const {now} = performance;
+const frame = window.requestAnimationFrame;
+let [time, pictures] = [now.call(performance), 0];
+performance.now = () => time;
+window.requestAnimationFrame = callback => setTimeout(() => {
+  time += 1000 / place;
+  ++pictures;
+  callback(time);
+});
+live.play();
+while (pictures < 2 * place) await new Promise(resolve => setTimeout(resolve, 5));
+live.play();
+performance.now = now;
+window.requestAnimationFrame = frame;
+await live.drawSoon();
+return Number(live.facts.facts.find(([name]) => name === 'step')[1]);
+"""
+RATES = (30, 50, 60, 75, 144)  # pictures per second
+
+# What the figure shows while the code reports a problem, when it does no more, and after a refusal.
+PROBLEMS = """
+const live = figure.live;
+await live.drawSoon();
+const shown = ['Reported by the test', ''].map(problem => {
+  live.facts = {...live.facts, problem};
+  live.show();
+  return live.problem.textContent;
+});
+live.fail(new Error('Refused by the test'));
+live.show();
+return [...shown, live.problem.textContent];
+"""
+
+
+def check_pace(browser, figure):
+    """A world passes as fast as the clock, whatever the number of pictures per second."""
+    for rate in RATES:
+        steps = run(browser, BEGIN + STEPS_IN_TWO_SECONDS.replace("const live = figure.live;", ""), figure, rate)
+        # The last picture that was asked for may be missing, and pictures may have passed meanwhile.
+        if abs(steps - 120) > 5:
+            yield f"at {rate} pictures per second, {steps} steps of 1/60 s are made in 2 s"
+
+
+def check_problems(browser, figure):
+    """A problem is shown as long as the code has it."""
+    shown = run(browser, PROBLEMS, figure)
+    if shown != ["Reported by the test", "", "Refused by the test"]:
+        yield f"a problem, none and a refusal show {shown}"

@@ -16,7 +16,8 @@ from book_test import LOOK, SETTLE
 from browsers import errors_logged, in_browsers
 from live_actions import KEYS, POINTERS, drag, open_first, run, wait_for
 from live_figures import BEGIN, CHANGE, STATE, figure_count, is_built, pages_with_figures
-from live_play import check_begin_again, check_play
+from live_play import check_begin_again, check_pace, check_play, check_problems
+from live_pointer import check_pointer
 from live_walk import PAGES_WITH_WALKS, check_long_walk, check_space, check_walk
 from live_world import (check_acts, check_other_scene, check_quality, check_scenes, check_settings, check_speed,
                         check_vector, check_width, check_world)
@@ -110,6 +111,49 @@ def check_link(browser, figure):
         yield f"{name}: {link} does not restore the state"
 
 
+def check_start_link(folder, browser):
+    """A link to the figure that plays by itself restores its settings, too."""
+    page = (folder / "index.html").as_uri()
+    browser.get(page)
+    figure = browser.find_element("css selector", "figure[data-start]")
+    if not wait_for(browser, figure):
+        return [f"index.html: the figure does not begin: {figure.text[:200]}"]
+    name = figure.get_attribute("id")
+    run(browser, "const live = figure.live; live.stopPlaying(); await live.set('substeps', '9'); await live.drawSoon();",
+        figure)
+    browser.get(page + browser.execute_script("return arguments[0].live.link.getAttribute('href')", figure))
+    figure = browser.find_element("id", name)
+    settings = wait_for(browser, figure) and run(
+        browser, "return [...figure.live.changed, [figure.live.controls.elements.substeps.value]].join(';')", figure)
+    return [] if settings == "substeps,9;9" else [f"index.html: a link with substeps=9 restores {settings}"]
+
+
+# The engine's script is not there at the first try.
+MISSING_ENGINE = """
+const {append} = document.head;
+document.head.append = script => {
+  document.head.append = append;
+  script.src = 'absent.js';
+  append.call(document.head, script);
+};
+"""
+
+
+def check_second_try(page, browser):
+    """An engine that could not be loaded is loaded at the next try."""
+    browser.get(page.as_uri())
+    figure = browser.find_element("css selector", "figure[data-live]")
+    browser.execute_script(MISSING_ENGINE + "arguments[0].querySelector('.live-start').click()", figure)
+    run(browser, "while (figure.classList.contains('live-loading')) await new Promise(next => setTimeout(next, 20));",
+        figure)
+    message = figure.find_element("class name", "live-start").text
+    list(errors_logged(browser))  # it says that the file is absent
+    browser.execute_script("arguments[0].querySelector('.live-start').click()", figure)
+    if "cannot be loaded" not in message or not wait_for(browser, figure):
+        return [f"{page.name}: after '{message}' another try does not load the engine"]
+    return []
+
+
 def check_end(browser, figure):
     """Code without an end is stopped, the figure reports that, and begins again."""
     endless = """
@@ -161,6 +205,9 @@ def main():
     tasks += [partial(check_first, folder / "separating_axis.html", check_begin_again)]
     tasks += [partial(check_first, folder / "separating_axis.html", check_space)]
     tasks += [partial(check_first, world, check_settings), partial(check_first, world, check_acts)]
+    tasks += [partial(check_first, world, check_pointer), partial(check_first, world, check_pace)]
+    tasks += [partial(check_first, folder / "hill_climbing.html", each) for each in (check_problems, check_width)]
+    tasks += [partial(check_start_link, folder), partial(check_second_try, folder / "hill_climbing.html")]
     tasks += [partial(check_first, world, check_quality), partial(check_first, world, check_width)]
     tasks += [partial(check_first, world, check_other_scene), partial(check_first, world, check_vector)]
     faults = sum(in_browsers(tasks), [])

@@ -65,14 +65,14 @@ await live.drawSoon();
 return live.shapes.join();
 """
 
-# Changes the width of the figure, and returns those of the stage and its canvas in pixels of the page.
+# Changes the width of the figure, and returns those of the stage and its picture in pixels of the page.
 RESIZE = """
 const live = figure.live;
 await live.drawSoon();
 figure.style.width = `${place}px`;
 await new Promise(resolve => setTimeout(resolve, 500));
 await live.engine.ask('facts');
-return [live.stage.clientWidth, live.canvas.width / devicePixelRatio];
+return [live.stage.clientWidth, live.canvas ? live.canvas.width / devicePixelRatio : live.size?.[0]];
 """
 
 # Chooses a quality, changes one of its settings, and chooses another quality. Then the worker ends, and the setting is
@@ -214,11 +214,11 @@ def check_acts(browser, figure):
 
 
 def check_width(browser, figure):
-    """A world that stands still is drawn again for another width of the page."""
+    """A figure that stands still is drawn again for another width of the page."""
     for width in (300, 350):
         widths = run(browser, RESIZE, figure, width)
         if widths != [width, width]:
-            yield f"at {width} pixels, the stage and its canvas are {widths} wide"
+            yield f"at {width} pixels, the stage and its picture are {widths} wide"
 
 
 def check_scenes(browser, figure, demo):

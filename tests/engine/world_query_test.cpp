@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "cs550/world.hpp"
 #include "engine/test_bodies.hpp"
@@ -131,6 +132,25 @@ TEST(WorldQuery, DirectionOfARayHasAnyLengthButZero) {
   EXPECT_THROW(world.ray_cast({nan, 0, 0}, {1, 0, 0}, 10), std::invalid_argument);
   EXPECT_THROW(world.ray_cast({0, 0, 0}, {1, 0, 0}, -1), std::invalid_argument);
   EXPECT_THROW(world.ray_cast({0, 0, 0}, {1, 0, 0}, nan), std::invalid_argument);
+}
+
+TEST(WorldQuery, RefusesABoxWhoseCornersAreExchanged) {
+  World world;
+  world.add_body(body_at(box_shape(Vec3::Ones()), Vec3::Zero()));
+  const Vec3 corner = Vec3::Constant(Real(0.5));
+  const Vec3 infinite = Vec3::Constant(std::numeric_limits<Real>::infinity());
+  EXPECT_EQ(world.query({-corner, corner}).size(), 1U);
+  EXPECT_EQ(world.query({corner, corner}).size(), 1U) << "a point";
+  EXPECT_EQ(world.query({-infinite, infinite}).size(), 1U);
+  EXPECT_TRUE(world.query({}).empty());
+  EXPECT_THROW(world.query({corner, -corner}), std::invalid_argument);
+  for (int axis = 0; axis < 3; ++axis) {
+    Bounds box{-corner, corner};
+    std::swap(box.lower[axis], box.upper[axis]);
+    EXPECT_THROW(world.query(box), std::invalid_argument) << "axis " << axis;
+    box.lower[axis] = std::numeric_limits<Real>::quiet_NaN();
+    EXPECT_THROW(world.query(box), std::invalid_argument) << "NaN, axis " << axis;
+  }
 }
 
 TEST(WorldQuery, BoxFindsTheBodiesWhoseBoundsItMeets) {

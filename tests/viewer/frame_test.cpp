@@ -83,6 +83,18 @@ TEST_F(Frames, EveryPageCanBeLeftAndEntered) {
   }
 }
 
+/// The key of a page may be pressed while it is shown.
+TEST_F(Frames, AnOpenPageStaysAsItIs) {
+  Options options;
+  options.lab = 3;
+  App app(options, ui);
+  const Page* const shown = &app.page();
+  app.show_page(3);
+  EXPECT_EQ(&app.page(), shown);
+  app.show_page(5);
+  EXPECT_EQ(app.page().lab(), 5);
+}
+
 TEST_F(Frames, TheTitleNamesTheStudentsCode) {
   for (const bool student : {false, true}) {
     Options options;

@@ -64,6 +64,12 @@ std::optional<RayHit> World::ray_cast(const Vec3& origin, const Vec3& direction,
 }
 
 std::vector<BodyId> World::query(const Bounds& bounds) const {
+  const bool contains_nothing = bounds.lower == Bounds().lower && bounds.upper == Bounds().upper;
+  if (contains_nothing) return {};
+  if (!(bounds.lower.array() <= bounds.upper.array()).all()) {
+    throw std::invalid_argument(
+        "World::query() needs bounds whose lower corner is nowhere above the upper one");
+  }
   std::vector<Index> near;
   state_->tree.query(bounds, near);
   std::sort(near.begin(), near.end());

@@ -311,7 +311,9 @@ class World {
   /// @throws std::invalid_argument if one of them is not finite (the length may be infinite) or
   ///         outside its range
   std::optional<RayHit> ray_cast(const Vec3& origin, const Vec3& direction, Real length) const;
-  /// The bodies with bounds that overlap a box, sorted by index.
+  /// The bodies with bounds that overlap a box, sorted by index. Bounds() contains nothing.
+  /// @throws std::invalid_argument if another box has a lower corner above its upper one, or is not
+  ///         a number
   std::vector<BodyId> query(const Bounds& bounds) const;
   /// The tree of the broad phase, for drawing.
   const AabbTree& broad_phase() const;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t history_length = 900;  ///< number of steps in the plots
 constexpr Real throw_speed = 20;             ///< m/s
+constexpr Real largest_thrown_side = 5000;   ///< m: a world refuses bodies that are much heavier
 
 /// "1 body", "3 bodies".
 std::string counted(std::ptrdiff_t count, const char* one, const char* several) {
@@ -83,11 +84,11 @@ void WorldPage::take_steps(int count) {
   }
 }
 
-void WorldPage::throw_box(const Vec3& from, const Vec3& through) {
+void WorldPage::throw_box(const Vec3& from, const Vec3& direction) {
   WorldRequest request;
   request.settings = settings_;
-  request.thrown =
-      Throw{from, throw_speed * (through - from).normalized(), Real(0.12) * first_focus_.radius};
+  const Real side = std::min(Real(0.12) * first_focus_.radius, largest_thrown_side);
+  request.thrown = Throw{from, throw_speed * direction.normalized(), side};
   ask(request);
 }
 

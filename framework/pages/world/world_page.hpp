@@ -30,8 +30,9 @@ class WorldPage final : public Page {
   void reset();
   /// Advances by steps of the scene's own length.
   void take_steps(int count);
-  /// Throws a box from one point through another.
-  void throw_box(const Vec3& from, const Vec3& through);
+  /// Throws a box.
+  /// @param direction of any length but 0
+  void throw_box(const Vec3& from, const Vec3& direction);
 
   /// The first body that a ray from the eye hits. Immovable bodies hide others, except where
   /// open_view() makes them translucent.

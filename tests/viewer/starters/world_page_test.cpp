@@ -11,7 +11,7 @@ using namespace pages;
 TEST(WorldOnStarters, GoesOnWhenABoxIsThrown) {
   WorldPage page("free_spin", Isolation::Here);
   page.refresh();
-  page.throw_box(Vec3(0, 0, 5), Vec3(0, 0, 6));
+  page.throw_box(Vec3(0, 0, 5), Vec3(0, 0, 1));
   page.take_steps(1);
   page.refresh();
   EXPECT_EQ(page.content().problem, "");
