@@ -461,6 +461,27 @@ def test_results_of_other_programs_are_not_reused(folder):
     assert [reused(""), reused(""), reused("# changed\n")] == ["0", "3", "0"]
 
 
+def test_a_judge_that_was_rebuilt_meanwhile_gives_no_mark(folder):
+    pack(folder / "class/ada.zip", {HILL: "// a"})
+    judge = folder / "judge.sh"
+    program = f'#!/bin/sh\nexec "{FAKE}" "$@"\n'
+    # Replaced by another one while it grades, as a linker does it.
+    judge.write_text(program.replace("exec", f'[ "$1" = --probe ] || mv "{folder}/new" "$0"\nexec'))
+    (folder / "new").write_text(program)
+    for file in (judge, folder / "new"):
+        file.chmod(0o755)
+
+    def graded(*more):
+        run = subprocess.run([PROGRAM, "--judge", judge, folder / "class", "--out", folder / "out", "--labs", "3", *more],
+                             capture_output=True, text=True, check=False, env={**os.environ, "CS550_ROOT": str(ROOT)})
+        return run.returncode, " ".join(run.stdout.split()), lab(folder / "out", "ada", 3)["earned"]
+
+    code, printed, _ = graded()
+    assert code == 1 and "NOT GRADED: ada, lab 3" in printed and "changed during the run" in printed, printed
+    code, printed, earned = graded("--resume")
+    assert (code, earned) == (0, 60) and "0 results reused" in printed, printed
+
+
 def test_results_of_other_mistakes_and_scenes_are_not_reused(folder):
     pack(folder / "class/ada.zip", {HILL: "// a", "labs/lab3_hill_climbing/my_tests.cpp": "// fake: catches 8"})
     pack(folder / "class/bob.zip", {HILL: "// b"})

@@ -1,6 +1,7 @@
 #include "gradebook/run/grade_lab.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <chrono>
@@ -23,6 +24,10 @@ namespace fs = std::filesystem;
 
 /// Far beyond the limit of a lab, which the judge keeps by itself: one that hangs must not stop the class.
 constexpr std::chrono::hours longest_run{2};
+
+constexpr const char* rebuilt =
+    "its tests, or the files that they read, were changed during the run; "
+    "the same command with --resume grades it again";
 
 void add_limit(std::vector<std::string>& command, const char* option, std::optional<int> value) {
   if (value) command.insert(command.end(), {option, std::to_string(*value)});
@@ -139,6 +144,22 @@ std::vector<fs::path> libraries_below(const fs::path& folder) {
   return files;
 }
 
+/// References, starters and given code, which judges and workers load.
+std::vector<fs::path> shared_files(const fs::path& program) {
+  const fs::path folder = program.parent_path();
+  std::vector<fs::path> files = libraries_below(folder.parent_path() / "labs");
+  files.insert(files.end(), {program, folder / "lab_worker"});
+  return files;
+}
+
+/// Those of a lab alone, or of the engine: 0.
+std::vector<fs::path> programs_of(const fs::path& program, int lab) {
+  const fs::path folder = program.parent_path();
+  if (lab == 0) return {folder / "milestones_judge"};
+  const std::string name = fmt::format("lab{}", lab);
+  return {folder / (name + "_judge"), folder / (name + "_own_tests")};
+}
+
 LabRecord without_result(const CatalogueLab& lab, const std::string& status) {
   LabRecord record;
   record.lab = lab.number;
@@ -182,18 +203,34 @@ LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogu
   return result;
 }
 
+std::vector<fs::path> files_of_judges(const fs::path& program, const fs::path& assets,
+                                      const std::vector<int>& labs) {
+  std::vector<fs::path> files = shared_files(program);
+  const auto add = [&](const std::vector<fs::path>& more) {
+    files.insert(files.end(), more.begin(), more.end());
+  };
+  add(programs_of(program, 0));
+  for (const int lab : labs) add(programs_of(program, lab));
+  add(cli::files_below(assets));
+  return files;
+}
+
+std::string stamp_of(const std::vector<fs::path>& files) {
+  std::string stamps;
+  for (const fs::path& file : files) {
+    struct stat facts {};
+    if (stat(file.c_str(), &facts) != 0) continue;
+    stamps += fmt::format("{} {} {} {}.{}\n", file.string(), facts.st_ino, facts.st_size,
+                          facts.st_mtim.tv_sec, facts.st_mtim.tv_nsec);
+  }
+  return sha256_of({stamps});
+}
+
 std::map<int, std::string> versions_of(const fs::path& program, const fs::path& assets,
                                        const std::vector<int>& labs) {
-  const fs::path folder = program.parent_path();
-  // References, starters and given code, which judges and workers load.
-  std::vector<fs::path> shared = libraries_below(folder.parent_path() / "labs");
-  shared.insert(shared.end(), {program, folder / "lab_worker"});
-  const std::string all = hash_of(shared) + hash_of(cli::files_below(assets));
-  std::map<int, std::string> versions{{0, hash_of({folder / "milestones_judge"})}};
-  for (const int lab : labs) {
-    const std::string name = fmt::format("lab{}", lab);
-    versions[lab] = hash_of({folder / (name + "_judge"), folder / (name + "_own_tests")});
-  }
+  const std::string all = hash_of(shared_files(program)) + hash_of(cli::files_below(assets));
+  std::map<int, std::string> versions{{0, hash_of(programs_of(program, 0))}};
+  for (const int lab : labs) versions[lab] = hash_of(programs_of(program, lab));
   for (auto& [lab, version] : versions) version += all;
   return versions;
 }
@@ -233,7 +270,9 @@ std::string recorded_seed(const Course& course) {
 LabRecord grade_lab(const CatalogueLab& lab, const LabFiles& files, const Course& course,
                     const Judge& judge, const std::atomic<bool>& stop) {
   try {
-    return run_judge(lab, files, course, judge, stop);
+    LabRecord record = run_judge(lab, files, course, judge, stop);
+    if (stamp_of(judge.files) == judge.stamp) return record;
+    return not_graded(lab, rebuilt);
   } catch (const std::exception& error) {
     return not_graded(lab, fmt::format("{} failed: {}", judge.program.filename().string(),
                                        plain_text(error.what())));
