@@ -34,9 +34,10 @@ target_link_libraries(cs550_grader PUBLIC cs550_contract cs550_isolation cs550_a
 file(GLOB sources CONFIGURE_DEPENDS "${grader_folder}/worker/*.cpp")
 add_executable(lab_worker EXCLUDE_FROM_ALL ${sources} "${lab_functions}")
 target_include_directories(lab_worker PRIVATE "${lab_folder}" "${PROJECT_SOURCE_DIR}/framework")
-# Lab functions stay undefined until libraries of labs are loaded.
+# Lab functions stay undefined until libraries of labs are loaded. Submissions may use fmt, with which a student's own
+# build is linked.
 target_link_options(lab_worker PRIVATE -Wl,--no-as-needed -Wl,--allow-shlib-undefined)
-target_link_libraries(lab_worker PRIVATE cs550_given cs550_isolation cs550_warnings cereal::cereal
+target_link_libraries(lab_worker PRIVATE cs550_given cs550_isolation cs550_warnings cereal::cereal fmt::fmt
                       PkgConfig::seccomp ${CMAKE_DL_LIBS})
 
 # The same options as for a student's own build.

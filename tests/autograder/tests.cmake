@@ -127,8 +127,11 @@ if(TARGET grade_lab)
     set_tests_properties(grader.${name} PROPERTIES LABELS "${labels}" TIMEOUT 1200)
   endfunction()
 
-  add_test(NAME grader.builds COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}"
-           --target grade_lab lab3_judge lab3_stub_code)
+  set(graders grade_lab lab3_judge lab3_stub_code)
+  if(CS550_HAS_GRADEBOOK)
+    list(APPEND graders cs550_grade)
+  endif()
+  add_test(NAME grader.builds COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --target ${graders})
   set_tests_properties(grader.builds PROPERTIES FIXTURES_SETUP grader TIMEOUT 900
                        RESOURCE_LOCK build_folder LABELS autograder)
   cs550_test_grader(survives_some_attacks autograder "${scripts}/attacks/run_attacks.py" --short)
@@ -136,12 +139,15 @@ if(TARGET grade_lab)
   # Its temporary folder lies in one that only we can enter.
   cs550_test_grader(ends_on_request_without_bubblewrap autograder "${scripts}/attacks/check_termination.py"
                     --isolation plain)
+  cs550_test_grader(takes_no_failure_of_the_machine_for_a_mark autograder
+                    "${scripts}/attacks/check_machine_failures.py")
   cs550_test_grader(gives_ctest_its_verdicts autograder "${scripts}/attacks/check_ctest_verdicts.py")
   # Git cannot tell then whether labs/ has the starters: the test also runs where somebody works on them.
   set_tests_properties(grader.gives_ctest_its_verdicts PROPERTIES RESOURCE_LOCK build_folder
                        ENVIRONMENT "GIT_CEILING_DIRECTORIES=${PROJECT_SOURCE_DIR}")
   set_tests_properties(grader.survives_some_attacks grader.ends_on_request
-                       grader.ends_on_request_without_bubblewrap grader.gives_ctest_its_verdicts PROPERTIES
+                       grader.ends_on_request_without_bubblewrap
+                       grader.takes_no_failure_of_the_machine_for_a_mark grader.gives_ctest_its_verdicts PROPERTIES
                        FIXTURES_REQUIRED grader)
 
   # ctest --preset labN builds the judge with the flags of `student`, of which there are several.

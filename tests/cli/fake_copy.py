@@ -4,7 +4,8 @@ them compile nothing. It is called by several names:
 
   cs550 build PRESET TARGET   "builds" TARGET: a link to this file. Fails if a file of its lab has NO_CODE in it.
                               Takes 3 s for LONG_CODE, with five warnings of the compiler. Fails if the project has a
-                              file disk_is_full.
+                              file disk_is_full. For SAVED_MEANWHILE the lab is saved with WRONG in it, which is too
+                              late for the program.
   labN_student ...            the graded tests of lab N. All fail if a file of the lab, or of an earlier lab that
                               the test calls, has WRONG in it, with a picture, or if the lab is a starter. With
                               CRASH the program crashes. They are blocked if the earlier lab has NO_CODE in it.
@@ -23,6 +24,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(os.environ["CS550_ROOT"])
+TOO_LATE = ROOT / "saved_too_late"  # exists if the program that was built last is older than its lab
 
 
 def folder(lab):
@@ -39,8 +41,17 @@ def log(text):
     (ROOT / "build/student.log").write_text(text)
 
 
+def save_meanwhile(lab):
+    TOO_LATE.unlink(missing_ok=True)
+    if lab and has("SAVED_MEANWHILE", lab):
+        for file in (ROOT / "labs" / folder(lab).name).glob("*.cpp"):
+            file.write_text("// WRONG\n")
+        TOO_LATE.touch()
+
+
 def build(target):
     lab = re.match(r"lab(\d)_", target)
+    save_meanwhile(lab and lab[1])
     if lab and has("NO_CODE", lab[1]):
         log("[1/2] Building\nFAILED: lab.o\nc++ -c\n../../labs/lab.cpp:7:1: error: expected ';'\n")
         return 1
@@ -65,7 +76,7 @@ def first_step(lab):
 
 
 def outcome(lab, name, called):
-    if has("WRONG", lab) or any(has("WRONG", earlier) for earlier in called):
+    if not TOO_LATE.exists() and (has("WRONG", lab) or any(has("WRONG", earlier) for earlier in called)):
         picture = ROOT / f"build/results/pictures/Lab{lab}.{name}.svg"
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')

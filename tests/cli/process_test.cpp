@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
@@ -52,18 +53,22 @@ TEST(Process, AProgramThatPrintsWithoutEndIsStopped) {
   EXPECT_LT(read_output(file, ending).size(), 3000U) << "nobody reads a megabyte of one line";
 }
 
-/// A sanitizer prints at SIGABRT where the program is.
+/// A sanitizer prints at SIGABRT where the program is. grade_lab removes its temporary files at SIGTERM.
 TEST(Process, AStuckProgramIsAskedToEndBeforeItIsKilled) {
-  const cs550::test::ScratchFolder folder;
-  Surroundings surroundings;
-  surroundings.output = folder / "last_words.txt";
-  surroundings.is_stuck = [&] { return fs::exists(folder / "ready"); };
-  const std::string script =
-      "trap 'echo here; exit 3' ABRT; : >" + (folder / "ready").string() + "; while :; do :; done";
-  const Ending ending = run({"/bin/sh", "-c", script}, surroundings);
-  EXPECT_TRUE(ending.stopped);
-  EXPECT_EQ(ending.exit_code, 3);
-  EXPECT_EQ(read_output(surroundings.output, ending), "here\n");
+  EXPECT_EQ(Surroundings{}.stop_signal, SIGTERM);
+  for (const int stop_signal : {SIGTERM, SIGABRT}) {
+    const cs550::test::ScratchFolder folder;
+    Surroundings surroundings;
+    surroundings.output = folder / "last_words.txt";
+    surroundings.is_stuck = [&] { return fs::exists(folder / "ready"); };
+    surroundings.stop_signal = stop_signal;
+    const std::string script = "trap 'echo here; exit 3' " + std::to_string(stop_signal) + "; : >" +
+                               (folder / "ready").string() + "; while :; do :; done";
+    const Ending ending = run({"/bin/sh", "-c", script}, surroundings);
+    EXPECT_TRUE(ending.stopped);
+    EXPECT_EQ(ending.exit_code, 3);
+    EXPECT_EQ(read_output(surroundings.output, ending), "here\n");
+  }
 }
 
 TEST(Process, AProgramThatAllocatesWithoutEndFails) {

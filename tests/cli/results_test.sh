@@ -143,6 +143,15 @@ echo "// PRINTS" >"$lab3"
 runs 1 lab 3 --challenge
 prints "your code prints while it is counted; remove its output:"
 
+echo "A file that is saved while its lab is built is graded again:"
+for verb in "progress" "lab 3"; do
+  echo "// SAVED_MEANWHILE" >"$lab3"
+  runs 0 $verb
+  prints "48"
+  runs 0 progress
+  points "Lab 3: hill climbing" "0/48"
+done
+
 echo "A build that takes long shows its progress, and its warnings are printed once:"
 echo "// LONG_CODE" >"$lab3"
 rm "$copy/build/results/lab3.json"

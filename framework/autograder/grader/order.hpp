@@ -13,6 +13,9 @@
 
 namespace cs550::grader {
 
+/// Exit code of a judge on a machine that cannot start a worker; EX_OSERR of sysexits.h.
+inline constexpr int cannot_start_worker = 71;
+
 struct Order {
   /// 0: all labs together, as one engine.
   int lab = 0;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 
@@ -43,7 +44,7 @@ int run_in_gdb(const std::string& target, const std::vector<std::string>& argume
   if (can_ask) become(gdb);
   const auto start = std::chrono::steady_clock::now();
   const auto is_stuck = [&] { return std::chrono::steady_clock::now() - start > gdb_patience; };
-  if (run(gdb, {{}, {}, is_stuck}).stopped) {
+  if (run(gdb, {{}, {}, is_stuck, {}, SIGABRT}).stopped) {
     std::cout << "It does not end. In a terminal, Ctrl-C shows where it loops.\n";
   }
   return Failed;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -77,7 +78,7 @@ EngineEnding run_limited(std::vector<std::string> command, bool sanitized) {
     without_a_step = steps.is_stuck();
     return without_a_step || passed > patience(sanitized);
   };
-  const Ending ending = run(command, {{}, output, is_stuck, students_limits(sanitized)});
+  const Ending ending = run(command, {{}, output, is_stuck, students_limits(sanitized), SIGABRT});
   status.clear();
   const std::string printed = read_output(output, ending);
   fs::remove(output);

@@ -133,7 +133,7 @@ std::vector<Verdict> run_share(const fs::path& program, int lab,
     Watch watch(outputs.results, patience);  // written at the start and at the end of each test
     const Ending ending =
         run({program, filter(lab, waiting), "--results", outputs.results},
-            {project_root(), outputs.printed, [&] { return watch.is_stuck(); }, limits});
+            {project_root(), outputs.printed, [&] { return watch.is_stuck(); }, limits, SIGABRT});
 
     const std::map<std::string, Json> rows = read_results(outputs.results);
     std::vector<GradedTest> not_reached;

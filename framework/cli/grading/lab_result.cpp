@@ -116,25 +116,21 @@ std::optional<LabResult> remembered_result(const std::string& lab_name) {
 }
 
 void remember(const LabResult& result) {
+  if (fingerprint(result.lab_name) != result.fingerprint) return;
   files::write_file(result_file(result.lab_name), to_json(result).dump(2) + '\n');
 }
 
 LabResult result_of(const std::string& lab_name) {
   if (const std::optional<LabResult> known = remembered_result(lab_name)) return *known;
+  LabResult result = result_of_starter(lab_name);
   const int lab = lab_number(lab_name);
   const std::string absent = fault_of_absent_code(lab_name);
   const std::string error =
       absent.empty() ? build_quietly(graded_target(lab, Grading::Plain)) : absent;
-  LabResult result = result_of_compile_error(lab_name, error);
+  result.compile_error = error;
   if (error.empty()) result.verdicts = grade(lab, Grading::Plain, graded_tests(lab_name));
   result.is_machines_error = !error.empty() && absent.empty() && !is_students_error(error);
   if (!result.is_machines_error) remember(result);
-  return result;
-}
-
-LabResult result_of_compile_error(const std::string& lab_name, const std::string& error) {
-  LabResult result = result_of_starter(lab_name);
-  result.compile_error = error;
   return result;
 }
 

@@ -21,7 +21,7 @@ struct ChallengeCount {
 
 struct LabResult {
   std::string lab_name;
-  std::string fingerprint;    ///< of everything that was graded
+  std::string fingerprint;    ///< of everything that was graded, taken before it was built
   std::string compile_error;  ///< why there is no program: the first error; empty when it compiled
   std::vector<Verdict> verdicts;
   std::vector<ChallengeCount> challenge = {};  ///< empty until `lab N --challenge`
@@ -40,7 +40,8 @@ struct LabResult {
 /// The result on file, if it is still valid.
 std::optional<LabResult> remembered_result(const std::string& lab_name);
 
-/// Writes the result to its file.
+/// Writes the result to its file, unless something has changed since its fingerprint was taken: it may or may not
+/// be in the program that was graded.
 void remember(const LabResult& result);
 
 /// The remembered result, else a new one: builds quietly and runs all graded tests.
@@ -48,9 +49,6 @@ LabResult result_of(const std::string& lab_name);
 
 /// The result before anything is written: no test was run, none passed.
 LabResult result_of_starter(const std::string& lab_name);
-
-/// The result of a lab that does not compile: 0 points, with the reason.
-LabResult result_of_compile_error(const std::string& lab_name, const std::string& error);
 
 /// Which build of the student's code is graded.
 enum class Grading { Plain, Sanitized, Debugged };

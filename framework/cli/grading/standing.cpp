@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -54,7 +55,7 @@ bool reaches(int lab, const std::function<void()>& waiting) {
     return Clock::now() > start + longest_milestone;
   };
   const Ending ending = run({built_program("student", program), "--lab", std::to_string(lab)},
-                            {project_root(), output, is_stuck, students_limits(false)});
+                            {project_root(), output, is_stuck, students_limits(false), SIGABRT});
   fs::remove(output);
   return ending.good();
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int cannot_start = 127;
 constexpr std::chrono::milliseconds glance{5};  ///< short beside the time of a test run
-constexpr std::chrono::seconds time_to_abort{
+constexpr std::chrono::seconds time_to_end{
     10};  ///< enough for a sanitizer to read debug information
 
 std::vector<char*> as_arguments(const std::vector<std::string>& command) {
@@ -114,8 +114,8 @@ Ending run(const std::vector<std::string>& command, const Surroundings& surround
   while (waitpid(child, &status, WNOHANG) != child) {
     if (!ending.stopped && surroundings.is_stuck()) {
       ending.stopped = true;
-      last_moment = Clock::now() + time_to_abort;
-      kill(child, SIGABRT);  // at which a sanitizer prints the calls
+      last_moment = Clock::now() + time_to_end;
+      kill(child, surroundings.stop_signal);
     }
     if (ending.stopped && Clock::now() > last_moment) kill(child, SIGKILL);
     std::this_thread::sleep_for(glance);

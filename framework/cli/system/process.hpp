@@ -3,6 +3,7 @@
 /// Running other programs.
 
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -37,9 +38,12 @@ Limits students_limits(bool sanitized);
 struct Surroundings {
   std::filesystem::path folder;  ///< its working directory; empty: ours
   std::filesystem::path output;  ///< file for its standard output and error; empty: ours
-  /// Called every few milliseconds: whether the program is stuck and must be stopped, by SIGABRT and then by SIGKILL.
+  /// Called every few milliseconds: whether the program is stuck and must be stopped.
   std::function<bool()> is_stuck = [] { return false; };
   Limits limits = {};  ///< of what it uses
+  /// Stops it, followed by SIGKILL if it still runs after 10 s. At SIGTERM a program of ours removes what is
+  /// unfinished, and at SIGABRT a sanitizer prints the calls that led to where the program is.
+  int stop_signal = SIGTERM;
 };
 
 /// Runs a program to its end. The first word is the program, found along PATH.

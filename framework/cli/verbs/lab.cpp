@@ -142,22 +142,21 @@ int grade_lab(const LabOptions& options, const std::vector<GradedTest>& tests) {
   const Grading grading = options.asan ? Grading::Sanitized : Grading::Plain;
   const bool is_whole_lab = options.step.empty();
   const bool is_remembered = is_whole_lab && !options.asan;
+  LabResult result = result_of_starter(options.name);
   if (const std::string fault = fault_of_absent_code(options.name); !fault.empty()) {
     print_error(fault);
-    if (is_remembered) remember(result_of_compile_error(options.name, fault));
+    result.compile_error = fault;
+    if (is_remembered) remember(result);
     return Failed;
   }
   if (!build("student", graded_target(options.lab, grading))) {
-    const std::string error = first_build_error();
-    if (is_remembered && is_students_error(error)) {
-      remember(result_of_compile_error(options.name, error));
-    }
+    result.compile_error = first_build_error();
+    if (is_remembered && is_students_error(result.compile_error)) remember(result);
     return Failed;
   }
 
   print_warnings();
   std::cout << coloured(title(options.name), Colour::Bold) << "\n\n" << std::flush;
-  LabResult result = result_of_starter(options.name);
   result.verdicts.clear();
   // Counts of the same code stay valid.
   if (const auto former = remembered_result(options.name)) result.challenge = former->challenge;

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""SIGTERM ends grade_lab at once, with its compiler, judge and worker, and leaves nothing behind."""
+"""SIGTERM ends grade_lab at once, with its compiler, judge and worker, and leaves nothing behind. It ends a run of
+./cs550 grade, too, which stops the grade_lab of each lab."""
 
 import argparse
 import json
@@ -11,7 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from run_attacks import HERE, ROOT, become_subreaper, children, make_submission
+from run_attacks import HERE, ROOT, become_subreaper, children, lab_folder, make_submission
 
 SECONDS_TO_END = 2
 BUSY_IN_COMPILER = "preprocessor_bomb"
@@ -56,17 +57,31 @@ def wait_until(condition, seconds):
     return True
 
 
-def faults(build, attack, busy, isolation, scratch):
-    """What is wrong after SIGTERM in the middle of a program called `busy`."""
+def of_one_lab(build, attack, isolation, scratch):
+    """The command that grades a submission."""
     make_submission(attack, scratch / "submission")
+    return [build / "bin/grade_lab", str(attack["lab"]), "--submission", scratch / "submission", "--work",
+            scratch / "work", "--results", scratch / "results.json", "--isolation", isolation]
+
+
+def of_a_class(build, attack, isolation, scratch):
+    """The same for a class of one student."""
+    folder = scratch / "class" / "s0101" / "labs" / lab_folder(ROOT / "labs", attack["lab"]).name
+    folder.parent.mkdir(parents=True)
+    make_submission(attack, folder)
+    return [build / "bin/cs550_grade", scratch / "class", "--out", scratch / "graded", "--labs", str(attack["lab"]),
+            "--judge", build / "bin/grade_lab", "--isolation", isolation]
+
+
+def faults(command, busy, scratch):
+    """What is wrong after SIGTERM in the middle of a program called `busy`."""
     # Its own, since other graders may run at the same time.
     temporary = scratch / "temporary"
     temporary.mkdir()
     temporary.chmod(0o1777)
-    grader = subprocess.Popen(
-        [build / "bin/grade_lab", str(attack["lab"]), "--submission", scratch / "submission", "--work",
-         scratch / "work", "--results", scratch / "results.json", "--isolation", isolation],
-        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={**os.environ, "TMPDIR": str(temporary)})
+    # Without Git, `grade` also runs where somebody works on the labs.
+    environment = {**os.environ, "TMPDIR": str(temporary), "CS550_ROOT": str(ROOT), "GIT_DIR": str(scratch / "no_git")}
+    grader = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
     if not wait_until(lambda: busy in descendants(), 60):
         yield f"{busy} was never started"
     time.sleep(0.3)
@@ -91,14 +106,18 @@ def main():
     parser.add_argument("--build", type=Path, default=ROOT / "build/test")
     parser.add_argument("--isolation", default="auto", choices=["auto", "bubblewrap", "plain"])
     options = parser.parse_args()
+    build = options.build.resolve()
+    commands = [of_one_lab, of_a_class] if (build / "bin/cs550_grade").exists() else [of_one_lab]
     become_subreaper()
     attacks = {attack["name"]: attack for attack in json.loads((HERE / "attacks.json").read_text())["attacks"]}
     faulty = 0
-    for name, busy in ((BUSY_IN_COMPILER, "cc1plus"), (BUSY_IN_WORKER, "lab_worker")):
-        with tempfile.TemporaryDirectory() as scratch:
-            found = list(faults(options.build.resolve(), attacks[name], busy, options.isolation, Path(scratch)))
-        faulty += bool(found)
-        print(f"SIGTERM in {busy}: {'; '.join(found) or 'good'}")
+    for command in commands:
+        for name, busy in ((BUSY_IN_COMPILER, "cc1plus"), (BUSY_IN_WORKER, "lab_worker")):
+            with tempfile.TemporaryDirectory() as folder:
+                scratch = Path(folder)
+                found = list(faults(command(build, attacks[name], options.isolation, scratch), busy, scratch))
+            faulty += bool(found)
+            print(f"SIGTERM in {busy} {command.__name__}: {'; '.join(found) or 'good'}")
     return 1 if faulty else 0
 
 

@@ -1,5 +1,6 @@
 #include "autograder/grader/grade_lab/compile.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -128,6 +129,19 @@ std::string checked_output(const std::string& output, const fs::path& stage) {
   return messages;
 }
 
+/// Whether a file of so many bytes fits into a folder. Some of a disk may be for root only, as whom the compiler does
+/// not run, and a quota may leave less than the disk has.
+bool has_room(const fs::path& folder, std::size_t size) {
+  if (fs::space(folder).available < size) return false;
+  const fs::path name = folder / "room";
+  const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (file < 0) return false;
+  const bool fits = posix_fallocate(file, 0, static_cast<off_t>(size)) == 0;
+  close(file);
+  fs::remove(name);
+  return fits;
+}
+
 /// Runs compiler, assembler and linker on the stage.
 class Compiler {
  public:
@@ -171,7 +185,7 @@ class Compiler {
   void link(const std::vector<std::string>& objects, const std::vector<std::string>& others,
             const std::string& library) {
     std::vector<std::string> arguments =
-        words("-shared -Wl,-Bsymbolic -Wl,--version-script=exports.map");
+        words("-shared -Wl,-z,lazy -Wl,-Bsymbolic -Wl,--version-script=exports.map");
     arguments.insert(arguments.end(), objects.begin(), objects.end());
     arguments.insert(arguments.end(), {"-Wl,--no-as-needed", "-Wl,-rpath,$ORIGIN"});
     arguments.insert(arguments.end(), others.begin(), others.end());
@@ -201,15 +215,37 @@ class Compiler {
     return false;
   }
 
-  /// @return what it printed; nothing if it succeeded @throws Stopped
-  std::optional<std::string> failure(const std::vector<std::string>& arguments) {
+  /// After a failed step: whether this machine can compile anything. The largest file that a step may write must fit.
+  /// What the submission has filled the disk with is removed before, so that it is its own failure.
+  /// @throws std::runtime_error if it cannot
+  void check_machine() {
+    for (const fs::path& file : fs::directory_iterator(command_.folder / "out"))
+      fs::remove_all(file);
+    if (!has_room(command_.folder, command_.limits.file_size)) {
+      throw std::runtime_error("a compilation needs " +
+                               std::to_string(command_.limits.file_size >> 20U) + " MB in " +
+                               fs::temp_directory_path().string() + ", and less is free");
+    }
+    Process process = start({"--version"});
+    if (!process.wait(std::chrono::seconds(10)) || !process.succeeded())
+      throw std::runtime_error("the compiler cannot be started: " + process.output());
+  }
+
+  Process start(const std::vector<std::string>& arguments) {
     command_.words = {CS550_COMPILER};
     command_.words.insert(command_.words.end(), arguments.begin(), arguments.end());
-    Process process(command_, kept_errors);
+    return Process(command_, kept_errors);
+  }
+
+  /// @return what it printed; nothing if it succeeded
+  /// @throws Stopped @throws std::runtime_error if it failed for a reason that is not the submission's
+  std::optional<std::string> failure(const std::vector<std::string>& arguments) {
+    Process process = start(arguments);
     const bool in_time =
         process.wait(time_left(order_, command_.limits.cpu + std::chrono::seconds(5)));
     process.kill();
     if (in_time && process.succeeded()) return {};
+    check_machine();
     if (!in_time || was_killed(process)) throw Stopped();
     return process.output() + process.ending();
   }

@@ -32,6 +32,7 @@ enum class Part {
 /// @param lab_name "lab3_hill_climbing"
 /// @param library the result. The lab's starter, which it is linked with, is copied to the folder of it
 /// @param order isolation, limits, and when the time for the lab is over
+/// @throws std::runtime_error if this machine cannot compile anything, for lack of disk space for example
 Compilation compile(const std::filesystem::path& source, const std::string& lab_name,
                     const std::filesystem::path& library, const Order& order,
                     Part part = Part::Code);

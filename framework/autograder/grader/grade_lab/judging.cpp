@@ -25,6 +25,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr rlim_t most_memory = rlim_t{8} << 30U;  ///< of a judge: it may be given enormous answers
 constexpr std::chrono::seconds own_time{30};      ///< for a test, beside what the submission takes
+/// Exit code of a judge that no test matches, that is not told what to judge, or that cannot write results.
+constexpr int wrong_usage = 2;
+/// Exit code in place of a program that could not be started.
+constexpr int cannot_start = 127;
 
 fs::path judge_program(int lab) {
   const std::string what = lab == 0 ? "milestones" : "lab" + std::to_string(lab);
@@ -59,8 +63,9 @@ class Watch {
 };
 
 /// Runs a program of ours to its end, with its output in a file.
-void run(const std::vector<std::string>& words, const std::vector<std::string>& environment,
-         const fs::path& folder, const fs::path& output, Watch watch) {
+/// @return its exit code; 0 if a signal ended it
+int run(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+        const fs::path& folder, const fs::path& output, Watch watch) {
   const std::vector<char*> arguments = pointers(words);
   const std::vector<char*> variables = pointers(environment);
   const pid_t child = fork();
@@ -73,14 +78,36 @@ void run(const std::vector<std::string>& words, const std::vector<std::string>& 
     dup2(file, STDOUT_FILENO);
     dup2(file, STDERR_FILENO);
     if (chdir(folder.c_str()) == 0) execve(arguments[0], arguments.data(), variables.data());
-    _exit(127);
+    _exit(cannot_start);
   }
-  while (waitpid(child, nullptr, WNOHANG) != child) {
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) != child) {
     if (watch.is_stuck() || files::interrupted()) kill(child, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   kill_orphans();  // the worker of a judge that was killed
   files::throw_if_interrupted();
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+}
+
+/// Whether a judge ended in a way to which no answer of a submission can lead.
+bool is_machines_failure(int exit_code) {
+  return exit_code == wrong_usage || exit_code == cannot_start || exit_code == cannot_start_worker;
+}
+
+/// What a judge has printed last.
+std::string last_line(const fs::path& output) {
+  std::ifstream stream(output);
+  std::string last;
+  for (std::string line; std::getline(stream, line);) last = line;
+  constexpr std::size_t longest = 500;  // bytes
+  return readable_text(last, longest);
+}
+
+[[noreturn]] void throw_failure(int lab, int exit_code, const fs::path& output) {
+  const std::string how =
+      exit_code == 0 ? " was stopped" : " ended with exit code " + std::to_string(exit_code);
+  throw std::runtime_error(judge_program(lab).filename().string() + how + ": " + last_line(output));
 }
 
 Json read_json(const fs::path& file) {
@@ -106,6 +133,8 @@ Json run_judge(const Order& order, std::size_t tests, const std::string& filter,
   }
   const std::string leave_out =
       "--gtest_filter=" + filter + (filter.find('-') == std::string::npos ? "-" : ":");
+  const bool may_be_fewer = order.lab != 0 && filter != "*";
+  const fs::path log = work / "judge.log";
   Json rows = Json::object();
   while (rows.size() < tests) {
     const fs::path results = work / "judge.json";
@@ -115,10 +144,13 @@ Json run_judge(const Order& order, std::size_t tests, const std::string& filter,
       if (!ended.empty()) ended += ':';
       ended.append(suite).append(name);
     }
-    run({judge_program(order.lab).string(), "--results", results.string(), leave_out + ended},
-        environment, work, work / "judge.log", Watch(results, order));
+    const int exit_code =
+        run({judge_program(order.lab).string(), "--results", results.string(), leave_out + ended},
+            environment, work, log, Watch(results, order));
     const Json document = read_json(results);
-    if (document.is_discarded() || document.at("tests").empty()) break;
+    const bool has_begun = !document.is_discarded() && !document.at("tests").empty();
+    if (!has_begun && may_be_fewer && !rows.empty()) break;
+    if (!has_begun || is_machines_failure(exit_code)) throw_failure(order.lab, exit_code, log);
     for (const Json& row : document.at("tests")) {
       rows[row.at("test").get<std::string>().substr(suite.size())] = row;
     }
@@ -129,8 +161,10 @@ Json run_judge(const Order& order, std::size_t tests, const std::string& filter,
 Json run_challenge(const Order& order, const fs::path& work) {
   constexpr std::uint32_t published_seeds = 0;
   const fs::path counts = work / "challenge.json";
-  run({judge_program(order.lab).string(), "--challenge"},
-      judge_environment(order, work, published_seeds), work, counts, Watch(counts, order));
+  const int exit_code =
+      run({judge_program(order.lab).string(), "--challenge"},
+          judge_environment(order, work, published_seeds), work, counts, Watch(counts, order));
+  if (is_machines_failure(exit_code)) throw_failure(order.lab, exit_code, counts);
   const Json rows = read_json(counts);
   return rows.is_array() ? rows : Json::array();
 }

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "autograder/grader/message.hpp"
+#include "autograder/grader/order.hpp"
 #include "serialisation/byte_archive.hpp"
 
 namespace cs550::grader {
@@ -55,6 +56,12 @@ class RemoteNotImplemented : public NotImplemented {
   throw RemoteNotImplemented(step, readable_text(function, 100), readable_text(text, kept_output));
 }
 
+/// Ends the judge: a test without a worker has no verdict. The submission has no part in that.
+[[noreturn]] void give_up(const std::system_error& error) {
+  std::cerr << "a worker cannot be started: " << error.what() << '\n';
+  std::_Exit(cannot_start_worker);
+}
+
 /// Ends every worker with its test.
 class EndOfTest : public testing::EmptyTestEventListener {
   void OnTestEnd(const testing::TestInfo& /*test*/) override { submission().end_test(); }
@@ -85,7 +92,11 @@ void Submission::start() {
   if (settings_.connected >= 0) {
     channel_ = std::make_unique<Channel>(settings_.connected, longest_message);
   } else {
-    start_worker();
+    try {
+      start_worker();
+    } catch (const std::system_error& error) {
+      give_up(error);
+    }
   }
   test_ends_ = std::min(Clock::now() + settings_.per_test, settings_.deadline);
   check(receive(loading), loading);

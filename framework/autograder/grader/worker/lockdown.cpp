@@ -21,8 +21,10 @@ void check(bool succeeded, const std::string& what) {
   if (!succeeded) throw std::system_error(errno, std::generic_category(), what);
 }
 
+/// writev() is how the dynamic linker names a missing function, and the C library the reason of an abort.
 constexpr int free_calls[] = {SCMP_SYS(read),
                               SCMP_SYS(write),
+                              SCMP_SYS(writev),
                               SCMP_SYS(close),
                               SCMP_SYS(fstat),
                               SCMP_SYS(newfstatat),

@@ -39,8 +39,10 @@ struct Hopeless : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-void* load(const std::string& library, int when) {
-  void* handle = dlopen(library.c_str(), when | RTLD_GLOBAL);
+/// A function is looked up at its first call: one that is defined nowhere ends the worker then, so that only the tests
+/// that call it fail. Labs that call each other are incomplete when the first of them is loaded.
+void* load(const std::string& library) {
+  void* handle = dlopen(library.c_str(), RTLD_LAZY | RTLD_GLOBAL);
   if (handle == nullptr)
     throw Hopeless(std::string("the submission cannot be loaded: ") + dlerror());
   return handle;
@@ -106,18 +108,15 @@ std::vector<void*> prepare(std::vector<std::string> arguments) {
   if (confined) arguments.erase(arguments.begin());
   const auto end = std::find(arguments.begin(), arguments.end(), "--");
   std::vector<std::filesystem::path> submissions(arguments.begin(), end);
-  for (auto library = end + 1; library < arguments.end(); ++library) load(*library, RTLD_LAZY);
+  for (auto library = end + 1; library < arguments.end(); ++library) load(*library);
   functions();
   if (confined && confine_to(submissions.front().parent_path())) {
     for (std::filesystem::path& submission : submissions) submission = "/" / submission.filename();
   }
   forbid_system_calls();
-  // Several labs call each other, so the first ones are incomplete when they are loaded.
-  const int when = submissions.size() == 1 ? RTLD_NOW : RTLD_LAZY;
   std::vector<void*> labs;
   labs.reserve(submissions.size());
-  for (const std::filesystem::path& submission : submissions)
-    labs.push_back(load(submission, when));
+  for (const std::filesystem::path& submission : submissions) labs.push_back(load(submission));
   return labs;
 }
 
