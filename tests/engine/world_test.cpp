@@ -383,7 +383,9 @@ TEST(World, SeveralBodiesRemovedAtOnceLeaveWhatRemovalOneByOneLeaves) {
       at_once.step(step_length);
       ASSERT_EQ(at_once.state_hash(), one_by_one.state_hash()) << "step " << step;
       ASSERT_EQ(at_once.ended().size(), one_by_one.ended().size());
-      if (step == 0) EXPECT_GT(at_once.ended().size(), 5U);
+      if (step == 0) {
+        EXPECT_GT(at_once.ended().size(), 5U);
+      }
     }
   }
 }
