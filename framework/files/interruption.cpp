@@ -11,11 +11,12 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set 
 
 }  // namespace
 
-void watch_for_interruption() {
+void watch_for_interruption(SecondSignal second) {
   struct sigaction action {};
   action.sa_handler = [](int) { was_interrupted = true; };
   sigemptyset(&action.sa_mask);
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  action.sa_flags = SA_RESTART;
+  if (second == SecondSignal::Ends) action.sa_flags |= static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
   struct sigaction inherited {};
   sigaction(SIGHUP, nullptr, &inherited);

@@ -432,9 +432,12 @@ TEST(Archive, AManifestIsReadWithinLimits) {
 TEST(Archive, WhatCannotBeReadIsReported) {
   const ScratchFolder scratch;
   files::write_file(scratch / "empty.zip", "");
-  EXPECT_NE(read(scratch / "empty.zip").trouble, "");
+  const std::string no_archive = "not a zip or tar archive (";
+  EXPECT_EQ(read(scratch / "empty.zip").trouble.find(no_archive), 0U);
   files::write_file(scratch / "text.zip", "I am not a zip file, whatever my name is.");
-  EXPECT_NE(read(scratch / "text.zip").trouble, "");
+  EXPECT_EQ(read(scratch / "text.zip").trouble.find(no_archive), 0U);
+  files::write_file(scratch / "short.tgz", std::string("\x1f\x8b\x08\0\0\0\0\0\0\x03xx", 12));
+  EXPECT_EQ(read(scratch / "short.tgz").trouble.find(no_archive), 0U);
   { ArchiveWriter(scratch / "nothing.zip").add("notes.txt", "no lab"); }
   EXPECT_EQ(read(scratch / "nothing.zip").trouble, "it contains no file of a lab");
   {

@@ -239,8 +239,7 @@ bool grade(const GradeRequest& request) {
   check_records(folder, labs, request);  // another grader may have finished meanwhile
   keep_settings(settings, request.out);
   folder.begin_run();
-  const fs::path assets = request.root / "framework/assets";
-  const std::vector<fs::path> files = files_of_judges(program, assets, labs);
+  const std::vector<fs::path> files = files_of_judges(program, request.root, labs);
   const Judge judge{program,
                     request.root / "labs",
                     fs::absolute(request.out) / "work",
@@ -248,7 +247,7 @@ bool grade(const GradeRequest& request) {
                     isolation,
                     files,
                     stamp_of(files),
-                    versions_of(program, assets, labs),
+                    versions_of(program, request.root / "framework/assets", labs),
                     mistakes_of(program, labs, settings.course),
                     request.jobs};
   std::optional<Temporary> work(judge.work);

@@ -21,7 +21,8 @@ struct LabPath {
 inline constexpr const char* outside_of_labs = "not in a lab's folder";
 
 /// A file belongs to lab 3 if it is below labs/lab3_hill_climbing, else below a folder lab3_hill_climbing, else below
-/// lab3, or if its name is that of one of the lab's starter files. Unsafe paths are refused: absolute ones and `..`;
+/// lab3, or if its name is that of one of the lab's starter files. Of such folders directly in each other the innermost
+/// counts. Unsafe paths are refused: absolute ones and `..`;
 /// from the lab's folder on also control characters and invalid UTF-8.
 /// @param path as an archive or a folder has it, separated by / or \.
 LabPath lab_path(std::string_view path, const Catalogue& catalogue);

@@ -2,12 +2,15 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <locale.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <initializer_list>
 #include <memory>
 #include <string_view>
@@ -45,16 +48,23 @@ Archive new_archive() {
   return reader;
 }
 
-/// Opens a file. @return why the machine cannot read it; empty if it can
+std::string error_of(archive* reader) {
+  const char* reason = archive_error_string(reader);
+  return plain_line(reason == nullptr ? "unknown" : reason);
+}
+
+/// Opens a file. @return why that is not possible; empty if it is
 std::string open_file(archive* reader, const std::filesystem::path& file) {
   constexpr std::size_t block = 64 * 1024;
   std::error_code reason;
   const std::filesystem::file_status status = std::filesystem::status(file, reason);
   if (!reason && !std::filesystem::is_regular_file(status)) return "not a file";
-  if (!reason && archive_read_open_filename(reader, file.c_str(), block) != ARCHIVE_OK) {
-    reason = {archive_errno(reader), std::generic_category()};
+  if (!reason && faccessat(AT_FDCWD, file.c_str(), R_OK, AT_EACCESS) != 0) {
+    reason = {errno, std::generic_category()};
   }
-  return reason ? "cannot be read: " + reason.message() : "";
+  if (reason) return "cannot be read: " + reason.message();
+  if (archive_read_open_filename(reader, file.c_str(), block) == ARCHIVE_OK) return {};
+  return fmt::format("not a zip or tar archive ({})", error_of(reader));
 }
 
 std::string path_of(archive_entry* entry) {
@@ -95,8 +105,7 @@ bool ends_with_any(const std::filesystem::path& file,
 }
 
 std::string damage(archive* damaged) {
-  const char* reason = archive_error_string(damaged);
-  return fmt::format("a damaged archive: {}", plain_line(reason == nullptr ? "unknown" : reason));
+  return fmt::format("a damaged archive: {}", error_of(damaged));
 }
 
 }  // namespace

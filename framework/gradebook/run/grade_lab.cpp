@@ -160,6 +160,10 @@ std::vector<fs::path> programs_of(const fs::path& program, int lab) {
   return {folder / (name + "_judge"), folder / (name + "_own_tests")};
 }
 
+fs::path mistakes_folder(const fs::path& program, int lab) {
+  return program.parent_path().parent_path() / "mistakes" / fmt::format("lab{}", lab);
+}
+
 LabRecord without_result(const CatalogueLab& lab, const std::string& status) {
   LabRecord record;
   record.lab = lab.number;
@@ -203,15 +207,19 @@ LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogu
   return result;
 }
 
-std::vector<fs::path> files_of_judges(const fs::path& program, const fs::path& assets,
+std::vector<fs::path> files_of_judges(const fs::path& program, const fs::path& root,
                                       const std::vector<int>& labs) {
   std::vector<fs::path> files = shared_files(program);
   const auto add = [&](const std::vector<fs::path>& more) {
     files.insert(files.end(), more.begin(), more.end());
   };
   add(programs_of(program, 0));
-  for (const int lab : labs) add(programs_of(program, lab));
-  add(cli::files_below(assets));
+  for (const int lab : labs) {
+    add(programs_of(program, lab));
+    add(libraries_below(mistakes_folder(program, lab)));
+  }
+  add(cli::files_below(root / "framework/include"));
+  add(cli::files_below(root / "framework/assets"));
   return files;
 }
 
@@ -237,11 +245,10 @@ std::map<int, std::string> versions_of(const fs::path& program, const fs::path& 
 
 std::map<int, std::string> mistakes_of(const fs::path& program, const std::vector<int>& labs,
                                        const Course& course) {
-  const fs::path folder = program.parent_path().parent_path() / "mistakes";
   std::map<int, std::string> mistakes;
   for (const int lab : labs) {
     if (course.lab(lab).own_tests == 0) continue;
-    mistakes[lab] = hash_of(libraries_below(folder / fmt::format("lab{}", lab)));
+    mistakes[lab] = hash_of(libraries_below(mistakes_folder(program, lab)));
   }
   return mistakes;
 }
@@ -269,10 +276,11 @@ std::string recorded_seed(const Course& course) {
 
 LabRecord grade_lab(const CatalogueLab& lab, const LabFiles& files, const Course& course,
                     const Judge& judge, const std::atomic<bool>& stop) {
+  const auto is_rebuilt = [&] { return stamp_of(judge.files) != judge.stamp; };
+  if (is_rebuilt()) return not_graded(lab, rebuilt);
   try {
     LabRecord record = run_judge(lab, files, course, judge, stop);
-    if (stamp_of(judge.files) == judge.stamp) return record;
-    return not_graded(lab, rebuilt);
+    return is_rebuilt() ? not_graded(lab, rebuilt) : record;
   } catch (const std::exception& error) {
     return not_graded(lab, fmt::format("{} failed: {}", judge.program.filename().string(),
                                        plain_text(error.what())));

@@ -42,12 +42,14 @@ LabFiles files_to_grade(const Submission& submission, const CatalogueLab& lab,
 LabFiles files_of_engine(const Submission& submission, const Catalogue& catalogue,
                          const CatalogueLab& engine, const std::filesystem::path& starters);
 
-/// The programs and libraries that grade the labs and the engine, and the files that they read.
+/// The programs and libraries that grade the labs and the engine, the known mistakes, the headers that submissions are
+/// compiled with, and the meshes, scenes and trajectories.
+/// @param root of the project
 std::vector<std::filesystem::path> files_of_judges(const std::filesystem::path& program,
-                                                   const std::filesystem::path& assets,
+                                                   const std::filesystem::path& root,
                                                    const std::vector<int>& labs);
 
-/// Another one after one of the files was written again. It is faster than a hash of what they hold.
+/// Changes when one of the files is written again. It is faster than a hash of what they hold.
 std::string stamp_of(const std::vector<std::filesystem::path>& files);
 
 /// A hash of the programs and libraries that grade each lab, and the engine: 0, with the meshes, scenes and

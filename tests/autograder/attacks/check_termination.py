@@ -3,6 +3,7 @@
 ./cs550 grade, too, which stops the grade_lab of each lab."""
 
 import argparse
+import itertools
 import json
 import os
 import signal
@@ -73,19 +74,20 @@ def of_a_class(build, attack, isolation, scratch):
             "--judge", build / "bin/grade_lab", "--isolation", isolation]
 
 
-def faults(command, busy, scratch):
-    """What is wrong after SIGTERM in the middle of a program called `busy`."""
+def faults(command, busy, scratch, to_all):
+    """What is wrong after SIGTERM in the middle of a program called `busy`, to the grader or to all its processes."""
     # Its own, since other graders may run at the same time.
     temporary = scratch / "temporary"
     temporary.mkdir()
     temporary.chmod(0o1777)
     # Without Git, `grade` also runs where somebody works on the labs.
     environment = {**os.environ, "TMPDIR": str(temporary), "CS550_ROOT": str(ROOT), "GIT_DIR": str(scratch / "no_git")}
-    grader = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
+    grader = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment,
+                              start_new_session=True)
     if not wait_until(lambda: busy in descendants(), 60):
         yield f"{busy} was never started"
     time.sleep(0.3)
-    grader.send_signal(signal.SIGTERM)
+    (os.killpg if to_all else os.kill)(grader.pid, signal.SIGTERM)
     try:
         if grader.wait(SECONDS_TO_END) != 1:
             yield f"exit code {grader.returncode}, not 1"
@@ -111,13 +113,13 @@ def main():
     become_subreaper()
     attacks = {attack["name"]: attack for attack in json.loads((HERE / "attacks.json").read_text())["attacks"]}
     faulty = 0
-    for command in commands:
-        for name, busy in ((BUSY_IN_COMPILER, "cc1plus"), (BUSY_IN_WORKER, "lab_worker")):
-            with tempfile.TemporaryDirectory() as folder:
-                scratch = Path(folder)
-                found = list(faults(command(build, attacks[name], options.isolation, scratch), busy, scratch))
-            faulty += bool(found)
-            print(f"SIGTERM in {busy} {command.__name__}: {'; '.join(found) or 'good'}")
+    programs = ((BUSY_IN_COMPILER, "cc1plus"), (BUSY_IN_WORKER, "lab_worker"))
+    for command, (name, busy), to_all in itertools.product(commands, programs, (False, True)):
+        with tempfile.TemporaryDirectory() as folder:
+            scratch = Path(folder)
+            found = list(faults(command(build, attacks[name], options.isolation, scratch), busy, scratch, to_all))
+        faulty += bool(found)
+        print(f"SIGTERM {'to all ' if to_all else ''}in {busy} {command.__name__}: {'; '.join(found) or 'good'}")
     return 1 if faulty else 0
 
 

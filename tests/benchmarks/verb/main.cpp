@@ -193,9 +193,9 @@ void declare(CLI::App& app, BenchOptions& options) {
                  "measure N times; keep the smallest times\n(--threads: the medians)")
       ->option_text("N")
       ->check(CLI::Range(1, 100));
-  app.add_option(
-         "--threads", options.threads,
-         "run this engine's scenes with N threads too, of\nstep/... every size; print the gain")
+  app.add_option("--threads", options.threads,
+                 "run scene/... and every size of step/... with\nN threads too; print how much "
+                 "faster they are")
       ->option_text("N")
       ->check(CLI::Range(2, most_threads));
   app.add_flag("--brief", options.brief, "five steps of each scene, to see that everything runs");

@@ -197,7 +197,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Grades one lab of one submission"};
   Options options;
   add_options(app, options);
-  files::watch_for_interruption();
+  files::watch_for_interruption(files::SecondSignal::IsIgnored);  // `grade` passes them on
   try {
     app.parse(argc, argv);
     const Json record = options.milestones  ? run_milestones(options)
