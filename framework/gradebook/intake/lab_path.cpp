@@ -111,7 +111,7 @@ LabPath in_project(const Words& words, const Catalogue& catalogue) {
 
 /// By the first folder that names a lab. A file manager unpacks lab3.zip into one more folder lab3: of such folders
 /// directly in each other, the innermost is the lab's.
-/// @param lab_of which lab a folder names, or 0
+/// @param lab_of returns the number of the lab that a folder names, or 0
 LabPath below_folder(const Words& words, const Catalogue& catalogue,
                      int (*lab_of)(const std::string&, const Catalogue&)) {
   const auto names_lab = [&](const std::string& word) { return lab_of(word, catalogue) != 0; };
