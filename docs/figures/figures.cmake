@@ -9,4 +9,6 @@ target_include_directories(book_figures PRIVATE "${PROJECT_SOURCE_DIR}/docs/live
 target_link_libraries(book_figures PRIVATE cs550_pages cs550_engine cs550_drawing CLI11::CLI11 cs550_warnings)
 target_compile_definitions(book_figures PRIVATE
   CS550_RECORDED_BENCHMARKS="${CMAKE_CURRENT_LIST_DIR}/benchmarks.json")
+cs550_unity(book_figures 12)
+cs550_optimise_little(book_figures)
 cs550_link_labs(book_figures fast reference assembled stub)  # in a students' copy: their own

@@ -4,6 +4,14 @@ function(cs550_unity target files_in_batch)
                         UNITY_BUILD_BATCH_SIZE ${files_in_batch})
 endfunction()
 
+# For code that no step of a world runs, in a release build: without link-time optimisation, which would compile it again
+# for each program, and without -O3, which takes twice the time and makes g++ warn of strings without a reason.
+function(cs550_optimise_little target)
+  if(CS550_LTO)
+    target_compile_options(${target} PRIVATE -fno-lto -O1)
+  endif()
+endfunction()
+
 # The given code. It calls lab functions, which are undefined until an executable links the code of
 # the labs (lab_code.cmake).
 function(cs550_given_library name folders)
@@ -14,6 +22,9 @@ function(cs550_given_library name folders)
   # Students step through their own code and the tests. Line numbers of the rest take a tenth of its compilation.
   target_compile_options(${name} PRIVATE $<$<BOOL:${CS550_STUDENTS_COPY}>:-g0>)
   cs550_unity(${name} 16)
+  if(NOT name STREQUAL "cs550_engine")
+    cs550_optimise_little(${name})
+  endif()
 endfunction()
 
 # Without Qhull::qhullcpp, whose qh_fprintf() would replace that of qhull_r and end the process instead of

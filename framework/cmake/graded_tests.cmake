@@ -17,9 +17,11 @@ add_library(cs550_test_helpers STATIC ${helper_sources})
 target_link_libraries(cs550_test_helpers PRIVATE cs550_warnings fmt::fmt
   PUBLIC cs550_engine cs550_drawing cs550_autograder GTest::gtest PkgConfig::ccd cereal::cereal)
 cs550_unity(cs550_test_helpers 16)
+cs550_optimise_little(cs550_test_helpers)
 add_library(cs550_test_support STATIC ${support_sources})
 target_link_libraries(cs550_test_support PUBLIC cs550_test_helpers cs550_mesh_files PRIVATE cs550_warnings)
 cs550_unity(cs550_test_support 16)
+cs550_optimise_little(cs550_test_support)
 # The labs whose tests need no recorded mesh.
 set(labs_without_meshes 1 6 7)
 target_include_directories(cs550_test_helpers PUBLIC "${PROJECT_SOURCE_DIR}/tests")

@@ -24,19 +24,21 @@ function(cs550_add_own_tests folder)
                         ${ARGN})
   cs550_link_labs(${target} fast reference stub)
   cs550_unity(${target} 6)
-  cs550_discover_tests(${target} ${folder} "-*Long:*Long/*:*Soak:*Soak/*" "${folder}" 120)
-  cs550_discover_tests(${target} ${folder} "*Long:*Long/*" long 600)
-  cs550_discover_tests(${target} ${folder} "*Soak:*Soak/*" soak 7200)
+  cs550_discover_tests(${target} ${folder} "-*Long:*Long/*:*Soak:*Soak/*" "${folder}" 120 0)
+  cs550_discover_tests(${target} ${folder} "*Long:*Long/*" long 600 10)
+  cs550_discover_tests(${target} ${folder} "*Soak:*Soak/*" soak 7200 10)
 endfunction()
 
 # ctest runs the executable to list its tests. The limits that a user has set for scenes do not hold for them.
-function(cs550_discover_tests target folder filter label timeout)
+# `cost`: about how many seconds a test takes. The first time that tests run, ctest knows only these costs. It
+# begins with the highest: a long test that began last would run alone.
+function(cs550_discover_tests target folder filter label timeout cost)
   set(limits BODIES HULL_POINTS TOTAL_POINTS PAIRS MEMORY_MB)
   list(TRANSFORM limits REPLACE "(.+)" "CS550_MAX_\\1=unset:")
   list(JOIN limits "\\;" limits)  # a list as one value of PROPERTIES
   gtest_discover_tests(${target} TEST_PREFIX "${folder}." TEST_FILTER "${filter}" NO_PRETTY_VALUES
     DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
-    PROPERTIES LABELS ${label} TIMEOUT ${timeout} ENVIRONMENT_MODIFICATION "${limits}" ${skip_unwritten})
+    PROPERTIES LABELS ${label} TIMEOUT ${timeout} COST ${cost} ENVIRONMENT_MODIFICATION "${limits}" ${skip_unwritten})
 endfunction()
 
 foreach(folder framework serialisation engine drawing autograder)

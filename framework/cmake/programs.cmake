@@ -26,6 +26,7 @@ function(cs550_add_demo target)
   target_link_libraries(${target} PRIVATE cs550_scenes cs550_files CLI11::CLI11 fmt::fmt cs550_warnings)
   target_compile_definitions(${target} PRIVATE CS550_HAS_VIEWER=$<BOOL:${CS550_HAS_VIEWER}>)
   cs550_unity(${target} 16)
+  cs550_optimise_little(${target})
 endfunction()
 
 cs550_add_demo(cs550_demo)

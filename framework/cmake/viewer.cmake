@@ -53,10 +53,12 @@ target_link_libraries(cs550_viewer_parts
     PkgConfig::viewer_imgui PkgConfig::viewer_glfw3 PkgConfig::viewer_epoxy PkgConfig::viewer_stb
   PRIVATE CLI11::CLI11 cs550_warnings)
 cs550_unity(cs550_viewer_parts 16)
+cs550_optimise_little(cs550_viewer_parts)
 
 function(cs550_add_viewer target)
   add_executable(${target} "${viewer_main}")
   target_link_libraries(${target} PRIVATE cs550_viewer_parts cs550_warnings)
+  cs550_optimise_little(${target})
 endfunction()
 
 cs550_add_viewer(cs550_viewer)

@@ -133,7 +133,7 @@ if(TARGET grade_lab)
   endif()
   add_test(NAME grader.builds COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --target ${graders})
   set_tests_properties(grader.builds PROPERTIES FIXTURES_SETUP grader TIMEOUT 900
-                       RESOURCE_LOCK build_folder LABELS autograder)
+                       RESOURCE_LOCK build_folder LABELS autograder COST 80)
   cs550_test_grader(survives_some_attacks autograder "${scripts}/attacks/run_attacks.py" --short)
   cs550_test_grader(ends_on_request autograder "${scripts}/attacks/check_termination.py")
   # Its temporary folder lies in one that only we can enter.

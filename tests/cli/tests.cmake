@@ -18,11 +18,11 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/students_copy_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/students_copy"
                    "${CMAKE_CXX_COMPILER_LAUNCHER}")
-  set_tests_properties(cli.students_copy PROPERTIES LABELS "starter;long" TIMEOUT 900)
+  set_tests_properties(cli.students_copy PROPERTIES LABELS "starter;long" COST 30 TIMEOUT 900)
   add_test(NAME cli.course_update
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/course_update_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/course_update")
-  set_tests_properties(cli.course_update PROPERTIES LABELS cli TIMEOUT 120)
+  set_tests_properties(cli.course_update PROPERTIES LABELS cli COST 24 TIMEOUT 120)
   add_test(NAME cli.use_solution
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/use_solution_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/use_solution")
@@ -30,7 +30,7 @@ if(EXISTS "${PROJECT_SOURCE_DIR}/.git" AND EXISTS "${PROJECT_SOURCE_DIR}/solutio
   add_test(NAME cli.results
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/results_test.sh" "$<TARGET_FILE:cs550_cli>"
                    "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/results_of_labs")
-  set_tests_properties(cli.results PROPERTIES LABELS cli TIMEOUT 300)
+  set_tests_properties(cli.results PROPERTIES LABELS cli COST 70 TIMEOUT 300)
   add_test(NAME cli.devcontainer
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/devcontainer_test.sh" "${PROJECT_SOURCE_DIR}")
   set_tests_properties(cli.devcontainer PROPERTIES LABELS cli TIMEOUT 60)

@@ -23,7 +23,7 @@ if(CS550_SYSTEM_PYTHON AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
   add_test(NAME docs.firefox
            COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/firefox_test.py"
                    "${PROJECT_SOURCE_DIR}/build/docs/html")
-  set_tests_properties(docs.firefox PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 600 RUN_SERIAL ON)
+  set_tests_properties(docs.firefox PROPERTIES LABELS "docs;long" SKIP_RETURN_CODE 77 TIMEOUT 600)
 endif()
 
 # docs.listings: functions that chapters show are cut from the source. docs.markup: pages have no misspelt forms.

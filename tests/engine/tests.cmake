@@ -17,7 +17,7 @@ function(cs550_compare_forms program name label shows)
            COMMAND "${CMAKE_COMMAND}" "-DFAST=$<TARGET_FILE:${program}_fast>"
                    "-DTEACHING=$<TARGET_FILE:${program}_teaching>" "-DSHOWS=${shows}"
                    -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fast_forms/compare.cmake")
-  set_tests_properties(engine.${name} PROPERTIES LABELS ${label} TIMEOUT 600)
+  set_tests_properties(engine.${name} PROPERTIES LABELS ${label} COST 5 TIMEOUT 600)
 endfunction()
 
 if(TARGET lab7_fast_code AND TARGET lab7_reference_code)
@@ -25,5 +25,5 @@ if(TARGET lab7_fast_code AND TARGET lab7_reference_code)
                       "wall, game: [0-9a-f]+")
   cs550_compare_forms(manifold_hashes FastManifoldsHaveTheBitsOfTheTeachingForm engine
                       "corners in planes: [0-9a-f]+, [1-9][0-9]+ points")
-  cs550_compare_forms(thread_hashes ThreadsLeaveTheBitsOfOne engine "bouncing: [0-9a-f]+")
+  cs550_compare_forms(thread_hashes ThreadsLeaveTheBitsOfOne long "bouncing: [0-9a-f]+")
 endif()

@@ -8,7 +8,7 @@ if(NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize")
   add_test(NAME gradebook.verb
            COMMAND "${CS550_SYSTEM_PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/grade_test.py"
                    "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/grade_test")
-  set_tests_properties(gradebook.verb PROPERTIES LABELS gradebook TIMEOUT 300)
+  set_tests_properties(gradebook.verb PROPERTIES LABELS gradebook COST 40 TIMEOUT 300)
   add_test(NAME gradebook.slurm
            COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/slurm_test.sh" "$<TARGET_FILE:cs550_grade>" "${PROJECT_SOURCE_DIR}"
                    "${PROJECT_BINARY_DIR}/slurm_test")

@@ -32,4 +32,4 @@ target_compile_definitions(tests_viewer PRIVATE
 add_executable(tests_starters "${PROJECT_SOURCE_DIR}/tests/viewer/starters/world_page_test.cpp")
 target_link_libraries(tests_starters PRIVATE cs550_pages cs550_warnings GTest::gtest_main)
 cs550_link_labs(tests_starters stub)
-cs550_discover_tests(tests_starters viewer "*" viewer 120)
+cs550_discover_tests(tests_starters viewer "*" viewer 120 0)
