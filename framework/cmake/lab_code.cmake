@@ -105,7 +105,7 @@ function(cs550_add_lab number name)
   endif()
   # If objects are linked, another definition can replace this one only if this one is weak.
   if(fast AND NOT CS550_ISOLATE_LABS)
-    target_compile_options(lab${number}_reference_code PRIVATE "SHELL:-include ${solution}/fast/replaced.hpp")
+    target_compile_options(lab${number}_reference_code PRIVATE "SHELL:-include \"${solution}/fast/replaced.hpp\"")
   endif()
 endfunction()
 
