@@ -14,3 +14,6 @@ needed=$(sed -n 's/^CS550_[A-Z]* *([a-z]*, *"[a-z]*", *"\([^"]*\)".*/\1/p' frame
 for group in $needed debug; do
   case " $groups " in *" $group "*) ;; *) wrong "group '$group', which a verb needs, is missing" ;; esac
 done
+if grep -q '"cppdbg"' .vscode/launch.json && ! grep -q ms-vscode.cpptools .devcontainer/devcontainer.json; then
+  wrong "devcontainer.json lacks ms-vscode.cpptools, whose debugger .vscode/launch.json starts"
+fi
