@@ -86,26 +86,28 @@ build_state() {
 
   # An edit counts by its bytes. A file from a backup has its old time, and so has one after the clock was set back.
   for lab in 3 4; do
-    mkdir -p "$project/labs/lab${lab}_topic" "$built/test/lab${lab}_student_code.dir/labs"
+    mkdir -p "$project/labs/lab${lab}_topic" "$built/test/lab${lab}_student_code.dir/labs" \
+      "$built/test/lab${lab}_my_tests.dir/labs"
     echo written >"$project/labs/lab${lab}_topic/topic.cpp"
   done
   "$project/cs550" build test
   compiled
   "$project/cs550" build test
-  both='lab3_student_code.dir/labs/topic.cpp.o lab4_student_code.dir/labs/topic.cpp.o'
-  [ "$(objects)" = "$both" ] || wrong "without an edit, the objects in $1 are: $(objects)"
+  [ "$(objects)" = "3_my_tests 3_student_code 4_my_tests 4_student_code" ] ||
+    wrong "without an edit, the objects in $1 are: $(objects)"
   echo restored >"$project/labs/lab3_topic/topic.cpp"
   touch -d 2001-01-01 "$project/labs/lab3_topic/topic.cpp"
   "$project/cs550" build test
-  [ "$(objects)" = "${both#* }" ] || wrong "after an edit of lab 3 with an old time, the objects in $1 are: $(objects)"
+  [ "$(objects)" = "4_my_tests 4_student_code" ] ||
+    wrong "after an edit of lab 3 with an old time, the objects in $1 are: $(objects)"
 }
 runs_after_build() {
   rm -f "$built/student.log"
   [ "$("$project/cs550" progress --list)" = 'progress --list' ] || wrong "the program did not run"
   [ "$1" = "$([ -e "$built/student.log" ] && echo yes || echo no)" ] || wrong "built in $built before it ran: not '$1'"
 }
-compiled() { for lab in 3 4; do : >"$built/test/lab${lab}_student_code.dir/labs/topic.cpp.o"; done; }
-objects() { (cd "$built/test" && echo lab*_student_code.dir/labs/*.o); }
+compiled() { for folder in "$built"/test/lab[34]_*.dir; do : >"$folder/labs/topic.cpp.o"; done; }
+objects() { (cd "$built/test" && echo lab*.dir/labs/*.o) | sed 's/lab\([^.]*\)[^ ]*/\1/g'; }
 
 mkdir -p "$project/framework/cmake" "$project/framework/files" "$project/framework/include/cs550" "$project/labs"
 : >"$project/framework/include/cs550/excerpt.hpp"
