@@ -290,7 +290,7 @@ CS550_ROOT=$links "$links/cs550" build test >"$scratch/printed" 2>&1 || wrong "t
 ! grep -qF "cannot be written to" "$scratch/printed" || wrong "it repeated why it builds elsewhere"
 
 # It builds elsewhere in a path that CMake cannot handle, too.
-for odd in 'semi;colon' 'quo"te' 'dol$lar' 'hash#' 'back\slash' 'brack[et' 'brack]et' 'aster*isk' 'question?' 'line
+for odd in 'semi;colon' 'quo"te' 'dol$lar' 'hash#' 'back\slash' 'brack[et' 'brack]et' 'aster*isk' 'question?' 'com,ma' 'co:lon' 'line
 break'; do
   cp -r "$project" "$scratch/$odd"
   rm "$scratch/$odd/build"
