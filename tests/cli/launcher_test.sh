@@ -277,6 +277,18 @@ done
 (cd "$project" && ! CS550_BUILD_DIR=. ./cs550 help >"$scratch/printed" 2>&1) || wrong "it accepted CS550_BUILD_DIR=."
 unset CS550_BUILD_DIR
 
+# What another user built cannot be built on: that happens after sudo ./cs550.
+rm "$project/build/test/.lock"
+mkdir "$project/build/test/.lock"  # not even root can write to it
+! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "it built without a lock"
+prints "cannot write $project/build/test/.lock"
+! grep -qF sudo "$scratch/printed" || wrong "it advised to change the owner of the user's own file"
+if chown 12345 "$project/build/test/.lock" 2>/dev/null; then
+  ! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "it built without a lock"
+  prints "It belongs to another user. To make it yours: sudo chown -R $(id -un) '$scratch/a project"
+fi
+rm -r "$project/build/test/.lock"
+
 # The user root may write to folders that forbid it, but not make a folder of a file.
 rm -r "$project/build"
 : >"$project/build"
@@ -340,6 +352,15 @@ installs() {
 prints "there is no terminal to ask"
 installs 0 || wrong "it did not install packages with a sudo that asks for no password"
 [ -e "$scratch/installed" ] || wrong "it did not call sudo"
+
+# The book is built without its PDF if Chromium cannot be installed.
+printf '#!/bin/sh\necho "Package: chromium"\n' >"$scratch/service/apt-cache"
+chmod +x "$scratch/service/apt-cache"
+printf 'pdf | chromium | - | - | %s | the PDF\n' "$scratch/absent" >"$project/framework/cli/packages.txt"
+env ASKS=1 PATH="$scratch/service:$PATH" "$project/cs550" docs >"$scratch/printed" 2>&1 </dev/null ||
+  wrong "without Chromium, docs failed"
+prints "Continuing without the PDF."
+prints "the book"
 : >"$project/framework/cli/packages.txt"
 
 XDG_CACHE_HOME=$project/cs550
