@@ -151,7 +151,8 @@ function(cs550_add_own_test_program number)
   add_custom_command(OUTPUT "${made}"
     COMMAND python3 "${PROJECT_SOURCE_DIR}/tests/mutants/build_libraries.py" --build "${PROJECT_BINARY_DIR}" --lab ${number}
     DEPENDS lab${number}_reference "${PROJECT_SOURCE_DIR}/tests/mutants/lab${number}.json"
-            "${PROJECT_SOURCE_DIR}/tests/mutants/build_libraries.py" USES_TERMINAL VERBATIM)
+            "${PROJECT_SOURCE_DIR}/tests/mutants/build_libraries.py"
+            "${PROJECT_SOURCE_DIR}/tests/mutants/run_mutants.py" USES_TERMINAL VERBATIM)
   add_custom_target(mistakes_lab${number} DEPENDS "${made}")
   add_dependencies(mistakes mistakes_lab${number})
 endfunction()

@@ -8,8 +8,12 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 cmake_path(GET PROJECT_BINARY_DIR PARENT_PATH build_folder)
 if(build_folder STREQUAL "${PROJECT_SOURCE_DIR}/build")
+  # A file system may have no links, and the root folder may be read-only.
   file(CREATE_LINK "${PROJECT_BINARY_DIR}/compile_commands.json"
-       "${PROJECT_SOURCE_DIR}/compile_commands.json" SYMBOLIC)
+       "${PROJECT_SOURCE_DIR}/compile_commands.json" RESULT without_link SYMBOLIC)
+  if(without_link)
+    message(STATUS "Editors find no compile_commands.json in the root folder: ${without_link}")
+  endif()
 endif()
 
 # g++ collects its garbage whenever its memory has doubled, from 128 MB on. In a batch of files (given_code.cmake) that
