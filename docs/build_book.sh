@@ -151,7 +151,7 @@ write_site() {
   [ ! -s "$docs/cs550.pdf" ] || cp "$docs/cs550.pdf" "$docs/site/"
 }
 
-rm -rf "$docs/html"
+rm -rf "$docs/html" "$docs/cs550.pdf"  # where no PDF is printed, that of an older book would be listed
 mkdir -p "$docs"
 begin "Measuring, and drawing what the engine draws"
 measure
