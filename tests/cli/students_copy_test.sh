@@ -46,10 +46,11 @@ for lab in "$copy"/labs/lab*; do
 done
 found=$(cd "$copy" && find solutions tests -name hidden -o -name mutants -o -path 'solutions/*') 2>/dev/null || true
 [ -z "$found" ] || wrong "the copy has" "$found"
-for path in solutions .ci .gitattributes CONTRIBUTING.md docs/instructors.md docs/chapters/answers.md docs/rebuild framework/gradebook \
+for path in solutions .ci CONTRIBUTING.md docs/instructors.md docs/chapters/answers.md docs/rebuild framework/gradebook \
   tests/cli; do
   [ ! -e "$copy/$path" ] || wrong "the copy has $path"
 done
+! grep -q export-ignore "$copy/.gitattributes" || wrong "its .gitattributes names what it leaves out"
 version=$(cat "$copy/.starters/version")
 [ "${version#* }" = "$(git -C "$root" rev-parse --short=12 HEAD)" ] || wrong "its version is $version"
 ! "$copy/cs550" help | grep -qE '^ *(starter|grade|bench) ' || wrong "its help lists a verb for instructors"
@@ -70,6 +71,9 @@ echo "A history of its own:"
 history=$(git -C "$copy" log --all --format='%an %ae %s')
 [ "$history" = "CS550 cs550@localhost The seven labs" ] || wrong "the history is" "$history"
 [ -z "$(git -C "$copy" remote)" ] || wrong "it has a remote"
+git clone -q -c core.autocrlf=true "$copy" "$list/clone"
+[ -z "$(grep -rlI "$(printf '\r')" "$list/clone" --exclude-dir=.git)" ] || wrong "a clone under Windows has other line ends"
+rm -rf "$list/clone"
 ! CS550_ROOT=$root "$program" starter "$copy" 2>/dev/null || wrong "a folder in use was taken"
 
 echo "Its tests are the visible ones, and a broken lab stops no other:"

@@ -33,6 +33,8 @@ namespace {
 
 constexpr const char* students_readme = "framework/cli/students_readme.md";
 constexpr const char* classroom_workflow = "framework/cli/classroom/workflow.yml";
+/// Scripts keep their line ends where git would write those of Windows.
+constexpr const char* students_gitattributes = "* text=auto eol=lf\n";
 constexpr const char* file_list = ".starters/files.txt";
 /// The book's figures: where ./cs550 docs draws them, and where the chapters of a copy look for them.
 constexpr const char* drawn_figures = "build/docs/figures";
@@ -130,6 +132,7 @@ void write_students_copy(const fs::path& folder, int released, const fs::path& o
   add_solutions(folder, released);
   list_visible_tests_only(folder);
   fs::rename(folder / students_readme, folder / "README.md");
+  files::write_file(folder / ".gitattributes", students_gitattributes);
   add_figures(folder, old_copy);
   // Here it would run in the instructors' repository.
   fs::create_directories(folder / ".github/workflows");
