@@ -30,7 +30,7 @@ else()
   endif()
   if(viewer_missing)
     string(CONCAT viewer_absence "it needs${viewer_missing}. On Debian and Ubuntu: "
-      "./cs550 doctor --install viewer; elsewhere see README.md. Then: rm -r ${PROJECT_BINARY_DIR}")
+      "./cs550 doctor --install viewer; elsewhere see README.md. Without ./cs550, then configure again")
   endif()
 endif()
 if(viewer_absence)

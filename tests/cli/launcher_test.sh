@@ -12,14 +12,22 @@ cp "$root/framework/cli/verbs.def" "$root/framework/cli/first_errors.awk" "$proj
 : >"$project/framework/cli/packages.txt"  # a test installs nothing
 cat >"$scratch/bin/cmake" <<'FAKE'
 #!/bin/sh
-[ "$1" = --build ] && echo "built in $(pwd -P)" && echo "messages in ${LC_ALL-}" || echo "$*" >>"$CONFIGURED"
+case $1 in
+  --version) echo "cmake version ${CMAKE_VERSION-3.25.1}"; exit ;;
+  --build) echo "built in $(pwd -P)"; echo "messages in ${LC_ALL-}" ;;
+  --preset)
+    echo "$*" >>"$CONFIGURED"
+    [ ! -e unconfigurable ] || exit 1
+    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)" >"build/$2/CMakeCache.txt"
+    : >"build/$2/build.ninja" ;;
+esac
 [ ! -e broken ] || { echo '-- GLOB mismatch!'; echo "In file included from $(pwd -P)/labs/a.hpp:1,"; cat broken; exit 1; }
 FAKE
 chmod +x "$scratch/bin/cmake"
 export CONFIGURED="$scratch/configured" PATH="$scratch/bin:$PATH" XDG_CACHE_HOME="$scratch/cache"
 # ./cs550 test sets CS550_ROOT, and a launcher that a program of the project calls prints less. The user may have set
 # CS550_BUILD_DIR.
-unset CS550_ROOT CS550_BUILD_DIR
+unset CS550_ROOT CS550_BUILD_DIR CS550_WERROR CXX CMAKE_CXX_COMPILER_LAUNCHER CMAKE_BUILD_PARALLEL_LEVEL
 
 wrong() { echo "WRONG: $1" >&2; cat "$scratch/printed" >&2; exit 1; }
 prints() { tr '\n' ' ' <"$scratch/printed" | grep -qF "$1" || wrong "expected in the output: $1"; }
@@ -79,10 +87,9 @@ build_state() {
   "$project/cs550" build test
   "$project/cs550" build test
   [ ! -s "$scratch/configured" ] || wrong "without a change, it was configured again in $1"
-  touch -d '+1 minute' "$project/CMakePresets.json"
+  echo >>"$project/CMakePresets.json"
   "$project/cs550" build test
   [ -s "$scratch/configured" ] || wrong "after a change of the presets, it was not configured again in $1"
-  touch "$project/CMakePresets.json"
 
   # An edit counts by its bytes. A file from a backup has its old time, and so has one after the clock was set back.
   for lab in 3 4; do
@@ -129,6 +136,68 @@ for header in $(cd "$root/framework" && find cli files -path cli/demo -prune -o 
     *) wrong "cli_sources lacks framework/include/$header" ;;
   esac
 done
+
+# A build is configured again after what CMake does not notice. From nothing, which deletes all objects, only if it must be.
+# configures HOW WHAT [NAME=VALUE]...: "not", "again" or "afresh"
+configures() {
+  how=$1 what=$2
+  shift 2
+  : >"$scratch/configured"
+  env "$@" "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "the build failed: $what"
+  case $(cat "$scratch/configured") in
+    '') done=not ;;
+    *--fresh*) done=afresh ;;
+    *) done=again ;;
+  esac
+  [ "$done" = "$how" ] || wrong "configured '$done' instead of '$how': $what"
+}
+rm -rf "$project/build/test"
+configures afresh "the first time"
+configures not "nothing has changed"
+configures again "CS550_WERROR" CS550_WERROR=ON
+configures not "CS550_WERROR again" CS550_WERROR=ON
+configures again "no CS550_WERROR"
+configures again "a compiler launcher" CMAKE_CXX_COMPILER_LAUNCHER=cache
+grep -q -e '-DCMAKE_CXX_COMPILER_LAUNCHER=cache$' "$scratch/configured" || wrong "CMake got no compiler launcher"
+configures again "no compiler launcher"
+configures afresh "another compiler" CXX=g++-12
+configures afresh "the usual compiler"
+sed -i 's/"CS550_LTO": "ON"/"CS550_LTO": "OFF"/' "$project/CMakePresets.json"
+configures again "another value in the presets"
+sed -i '/"CS550_LTO"/d' "$project/CMakePresets.json"
+configures afresh "a variable less in the presets, which CMake would keep"
+printf 'debug | gdb | gdb | gdb | sh | debugger\n' >"$project/framework/cli/packages.txt"
+configures not "a package that is installed"
+printf 'bench | libwhat | - | - | %s | timing\n' "$scratch/missing" >"$project/framework/cli/packages.txt"
+configures afresh "a package that is no longer there"
+: >"$scratch/missing"
+configures again "a package that was installed by hand"
+rm "$project/build/test/.configured"
+configures again "configured by CMake alone"
+: >"$project/unconfigurable"
+! CS550_WERROR=ON "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "it built what cannot be configured"
+rm "$project/unconfigurable"
+configures again "it failed to be configured again" CS550_WERROR=ON
+rm "$project/build/test/build.ninja"
+configures afresh "it failed to be configured the first time"
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere" >"$project/build/test/CMakeCache.txt"
+rm "$project/build/test/.configured"
+configures afresh "a copy of another folder"
+cp "$root/CMakePresets.json" "$project"
+: >"$project/framework/cli/packages.txt"
+rm "$scratch/missing"
+
+# Neither the mark of a copied build nor a program that does not start hides that it must be built.
+built=$project/build
+"$project/cs550" progress --list >/dev/null
+runs_after_build no
+sed -i "1s|.*|root /elsewhere|" "$project/build/student/.configured"
+runs_after_build yes
+runs_after_build no
+printf '#!/nowhere/sh\n' >"$built/student/bin/cs550"
+: >"$scratch/configured"
+! "$project/cs550" progress --list >"$scratch/printed" 2>&1 || wrong "a program ran that cannot"
+grep -q -e '--fresh' "$scratch/configured" || wrong "a program that does not start was not built again"
 
 # Errors name files relative to the project, and CMake's messages are left out.
 : >"$project/broken"
