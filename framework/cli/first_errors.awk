@@ -15,6 +15,7 @@ failed && (/^FAILED: / || /^\[[0-9]+\/[0-9]+\]/ || /^ninja: /) { exit }
   sub(/^\.\.\/\.\.\//, "")
   while (at = index($0, root)) $0 = substr($0, 1, at - 1) substr($0, at + length(root))
   lines[++count] = $0
+  if (/Killed signal terminated program|cc1plus: out of memory|virtual memory exhausted|command: Killed/) no_memory = 1
   if (!first && /[Ee]rror: |undefined reference|multiple definition/) first = count
 }
 END {
@@ -23,4 +24,8 @@ END {
   if (start < 1) start = 1
   for (i = start; i < start + most && i <= count; ++i) print lines[i]
   if (i <= count) print "... and " count - i + 1 " more lines"
+  if (no_memory) {
+    print "The compiler ran out of memory. Close other programs, or compile one file at a time:"
+    print "  CMAKE_BUILD_PARALLEL_LEVEL=1 ./cs550 ..."
+  }
 }

@@ -14,7 +14,7 @@ cat >"$scratch/bin/cmake" <<'FAKE'
 #!/bin/sh
 case $1 in
   --version) echo "cmake version ${CMAKE_VERSION-3.25.1}"; exit ;;
-  --build) echo "built in $(pwd -P)"; echo "messages in ${LC_ALL-}" ;;
+  --build) echo "built in $(pwd -P)"; echo "messages in ${LC_ALL-}"; echo "jobs: ${CMAKE_BUILD_PARALLEL_LEVEL-}" ;;
   --preset)
     echo "$*" >>"$CONFIGURED"
     [ ! -e unconfigurable ] || exit 1
@@ -41,6 +41,22 @@ builds_in "$project"
 # Messages of the compiler are in the language that the command line reads.
 LC_ALL=de_DE.UTF-8 builds_in "$project"
 grep -qx "messages in C.UTF-8" "$project/build/test.log" || wrong "messages are in the user's language"
+
+# With too little memory for ninja's jobs, there are fewer. The user's number counts.
+if [ -e /proc/meminfo ]; then
+  jobs() {
+    printf '#!/bin/sh\necho %s\n' "$1" >"$scratch/bin/getconf"
+    chmod +x "$scratch/bin/getconf"
+    builds_in "$project"
+    sed -n 's/^jobs: //p' "$project/build/test.log"
+  }
+  [ -z "$(jobs 1)" ] || wrong "with one processor, there are $(jobs 1) jobs"
+  [ "$(jobs 100000)" -lt 100000 ] || wrong "with 100000 processors, there are $(jobs 100000) jobs"
+  export CMAKE_BUILD_PARALLEL_LEVEL=100000
+  [ "$(jobs 100000)" = 100000 ] || wrong "instead of the user's 100000 jobs, there are $(jobs 100000)"
+  unset CMAKE_BUILD_PARALLEL_LEVEL
+  rm "$scratch/bin/getconf"
+fi
 
 # A lab that does not compile counts as empty, but not one whose compiler was stopped: it is compiled again.
 cat >"$scratch/bin/compiler" <<'FAKE'
@@ -187,6 +203,33 @@ cp "$root/CMakePresets.json" "$project"
 : >"$project/framework/cli/packages.txt"
 rm "$scratch/missing"
 
+# Tools that are too old are named before CMake fails in its own words. A build that is configured asks nobody.
+refuses() {
+  rm -f "$project/build/test/build.ninja"
+  ! env "$2" "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "it configured with $2"
+  prints "$1"
+  prints "Debian 12, Debian 13 and Ubuntu 24.04"
+}
+for compiler in g++ clang++; do
+  printf '#!/bin/sh\n[ "$1" = -dumpversion ] && echo "$VERSION" || echo "%s $VERSION"\n' "${compiler%++}" \
+    >"$scratch/bin/fake_$compiler"
+  chmod +x "$scratch/bin/fake_$compiler"
+done
+refuses "cmake 3.22.1: 3.25 or later" CMAKE_VERSION=3.22.1
+export VERSION=11
+refuses "fake_g++ 11: g++ 12 or later" CXX=fake_g++
+VERSION=9.0.1
+refuses "fake_clang++ 9.0.1: clang++ 14 or later" CXX=fake_clang++
+CMAKE_VERSION=3.22.1 CXX=fake_clang++ "$project/cs550" doctor >"$scratch/printed" 2>&1 || wrong "doctor failed"
+prints "fake_clang++ 9.0.1: clang++ 14 or later"
+prints "cmake 3.22.1: 3.25 or later"
+for VERSION in 14 14.0.6 100.1; do
+  configures afresh "clang++ $VERSION" CXX=fake_clang++
+  rm "$project/build/test/build.ninja"
+done
+configures afresh "cmake 4.0" CMAKE_VERSION=4.0
+configures not "cmake is older now" CMAKE_VERSION=3.22.1
+
 # Neither the mark of a copied build nor a program that does not start hides that it must be built.
 built=$project/build
 "$project/cs550" progress --list >/dev/null
@@ -216,6 +259,10 @@ grep -qFx "In file included from labs/a.hpp:1," "$scratch/printed" || wrong "exp
 [ "$(sed -n 1p "$scratch/printed")" = "labs/lab5.cpp: In function 'void f()':" ] || wrong "another first line"
 prints "labs/lab5.cpp:9:3: error: the first labs/lab5.cpp:10:1: error: a later one"
 prints "... and 52 more lines"
+# What ran out of memory needs fewer jobs.
+printf 'FAILED: a.o\nc++ -c a.cpp\nc++: fatal error: Killed signal terminated program cc1plus\n' >"$project/broken"
+! "$project/cs550" build test >"$scratch/printed" 2>&1 || wrong "a failed build counted as good"
+prints "CMAKE_BUILD_PARALLEL_LEVEL=1 ./cs550"
 # It ends where the failed step does: other steps that are running then print their own.
 {
   printf 'FAILED: lab3.o\nc++ -c lab3.cpp\n'
