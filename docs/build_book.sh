@@ -77,6 +77,9 @@ start_live_engine() {
   command -v emcmake >/dev/null || return 0
   launcher=
   ! command -v ccache >/dev/null || launcher=-DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  # CMake refuses the folder of a project that was moved or copied.
+  source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' build/live/CMakeCache.txt 2>/dev/null) || source=
+  [ "$source" -ef docs/live ] || rm -rf build/live
   export NODE_PATH="${NODE_PATH-/usr/share/nodejs}"  # the distribution's emscripten finds its parser there
   (emcmake cmake -S docs/live -B build/live -G Ninja -DCMAKE_BUILD_TYPE=Release $launcher &&
     exec ninja -C build/live) >"$docs/live.log" 2>&1 &

@@ -150,10 +150,18 @@ if(TARGET grade_lab)
                        grader.takes_no_failure_of_the_machine_for_a_mark grader.gives_ctest_its_verdicts PROPERTIES
                        FIXTURES_REQUIRED grader)
 
-  # ctest --preset labN builds the judge with the flags of `student`, of which there are several.
+  # ctest --preset labN builds the judge with the flags of `student`, of which there are several. The folder may come from
+  # a project that was moved or copied, whose sources CMake would look for.
+  set(precompiles "${PROJECT_BINARY_DIR}/precompiles")
+  if(EXISTS "${precompiles}/CMakeCache.txt")
+    file(STRINGS "${precompiles}/CMakeCache.txt" home REGEX "^CMAKE_HOME_DIRECTORY:")
+    if(NOT home STREQUAL "CMAKE_HOME_DIRECTORY:INTERNAL=${PROJECT_SOURCE_DIR}")
+      file(REMOVE_RECURSE "${precompiles}")
+    endif()
+  endif()
   add_test(NAME grader.precompiles_as_students_compile
            COMMAND "${CMAKE_CTEST_COMMAND}" --build-and-test "${PROJECT_SOURCE_DIR}"
-                   "${PROJECT_BINARY_DIR}/precompiles" --build-generator "${CMAKE_GENERATOR}" --build-noclean
+                   "${precompiles}" --build-generator "${CMAKE_GENERATOR}" --build-noclean
                    --build-target precompiled_contract
                    --build-options -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1"
                                    "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
