@@ -8,7 +8,8 @@ rm -rf "$scratch"
 project="$scratch/a project's (unusual) földer"
 mkdir -p "$project/framework/cli" "$scratch/bin"
 cp "$root/cs550" "$root/CMakePresets.json" "$project"
-cp "$root/framework/cli/verbs.def" "$root/framework/cli/first_errors.awk" "$project/framework/cli"
+cp "$root/framework/cli/verbs.def" "$root/framework/cli/first_errors.awk" "$root/framework/cli/configure.sh" \
+  "$project/framework/cli"
 : >"$project/framework/cli/packages.txt"  # a test installs nothing
 cat >"$scratch/bin/cmake" <<'FAKE'
 #!/bin/sh
