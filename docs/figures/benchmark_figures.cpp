@@ -109,7 +109,11 @@ Plot plot_frontier(const json& frontier, const Measure& measure) {
     const std::string& engine = run.at("engine").get_ref<const std::string&>();
     if (curves.empty() || curves.back().first != engine) curves.push_back({engine, {}});
     const double milliseconds = 1e3 * run.at("seconds").get<double>();
-    curves.back().second.push_back(point(milliseconds, run.at(measure.key), measure.unit));
+    const Vec2 value = point(milliseconds, run.at(measure.key), measure.unit);
+    curves.back().second.push_back(value);
+    if (value.y() > 0) continue;
+    plot.notes.push_back("Below the axis: " + engine + " with " +
+                         std::to_string(run.at("effort").get<int>()) + " reaches 0.");
   }
   for (const auto& [engine, values] : curves) add_curve(plot, engine, values);
   return plot;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <new>
 
 #include "cs550/scene.hpp"
@@ -29,6 +30,18 @@ TEST(Allocation, TheCounterCounts) {
   EXPECT_EQ(allocation_count(), before + 1);
   EXPECT_EQ(allocated_bytes(), bytes_before + 100);
   ::operator delete(something);
+  EXPECT_EQ(allocated_bytes(), bytes_before);
+}
+
+TEST(Allocation, TheCounterCountsAlignedBlocks) {
+  const long before = allocation_count();
+  const long bytes_before = allocated_bytes();
+  constexpr auto cache_line = std::align_val_t(64);
+  void* const something = ::operator new(100, cache_line);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(something) % 64, 0U);
+  EXPECT_EQ(allocation_count(), before + 1);
+  EXPECT_EQ(allocated_bytes(), bytes_before + 100);
+  ::operator delete(something, cache_line);
   EXPECT_EQ(allocated_bytes(), bytes_before);
 }
 

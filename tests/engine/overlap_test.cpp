@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "cs550/diagnostics.hpp"
 #include "engine/test_bodies.hpp"
@@ -39,11 +40,12 @@ Real largest_speed(const World& world) {
   return largest;
 }
 
-/// Runs a world. @returns the largest speed of a body after any step (m/s)
+/// Runs a world. @returns the largest speed of a body after any step (m/s); infinity once a number is not finite
 Real peak_speed(World& world, int steps) {
   Real peak = 0;
   for (int step = 0; step < steps; ++step) {
     world.step(step_length);
+    if (!is_finite(world)) return std::numeric_limits<Real>::infinity();
     peak = std::max(peak, largest_speed(world));
   }
   return peak;

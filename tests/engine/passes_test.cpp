@@ -232,6 +232,12 @@ TEST(Passes, MassesAreThoseOfEachConstraint) {
     for (const auto& [form, prepare] : forms_of_preparing()) {
       SCOPED_TRACE(form);
       System prepared = system;
+      for (ContactConstraint& constraint :
+           prepared.constraints) {  // random_system() has prepared them
+        constraint.normal_mass = -1;
+        constraint.tangent_mass.setConstant(-1);
+        constraint.softness = {-1, -1, -1};
+      }
       prepare(prepared.constraints, prepared.bodies, step);
       for (const ContactConstraint& constraint : prepared.constraints) {
         const SolverBody& a = prepared.bodies[constraint.body_a];

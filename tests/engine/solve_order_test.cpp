@@ -81,7 +81,7 @@ TEST(SolveOrder, ConstraintsOfAMovableBodyKeepTheirOrder) {
   }
 }
 
-/// Checks that any four consecutive constraints belong to four different contacts.
+/// Checks that consecutive constraints that are solved side by side belong to different contacts.
 void expect_full_lanes(const std::vector<Contact>& contacts, Index bodies_on_floor) {
   SolveOrder order;
   arrange_constraints(pairs_of(contacts), bodies_of_kinds(bodies_on_floor, 1), Vec3::Zero(), order);

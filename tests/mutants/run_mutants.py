@@ -21,9 +21,11 @@ every other run checks the tests of the step.
 import argparse
 import fnmatch
 import json
+import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -139,10 +141,13 @@ def run_tests(reference, library, names, folder, seconds):
         lines.append(f'set_tests_properties({name} PROPERTIES WORKING_DIRECTORY "{ROOT}"'
                      f' ENVIRONMENT "LD_PRELOAD={library}" TIMEOUT {seconds})')
     (folder / "CTestTestfile.cmake").write_text("\n".join(lines))
+    ctest = subprocess.Popen(["ctest", "--test-dir", folder, "-j1"], text=True, stdout=subprocess.PIPE,
+                             stderr=subprocess.DEVNULL, start_new_session=True)
     try:
-        printed = subprocess.run(["ctest", "--test-dir", folder, "-j1"], timeout=SECONDS_PER_MUTANT, text=True,
-                                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+        printed, _ = ctest.communicate(timeout=SECONDS_PER_MUTANT)
     except subprocess.TimeoutExpired:
+        os.killpg(ctest.pid, signal.SIGKILL)  # with the test that does not end
+        ctest.wait()
         raise Unusable(f"its tests take more than {SECONDS_PER_MUTANT} s") from None
     stopped = set(re.findall(r": (\S+) \.*\*\*\*Timeout", printed))
     return [row_of(folder / f"{name}.json") | {"stopped": name in stopped} for name in names]

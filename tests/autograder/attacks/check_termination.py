@@ -6,6 +6,7 @@ import argparse
 import itertools
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -75,7 +76,7 @@ def of_a_class(build, attack, isolation, scratch):
 
 
 def faults(command, busy, scratch, to_all):
-    """What is wrong after SIGTERM in the middle of a program called `busy`, to the grader or to all its processes."""
+    """What is wrong after SIGTERM in the middle of a program whose name begins with `busy`, to the grader or to all its processes."""
     # Its own, since other graders may run at the same time.
     temporary = scratch / "temporary"
     temporary.mkdir()
@@ -84,7 +85,7 @@ def faults(command, busy, scratch, to_all):
     environment = {**os.environ, "TMPDIR": str(temporary), "CS550_ROOT": str(ROOT), "GIT_DIR": str(scratch / "no_git")}
     grader = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment,
                               start_new_session=True)
-    if not wait_until(lambda: busy in descendants(), 60):
+    if not wait_until(lambda: any(name.startswith(busy) for name in descendants()), 60):
         yield f"{busy} was never started"
     time.sleep(0.3)
     (os.killpg if to_all else os.kill)(grader.pid, signal.SIGTERM)
@@ -103,6 +104,13 @@ def faults(command, busy, scratch, to_all):
         yield f"these are left in its temporary folder: {', '.join(left)}"
 
 
+def compiler_process(build):
+    """How the name of the process that compiles begins. That of g++ is a program of its own."""
+    cache = (build / "CMakeCache.txt").read_text()
+    compiler = Path(re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", cache, re.M)[1]).resolve()
+    return "clang" if "clang" in compiler.name else "cc1plus"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", type=Path, default=ROOT / "build/test")
@@ -113,7 +121,7 @@ def main():
     become_subreaper()
     attacks = {attack["name"]: attack for attack in json.loads((HERE / "attacks.json").read_text())["attacks"]}
     faulty = 0
-    programs = ((BUSY_IN_COMPILER, "cc1plus"), (BUSY_IN_WORKER, "lab_worker"))
+    programs = ((BUSY_IN_COMPILER, compiler_process(build)), (BUSY_IN_WORKER, "lab_worker"))
     for command, (name, busy), to_all in itertools.product(commands, programs, (False, True)):
         with tempfile.TemporaryDirectory() as folder:
             scratch = Path(folder)
