@@ -113,7 +113,7 @@ Plot plot_frontier(const json& frontier, const Measure& measure) {
     curves.back().second.push_back(value);
     if (value.y() > 0) continue;
     plot.notes.push_back("Below the axis: " + engine + " with " +
-                         std::to_string(run.at("effort").get<int>()) + " reaches 0.");
+                         std::to_string(run.at("effort").get<int>()) + '.');
   }
   for (const auto& [engine, values] : curves) add_curve(plot, engine, values);
   return plot;
