@@ -30,7 +30,7 @@ else()
   endif()
   if(viewer_missing)
     string(CONCAT viewer_absence "it needs${viewer_missing}. On Debian and Ubuntu: "
-      "./cs550 doctor --install viewer; elsewhere see README.md. Without ./cs550, then configure again")
+      "./cs550 doctor --install viewer; elsewhere see README.md. Then configure again, as ./cs550 does by itself")
   endif()
 endif()
 if(viewer_absence)
