@@ -129,7 +129,7 @@ void predict_velocities(WorldState& world, Real h) {
   for_body_blocks(world, [&](std::size_t first, std::size_t last) {
     predict_falls(world, first, last, h, cold.bodies);
   });
-  for_units(world.team, world.solve_order, false, [&](std::size_t unit) {
+  for_units_by_phase(world.team, world.solve_order, false, [&](std::size_t unit) {
     predict_pushes(constraints_of(world, world.solve_order.units[unit]), cold.is_cold, cold.bodies);
   });
 }

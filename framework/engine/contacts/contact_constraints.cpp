@@ -234,14 +234,14 @@ void read_back_impulses(WorldState& world) {
   if (std::none_of(mirrors.begin(), mirrors.end(),
                    [](const ConstraintMirror& mirror) { return mirror.is_ahead; }))
     return;
-  for_units(world.team, world.solve_order, false,
+  for_units(world.team, world.solve_order,
             [&](std::size_t unit) { read_back_impulses(world, unit); });
 }
 
 void arrange_contacts(WorldState& world) {
   BodyParts& parts = world.parts;
   const Vec3& gravity = world.settings.gravity;
-  divide_bodies(world.pairs, world.bodies, gravity, parts);
+  divide_bodies(world.pairs, world.bodies, gravity, parts, world.team);
   ThreadTeam* const team = passes_spare_immovable_bodies() ? world.team : nullptr;
   arrange_constraints(world.pairs, world.bodies, gravity, world.solve_order, parts, team);
   const std::vector<Index>& contacts = world.solve_order.contacts;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/contacts/solve_order.hpp"
+#include "engine/prefetch.hpp"
 #include "engine/world_state.hpp"
 
 namespace cs550 {
@@ -102,6 +103,11 @@ void for_constraints_of_contacts(const WorldState& world, const Visit& visit) {
   }
 }
 
+/// The contacts of a group are far from each other in memory, so they are fetched while the group before is visited.
+inline void prefetch_contacts(const PairList& pairs, const ContactGroup& group) {
+  for (const Index contact : group) prefetch(&pairs.contacts[contact], sizeof(Contact));
+}
+
 /// Calls `visit(group, constraints)` for every group of the solve order: its contacts and their constraints,
 /// which are neighbours in the array. Several threads share the groups if there are any. A visit may change
 /// only these contacts and constraints.
@@ -109,7 +115,9 @@ template <class Visit>
 void for_groups_in_blocks(WorldState& world, const Visit& visit) {
   const SolveOrder& order = world.solve_order;
   const auto visit_groups = [&](std::span<const ContactGroup> groups) {
-    for (const ContactGroup& group : groups) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (i + 1 < groups.size()) prefetch_contacts(world.pairs, groups[i + 1]);
+      const ContactGroup& group = groups[i];
       std::size_t points = 0;
       for (const Index contact : group) points += order.places_of(contact).size();
       const auto begin = static_cast<std::size_t>(order.places_of(group[0])[0]);
@@ -117,8 +125,7 @@ void for_groups_in_blocks(WorldState& world, const Visit& visit) {
     }
   };
   if (order.units.size() > 1) {
-    for_units(world.team, order, false,
-              [&](std::size_t unit) { visit_groups(order.units[unit].groups); });
+    for_units(world.team, order, [&](std::size_t unit) { visit_groups(order.units[unit].groups); });
     return;
   }
   constexpr std::size_t block = 4;

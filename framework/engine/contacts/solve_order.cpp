@@ -206,15 +206,14 @@ void arrange_constraints(const PairList& pairs, std::span<const RigidBody> bodie
   list_contacts(order);
   if (team == nullptr) unite(order);
   order.states.resize(order.links.size());
-  for_units(team, order, false,
-            [&](std::size_t i) { form_groups(order, order.units[i], bodies.size()); });
+  for_units(team, order, [&](std::size_t i) { form_groups(order, order.units[i], bodies.size()); });
   place_units(order);
-  for_units(team, order, false, [&](std::size_t i) { place_points(pairs, order, order.units[i]); });
+  for_units(team, order, [&](std::size_t i) { place_points(pairs, order, order.units[i]); });
 }
 
 void keep_groups(const SolveOrder& order, ConstraintMirrors& mirrors, ThreadTeam* team) {
   mirrors.of_units.resize(order.units.size());
-  for_units(team, order, false, [&](std::size_t i) {
+  for_units(team, order, [&](std::size_t i) {
     const SolveUnit& unit = order.units[i];
     std::vector<Index>& starts = mirrors.of_units[i].starts;
     starts.clear();

@@ -42,10 +42,19 @@ void for_units_of_phase(ThreadTeam* team, const SolveOrder& order, std::size_t p
 
 /// The same for all units, one phase after the other.
 template <class Visit>
-void for_units(ThreadTeam* team, const SolveOrder& order, bool backwards, const Visit& visit) {
+void for_units_by_phase(ThreadTeam* team, const SolveOrder& order, bool backwards,
+                        const Visit& visit) {
   for (std::size_t i = 0; i < phase_count; ++i) {
     for_units_of_phase(team, order, backwards ? phase_count - 1 - i : i, visit);
   }
+}
+
+/// The same for all units in a single loop. A visit may change nothing that other units read or change.
+template <class Visit>
+void for_units(ThreadTeam* team, const SolveOrder& order, const Visit& visit) {
+  for_blocks(team, order.units.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t unit = first; unit < last; ++unit) visit(unit);
+  });
 }
 
 }  // namespace cs550

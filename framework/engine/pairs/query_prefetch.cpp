@@ -4,18 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/threads/thread_team.hpp"
+#include "engine/prefetch.hpp"
 
 namespace cs550 {
 
 namespace {
-
-void prefetch(const void* first, std::size_t size) {
-  const char* const bytes = static_cast<const char*>(first);
-  for (std::size_t line = 0; line < size; line += cache_line) __builtin_prefetch(bytes + line);
-  // To g++ a function that only prefetches has no effect: it would delete the calls.
-  asm volatile("");
-}
 
 template <class Element>
 void prefetch_elements(const std::vector<Element>& elements) {

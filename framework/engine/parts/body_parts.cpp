@@ -147,23 +147,34 @@ StaticVector<Vec3, most_directions> directions_across(const Vec3& gravity) {
   return directions;
 }
 
-/// Those across the direction in which they are cheapest.
-Cuts best_cuts(std::span<const ContactEnds> contacts, const Vec3& gravity, Index parts) {
-  Cuts best;
-  best.cost = std::numeric_limits<Index>::max();
-  for (const Vec3& direction : directions_across(gravity)) {
-    const Slices slices = slices_along(direction, contacts);
-    if (slices.per_length == 0) continue;
-    const Cuts cuts = cuts_across(slices, contacts, parts);
-    if (cuts.cost < best.cost) best = cuts;
-  }
-  return best;
+/// Those across a direction. If the contacts have no extent in it, all bodies are in one part.
+Cuts cuts_along(const Vec3& direction, std::span<const ContactEnds> contacts, Index parts) {
+  const Slices slices = slices_along(direction, contacts);
+  if (slices.per_length > 0) return cuts_across(slices, contacts, parts);
+  Cuts none;
+  none.cost = std::numeric_limits<Index>::max();
+  return none;
+}
+
+/// Those along the direction in which they are cheapest.
+Cuts best_cuts(std::span<const ContactEnds> contacts, const Vec3& gravity, Index parts,
+               ThreadTeam* team) {
+  const auto directions = directions_across(gravity);
+  std::array<Cuts, most_directions> cuts;
+  const auto count = static_cast<std::size_t>(directions.size());
+  for_blocks(team, count, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      cuts[i] = cuts_along(directions[static_cast<int>(i)], contacts, parts);
+    }
+  });
+  return *std::min_element(cuts.begin(), cuts.begin() + count,
+                           [](const Cuts& a, const Cuts& b) { return a.cost < b.cost; });
 }
 
 }  // namespace
 
 void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
-                   BodyParts& parts) {
+                   BodyParts& parts, ThreadTeam* team) {
   parts.of_body.resize(bodies.size(), 0);
   if (parts.count > 1 && ++parts.age < steps_between_divisions) return;
   parts.age = 0;
@@ -174,7 +185,7 @@ void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, con
   parts.of_body.assign(bodies.size(), 0);
   if (parts.count == 1) return;
   list_ends(pairs, bodies, static_cast<std::size_t>(contacts), parts.contacts);
-  const Cuts cuts = best_cuts(parts.contacts, gravity, parts.count);
+  const Cuts cuts = best_cuts(parts.contacts, gravity, parts.count, team);
   parts.direction = cuts.slices.direction;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     parts.of_body[i] = cuts.part_of(bodies[i], parts.count);

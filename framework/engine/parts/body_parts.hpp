@@ -17,7 +17,8 @@ namespace cs550 {
 /// Call it once per step: bodies keep their parts for some steps. A body that is added meanwhile is in the first part,
 /// or in that of the removed body whose index it takes over.
 /// @param gravity in the world frame
+/// @param team that shares the work, if there is one
 void divide_bodies(const PairList& pairs, std::span<const RigidBody> bodies, const Vec3& gravity,
-                   BodyParts& parts);
+                   BodyParts& parts, ThreadTeam* team = nullptr);
 
 }  // namespace cs550

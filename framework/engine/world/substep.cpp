@@ -61,7 +61,7 @@ void run_passes_by_unit(WorldState& world, std::span<SolverBody> bodies, const C
                         const Passes& passes) {
   const SolveOrder& order = world.solve_order;
   const auto run = [&](const Passes& some) {
-    for_units(world.team, order, some.backwards, [&](std::size_t i) {
+    for_units_by_phase(world.team, order, some.backwards, [&](std::size_t i) {
       run_passes(world.mirrors.of_units[i], constraints_of(world, order.units[i]), bodies, step,
                  some);
     });
@@ -88,8 +88,8 @@ void solve(WorldState& world, std::span<SolverBody> bodies, const ContactStep& s
 }
 
 void resist_rolling(WorldState& world) {
-  for_units(world.team, world.solve_order, false,
-            [&](std::size_t unit) { resist_rolling(world, unit); });
+  for_units_by_phase(world.team, world.solve_order, false,
+                     [&](std::size_t unit) { resist_rolling(world, unit); });
 }
 
 /// A torque that rolling resistance balances must not turn a body at all, so the resistance acts before
